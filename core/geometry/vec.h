@@ -1,0 +1,56 @@
+// Points, vectors and boxes in D dimensions. Coordinates are doubles in scene units.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <limits>
+
+namespace sightline {
+
+/// A point or a direction; D is 2 or 3.
+template <int D>
+using Vec = glm::vec<D, double, glm::defaultp>;
+
+/// Twice the signed area of the triangle (0, a, b); positive when b is counter-clockwise of a. Rounded.
+inline double cross(const Vec<2>& a, const Vec<2>& b) { return a.x * b.y - a.y * b.x; }
+
+template <int D>
+bool is_finite(const Vec<D>& p) {
+    for (int i = 0; i < D; ++i)
+        if (!std::isfinite(p[i])) return false;
+    return true;
+}
+
+/// An axis-aligned box; empty (min > max) until the first point is added.
+template <int D>
+struct Box {
+    Vec<D> min{std::numeric_limits<double>::infinity()};
+    Vec<D> max{-std::numeric_limits<double>::infinity()};
+
+    bool empty() const { return min.x > max.x; }
+    Vec<D> centre() const { return (min + max) * 0.5; }
+    Vec<D> extent() const { return max - min; }
+    /// Length of the longest side; 0 for an empty box.
+    double longest_side() const {
+        if (empty()) return 0;
+        const Vec<D> e = extent();
+        double side = 0;
+        for (int i = 0; i < D; ++i) side = std::max(side, e[i]);
+        return side;
+    }
+    void add(const Vec<D>& p) {
+        min = glm::min(min, p);
+        max = glm::max(max, p);
+    }
+    bool contains(const Vec<D>& p) const {
+        for (int i = 0; i < D; ++i)
+            if (p[i] < min[i] || p[i] > max[i]) return false;
+        return true;
+    }
+};
+
+}  // namespace sightline

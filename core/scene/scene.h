@@ -1,0 +1,72 @@
+// A scene: a soup of primitives and where to look at it from.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/geometry/hash.h"
+#include "core/geometry/vec.h"
+
+namespace sightline {
+
+/// A line segment in 2D, a triangle in 3D: D points. No structure between primitives is assumed.
+template <int D>
+using Primitive = std::array<Vec<D>, D>;
+
+/// What a reader left out, each kind counted once per primitive.
+struct Dropped {
+    std::size_t degenerate = 0;  ///< zero length (2D) or zero area (3D)
+    std::size_t duplicate = 0;   ///< the same points as an earlier primitive, in either direction
+    std::size_t not_finite = 0;  ///< a coordinate is NaN or infinite
+    std::size_t total() const { return degenerate + duplicate + not_finite; }
+    bool operator==(const Dropped&) const = default;
+};
+
+/// Where to look from, in scene units. fov in degrees: 2D (0, 180) or 360 for all round; 3D vertical.
+template <int D>
+struct ViewSpec {
+    Vec<D> eye{};
+    Vec<D> look_at{};
+    double fov = 60;
+    bool operator==(const ViewSpec&) const = default;
+};
+
+template <int D>
+struct Scene {
+    std::string id;      ///< catalogue id, or the file's name
+    std::string title;   ///< a few words for people
+    std::string lesson;  ///< one sentence: what it teaches; may be empty
+    std::string source;  ///< "generated", or the reader's format
+    std::uint64_t seed = 0;
+    std::vector<Primitive<D>> primitives;
+    Vec<D> origin{};  ///< added to a coordinate gives that of the file
+    std::optional<ViewSpec<D>> start_view;
+    Dropped dropped;
+};
+
+template <int D>
+Box<D> bounds(const std::vector<Primitive<D>>& primitives) {
+    Box<D> box;
+    for (const Primitive<D>& p : primitives)
+        for (const Vec<D>& v : p) box.add(v);
+    return box;
+}
+
+/// Identity of the geometry: the primitives in order and the origin, bit for bit.
+template <int D>
+std::uint64_t scene_hash(const Scene<D>& scene) {
+    Hash hash;
+    hash.add(scene.primitives.size());
+    for (const Primitive<D>& p : scene.primitives)
+        for (const Vec<D>& v : p)
+            for (int i = 0; i < D; ++i) hash.add(v[i]);
+    for (int i = 0; i < D; ++i) hash.add(scene.origin[i]);
+    return hash.value();
+}
+
+}  // namespace sightline

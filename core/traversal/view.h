@@ -1,0 +1,41 @@
+// The culling view: the eye and the cone it sees. One definition for methods and references alike.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "core/scene/scene.h"
+
+namespace sightline {
+
+/// Eye and view cone. The cone is fixed by points, not angles, so that every test on it is exact: it is the set of
+/// points between the rays from the eye through corners[i]. 2D: corners are {right, left} as seen from the eye; 3D:
+/// four, counter-clockwise as seen from the eye. all_round: there is no cone, everything is in view.
+template <int D>
+struct View {
+    Vec<D> eye{};
+    Vec<D> look_at{};
+    double fov = 60;  ///< degrees; kept for display, decisions use the corners
+    bool all_round = false;
+    std::array<Vec<D>, 2 * (D - 1)> corners{};
+
+    /// Unit vector from the eye to look_at.
+    Vec<D> forward() const { return (look_at - eye) / std::sqrt(glm::dot(look_at - eye, look_at - eye)); }
+};
+
+/// Builds the view. Throws InputError when a coordinate is not finite, when look_at coincides with the eye or when
+/// fov is outside (0, 180); fov = 360 looks all round (2D only).
+View<2> make_view(const ViewSpec<2>& spec);
+/// As above; `aspect` is width / height of the image, `up` is +z unless the view looks along it.
+View<3> make_view(const ViewSpec<3>& spec, double aspect);
+
+/// Whether the closed primitive meets the closed cone. 2D: exact. 3D: conservative (never false when it does).
+bool in_view(const View<2>& view, const Primitive<2>& segment);
+bool in_view(const View<3>& view, const Primitive<3>& triangle);
+
+/// The same for a convex cell: 2D, its corners in order around it; 3D, its corners in any order.
+bool in_view(const View<2>& view, std::span<const Vec<2>> cell_corners);
+bool in_view(const View<3>& view, std::span<const Vec<3>> cell_corners);
+
+}  // namespace sightline

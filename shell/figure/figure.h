@@ -1,0 +1,25 @@
+// A figure put down as PNG, SVG or PDF at its final size. Needs neither a window nor OpenGL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <span>
+
+#include "core/draw/draw_list.h"
+
+namespace sightline {
+
+/// Final size: a width in millimetres (the height follows from the content), or the whole picture in pixels.
+struct FigureSize {
+    double width_mm = 84;
+    int width_px = 0, height_px = 0;  ///< both > 0: the picture has exactly this many pixels (PDF, SVG: 1/96 inch)
+    double font_pt = 8;               ///< size of legend, caption, titles and labels of scale 1
+    double dpi = 300;                 ///< PNG with a width in millimetres
+};
+
+/// Writes the figure; the ending of the name (.png, .svg, .pdf, any case) chooses the format. Lines are at least 0.5 pt;
+/// text stays text; fonts are embedded in SVG and PDF. The file is written to a temporary name and renamed.
+/// Throws InputError for another ending or an impossible size, WorkError when the file cannot be written.
+void write_figure(const Figure& figure, const FigureSize& size, const std::filesystem::path& path);
+
+}  // namespace sightline

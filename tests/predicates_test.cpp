@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <gtest/gtest.h>
+
+#include "core/geometry/predicates.h"
+#include "core/geometry/random.h"
+#include "core/geometry/trig.h"
+
+namespace sightline {
+namespace {
+
+using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
+
+Exact::Point_2 exact(const Vec<2>& p) { return {p.x, p.y}; }
+
+TEST(Predicates, OrientIsExactOnNearlyCollinearPointsOfAnySize) {
+    Random random(1);
+    for (int i = 0; i < 20000; ++i) {
+        const double scale = std::ldexp(1.0, static_cast<int>(random.below(400)) - 200);
+        const Vec<2> a(random.uniform(-1, 1), random.uniform(-1, 1)), b(random.uniform(-1, 1), random.uniform(-1, 1));
+        const Vec<2> c = a + (b - a) * random.uniform(-2, 2);
+        ASSERT_EQ(orient(a * scale, b * scale, c * scale),
+                  CGAL::orientation(exact(a * scale), exact(b * scale), exact(c * scale)));
+    }
+}
+
+TEST(Predicates, OrientSurvivesUnderflowAndOverflow) {
+    EXPECT_EQ(orient(Vec<2>(0, 0), Vec<2>(1e-200, 0), Vec<2>(0, 1e-200)), 1);
+    EXPECT_EQ(orient(Vec<2>(0, 0), Vec<2>(1e200, 0), Vec<2>(0, 1e200)), 1);
+    EXPECT_EQ(orient(Vec<2>(0, 0), Vec<2>(1e200, 1e200), Vec<2>(1e180, 1e180)), 0);
+}
+
+TEST(Predicates, SegmentsMeetAgreesWithExactIntersection) {
+    Random random(2);
+    const auto grid_point = [&] { return Vec<2>(random.below(5), random.below(5)); };
+    for (int i = 0; i < 20000; ++i) {
+        const Vec<2> a = grid_point(), b = grid_point(), c = grid_point(), d = grid_point();
+        if (a == b || c == d) continue;
+        ASSERT_EQ(segments_meet(a, b, c, d),
+                  CGAL::do_intersect(Exact::Segment_2(exact(a), exact(b)), Exact::Segment_2(exact(c), exact(d))));
+    }
+}
+
+TEST(Trig, AgreesWithTheCLibraryAndIsExactAtRightAngles) {
+    for (int i = -7200; i <= 7200; ++i) {
+        const double degrees = i / 10.0;
+        EXPECT_NEAR(sincos_degrees(degrees).sin, std::sin(degrees * pi / 180), 2e-14);
+        EXPECT_NEAR(sincos_degrees(degrees).cos, std::cos(degrees * pi / 180), 2e-14);
+        const double y = std::sin(degrees), x = std::cos(degrees);
+        EXPECT_NEAR(angle_of(y, x), std::atan2(y, x), 2e-15);
+    }
+    EXPECT_EQ(sincos_degrees(90).cos, 0);
+    EXPECT_EQ(sincos_degrees(180).sin, 0);
+}
+
+}  // namespace
+}  // namespace sightline
