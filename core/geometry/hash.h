@@ -17,10 +17,8 @@ public:
     }
     void add(double value) { add(std::bit_cast<std::uint64_t>(value)); }
     template <typename T>
-        requires std::is_integral_v<T> || std::is_enum_v<T>
-    void add(T value) {
-        add(static_cast<std::uint64_t>(value));
-    }
+    requires std::is_integral_v<T> || std::is_enum_v<T>
+    void add(T value) { add(static_cast<std::uint64_t>(value)); }
     std::uint64_t value() const { return state_; }
 
 private:

@@ -19,6 +19,8 @@ bool between(const Vec<2>& p, const Vec<2>& a, const Vec<2>& b) {
 }  // namespace
 
 int detail::orient_exact(const Vec<2>& a, const Vec<2>& b, const Vec<2>& c) {
+    // Segments share their ends so often that equal points are worth a test of their own.
+    if (a == b || b == c || c == a) return 0;
     return CGAL::orientation(Kernel::Point_2(a.x, a.y), Kernel::Point_2(b.x, b.y), Kernel::Point_2(c.x, c.y));
 }
 

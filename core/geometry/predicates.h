@@ -32,7 +32,7 @@ inline int orient(const Vec<2>& a, const Vec<2>& b, const Vec<2>& c) {
     return detail::orient_exact(a, b, c);
 }
 
-/// Sign of the volume of the tetrahedron abcd: +1 when d sees a, b, c turn clockwise (CGAL's positive orientation).
+/// Sign of the volume of the tetrahedron abcd: +1 when d sees a, b, c turn counter-clockwise.
 inline int orient(const Vec<3>& a, const Vec<3>& b, const Vec<3>& c, const Vec<3>& d) {
     return detail::orient_exact(a, b, c, d);
 }

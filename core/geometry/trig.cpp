@@ -33,10 +33,14 @@ SinCos sincos_degrees(double degrees) {
     const double quarter = std::nearbyint(degrees / 90);
     const SinCos s = sincos_small((degrees - 90 * quarter) * (pi / 180));
     switch (static_cast<long>(quarter) & 3) {
-        case 0: return s;
-        case 1: return {s.cos, -s.sin};
-        case 2: return {-s.sin, -s.cos};
-        default: return {-s.cos, s.sin};
+        case 0:
+            return s;
+        case 1:
+            return {s.cos, -s.sin};
+        case 2:
+            return {-s.sin, -s.cos};
+        default:
+            return {-s.cos, s.sin};
     }
 }
 

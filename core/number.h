@@ -1,0 +1,20 @@
+// Numbers as text, independent of the locale.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace sightline {
+
+/// The whole text as one finite number, or nothing.
+std::optional<double> parse_number(std::string_view text);
+
+/// The shortest text that reads back to the same double.
+std::string number_text(double value);
+
+/// At most `digits` significant digits, for people.
+std::string short_number(double value, int digits = 3);
+
+}  // namespace sightline
