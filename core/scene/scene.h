@@ -47,6 +47,7 @@ struct Scene {
     Vec<D> origin{};  ///< added to a coordinate gives that of the file
     std::optional<ViewSpec<D>> start_view;
     Dropped dropped;
+    std::vector<std::string> warnings;  ///< one line each: what was ignored or looks odd; the scene is usable
 };
 
 template <int D>

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/scene/catalogue.h"
+
+#include "core/scene/clean.h"
+#include "core/scene/generators.h"
+
+namespace sightline {
+
+std::span<const CatalogueRow> catalogue() {
+    static const std::vector<CatalogueRow> rows = {
+        {"bottleneck",
+         3,
+         "Bottleneck",
+         "Empty cells behind two dense blocks are reached round the gap between them, so hidden crates are drawn while "
+         "visible walls still wait: this is what the star-shape penalty is for.",
+         bottleneck,
+         {{8, 1.5}, {8, 8}, 120},
+         0.25,
+         "published",
+         "20%",
+         {},
+         {{"visible_share == 0 && count > 0", "the first hidden cell that holds something"},
+          {"step:15", "the front has passed the gap"}}},
+        {"streets",
+         1,
+         "Street blocks",
+         "From a street only the fronts of the nearest houses can be seen: a few percent of the segments make the "
+         "whole "
+         "picture.",
+         streets,
+         {{10, 43.5}, {100, 42}, 90},
+         0.05,
+         "published",
+         "10%",
+         {},
+         {{"step:20", "along the street"}, {"visible_share == 0 && count > 0", "the first cell inside a house"}}},
+        {"rooms",
+         2,
+         "Rooms and corridors",
+         "Indoors walls stand behind everything and doors open narrow views into the next room, so counting visible "
+         "segments and counting visible pixels judge a method differently.",
+         rooms,
+         {{53, 56.5}, {72, 44}, 90},
+         0.05,
+         "published",
+         "5%",
+         {},
+         {{"step:30", "out of the hall"}, {"visible_share == 0 && count > 0", "through a wall"}}},
+        {"cars",
+         4,
+         "Cars",
+         "A closed shell hides a dense engine: a traversal that counts segments is stopped by the engine and loses the "
+         "rest of the shell.",
+         cars,
+         {{12, 8.5}, {16, 4}, 100},
+         0.05,
+         "published",
+         "5%",
+         {},
+         {{"visible_share == 0 && count > 20", "the first engine is drawn although nobody sees it"}}},
+        {"jungle",
+         5,
+         "Jungle",
+         "Thousands of separate leaves hide one another only together: no single one is an occluder, and methods that "
+         "choose a few large occluders cull almost nothing.",
+         jungle,
+         {{20, 7}, {20, 30}, 90},
+         0.05,
+         "published",
+         "10%",
+         {},
+         {{"step:40", "past the first trees"}}},
+        {"terrain",
+         6,
+         "Terrain from above",
+         "When nearly everything is visible no order can help: the best possible coverage is the budget itself, and "
+         "drawing the nearest first is as good as anything.",
+         terrain,
+         {{100, 160}, {100, 0}, 80},
+         0.05,
+         "published",
+         "10%",
+         {},
+         {{"step:50", "half of the valley"}}},
+        {"wallholes",
+         7,
+         "Wall with holes",
+         "Through small holes thin beams reach the store room behind, but one solidity per cell cannot tell a beam "
+         "from "
+         "the shadow beside it.",
+         wallholes,
+         {{20, 3}, {20, 14}, 100},
+         0.05,
+         "published",
+         "10%",
+         {},
+         {{"visible_share == 0 && count > 0", "between two beams"}}},
+        {"wall2",
+         8,
+         "Wall of two segments",
+         "Two long segments hide a whole store, yet a cell with one segment counts as almost empty: the number of "
+         "primitives says little about what a cell hides.",
+         wall2,
+         {{20, 3}, {20, 14}, 100},
+         0.05,
+         "published",
+         "10%",
+         {},
+         {{"visible_share == 0 && count > 0", "the first cell behind the wall"}}},
+        {"statue",
+         9,
+         "Statue",
+         "One cell with thousands of segments sets the scale of solidity, and beside it all others look empty; scaling "
+         "by the 95th percentile brings them back.",
+         statue,
+         {{20, 6}, {25, 23.53}, 90},
+         0.15,
+         "published",
+         "10%",
+         {{"solidity_scale", "max"}},
+         {{"count > 500", "the statue's cell"}}},
+        {"forget",
+         10,
+         "Forgotten wall",
+         "Solidity fades at every oblique facet: after a long empty run the front has forgotten the wall and draws the "
+         "store behind it before the hedge that can be seen.",
+         forget,
+         {{3, 15}, {20, 13}, 90},
+         0.05,
+         "published",
+         "10%",
+         {},
+         {{"visible_share == 0 && count > 0", "the wall's own inner bricks"},
+          {"step:100", "the empty run is crossed"}}},
+    };
+    return rows;
+}
+
+const CatalogueRow* find_in_catalogue(std::string_view id) {
+    for (const CatalogueRow& row : catalogue())
+        if (id == row.id) return &row;
+    return nullptr;
+}
+
+Scene<2> make_scene(const CatalogueRow& row) {
+    Scene<2> scene;
+    scene.id = row.id;
+    scene.title = row.title;
+    scene.lesson = row.lesson;
+    scene.source = "generated";
+    scene.seed = row.seed;
+    scene.primitives = row.generate(row.seed);
+    clean(scene, Recentre::no, row.id);
+    scene.start_view = row.view;
+    return scene;
+}
+
+}  // namespace sightline

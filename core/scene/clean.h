@@ -1,0 +1,37 @@
+// From the raw primitives of a file to a scene that everything else may rely on.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/scene/scene.h"
+
+namespace sightline {
+
+/// The largest coordinate that a scene may have: products of differences must not overflow. The longest side of a
+/// scene must not be below 1 / largest_coordinate, so that squares do not underflow to zero.
+inline constexpr double largest_coordinate = 1e150;
+
+enum class Recentre { no, yes };
+
+/// Drops, in this order and in place, primitives that are not finite, degenerate (zero length, zero area) or repeat an
+/// earlier one in whatever direction, and adds to scene.dropped. The others keep their order.
+/// Recentre::yes then moves each axis along which the box is far from zero (its centre more than 4 longest sides away)
+/// by a multiple of the power of two just below the longest side, and adds that to scene.origin and subtracts it from
+/// the start view. By Sterbenz's lemma the subtraction is exact: origin + coordinate is the file's number, bit for bit.
+/// Warns when nothing is left. Throws InputError, which begins with `name`, when a coordinate is beyond
+/// largest_coordinate or the scene is too small.
+template <int D>
+void clean(Scene<D>& scene, Recentre recentre, const std::string& name);
+
+/// A view for scenes that come without one. The box, grown by one cell on every side, is cut into cells of 1/32 of its
+/// longest side; the eye stands in the centre of the cell that no segment crosses and that is farthest from crossed
+/// cells and from the grid's rim (ties: nearest the box's centre, then the lowest index), or below the box when every
+/// cell is crossed. It looks at the midpoint of the segment whose midpoint is nearest the box's centre, so something is
+/// always in view. fov is 90. A scene with no segments is looked at from (0, 0) toward (1, 0).
+ViewSpec<2> default_view(const std::vector<Primitive<2>>& segments);
+
+/// Throws InputError "name: place: reason" unless the view is finite, looks somewhere and has a usable field of view:
+/// (0, 180) degrees, or 360 in 2D.
+template <int D>
+void check_view(const ViewSpec<D>& view, const std::string& name, const std::string& place);
+
+}  // namespace sightline

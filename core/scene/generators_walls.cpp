@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/scene/generators.h"
+#include "core/scene/sketch.h"
+
+namespace sightline {
+
+namespace {
+
+/// Rows of crates and shelves between x0 and x1.
+void store(Sketch& sketch, Random& random, const Room& area, double spacing) {
+    for (double y = area.y0 + spacing / 2; y < area.y1; y += spacing)
+        for (double x = area.x0 + spacing / 2; x < area.x1; x += spacing)
+            crate(sketch, random, {x + random.uniform(-0.1, 0.1) * spacing, y + random.uniform(-0.1, 0.1) * spacing},
+                  spacing * random.uniform(0.35, 0.6));
+}
+
+}  // namespace
+
+std::vector<Primitive<2>> bottleneck(std::uint64_t seed) {
+    Random random(seed);
+    Sketch sketch;
+    // Points only where the quadtree may split: both blocks lie in the second of four rows of leaves' parents.
+    for (const double x : {0.0, 9.1}) {
+        store(sketch, random, {x + 0.1, 4.3, x + 6.8, 7.7}, 0.85);
+        // The outline in short pieces: a budget of a few primitives must not show all of it.
+        const Vec<2> corners[] = {{x, 4.15}, {x + 6.9, 4.15}, {x + 6.9, 7.85}, {x, 7.85}};
+        for (int side = 0; side < 4; ++side)
+            for (int i = 0; i < 6; ++i) {
+                const Vec<2> a = corners[side], along = corners[(side + 1) % 4] - a;
+                sketch.line(a + along * (i / 6.0), i == 5 ? a + along : a + along * ((i + 1) / 6.0));
+            }
+    }
+    // In front, a bench; behind the blocks and hidden by them, three crates.
+    sketch.box(4.4, 0, 5.6, 0.4);
+    crate(sketch, random, {2.6, 14.8}, 0.8);
+    crate(sketch, random, {1.2, 15.5}, 0.7);
+    crate(sketch, random, {13.4, 15.4}, 0.8);
+    return sketch.segments;
+}
+
+std::vector<Primitive<2>> wallholes(std::uint64_t seed) {
+    Random random(seed);
+    Sketch sketch;
+    // A wall of planks 12 cm thick; what is left open between them is a hole.
+    double x = 0;
+    while (x < 40) {
+        double end = x + random.uniform(0.9, 2.4);
+        if (end > 39) end = 40;
+        sketch.box(x, 14, end, 14.12);
+        x = end + random.uniform(0.06, 0.3);
+    }
+    sketch.path({{0, 14.12}, {0, 40}, {40, 40}, {40, 14.12}}, false);
+    store(sketch, random, {2, 19, 38, 38}, 2.0);
+    for (int i = 0; i < 4; ++i) crate(sketch, random, {6 + 9.5 * i, random.uniform(6, 10)}, 0.8);
+    sketch.path({{0, 14}, {0, 0}, {40, 0}, {40, 14}}, false);
+    return sketch.segments;
+}
+
+std::vector<Primitive<2>> wall2(std::uint64_t seed) {
+    Random random(seed);
+    Sketch sketch;
+    sketch.path({{3, 13.5}, {20, 14.5}, {37, 13.5}}, false);
+    store(sketch, random, {1, 18, 39, 39}, 1.7);
+    // What can be seen: a bench, lamp posts, planters beside the ends of the wall.
+    sketch.box(17, 9, 19, 9.5);
+    for (int i = 0; i < 5; ++i) sketch.ring({4 + 8.0 * i, 11.5}, 0.2, 8);
+    for (const double x : {0.5, 38.3})
+        for (int i = 0; i < 4; ++i) tree(sketch, random, {x + 0.6, 2.0 + 2.5 * i}, 0.8);
+    sketch.path({{0, 15}, {0, 0}, {40, 0}, {40, 15}}, false);
+    sketch.path({{0, 15}, {0, 40}, {40, 40}, {40, 15}}, false);
+    return sketch.segments;
+}
+
+std::vector<Primitive<2>> forget(std::uint64_t seed) {
+    Random random(seed);
+    Sketch sketch;
+    // Bricks, in bond; the wall is dense, so solidity notices it at first.
+    for (int course = 0; course < 4; ++course)
+        for (int brick = 0; brick < 25; ++brick) {
+            const double y = 0.05 + 0.6 * brick + (course % 2 == 0 ? 0.0 : 0.3);
+            const double x = 9 + 0.3 * course;
+            sketch.box(x, y, x + 0.26, y + 0.55);
+        }
+    store(sketch, random, {68, 0.5, 80, 14.5}, 1.2);
+    // The lane past the wall's end: a hedge and trees, which stay in sight all the way.
+    for (int i = 0; i < 22; ++i) {
+        tree(sketch, random, {12 + 3.0 * i + random.uniform(-0.4, 0.4), 18.9}, random.uniform(0.6, 0.9));
+        for (int k = 0; k < 3; ++k) {
+            const Vec<2> at(11 + 3.0 * i + k, 17.3 + random.uniform(-0.2, 0.2));
+            sketch.line(at, at + Vec<2>(random.uniform(-0.2, 0.2), random.uniform(0.1, 0.3)));
+        }
+    }
+    sketch.path({{0, 20}, {0, 0}, {80, 0}, {80, 20}}, false);
+    sketch.line({0, 20}, {80, 20});
+    return sketch.segments;
+}
+
+namespace {
+
+/// A valley: a parabola with gentle waves, low enough that no slope turns away from a viewer above the middle.
+double ground(double x) {
+    const double from_middle = x - 100;
+    return 0.0042 * from_middle * from_middle + 1.1 * sincos_degrees(9 * x).sin + 0.5 * sincos_degrees(23 * x).sin;
+}
+
+}  // namespace
+
+std::vector<Primitive<2>> terrain(std::uint64_t seed) {
+    Random random(seed);
+    Sketch sketch;
+    const auto on_ground = [](double x) { return Vec<2>(x, ground(x)); };
+    double x = 0;
+    while (x < 200) {
+        const bool left = x < 100;
+        const double toward = left ? 1 : -1;  // the way down to the middle
+        const std::uint64_t kind = random.below(5);
+        if (kind == 0 && x > 8 && x < 188 && std::abs(x - 100) > 12) {
+            // A house dug into the slope: its front faces the valley, its roof comes down to the ground behind.
+            const double width = random.uniform(4, 7), height = random.uniform(2.4, 4);
+            const Vec<2> a = on_ground(x), b = on_ground(x + width);
+            const Vec<2> foot = left ? b : a, back = left ? a : b;
+            const Vec<2> eaves(foot.x, std::max(foot.y, back.y - 1) + height);
+            const Vec<2> ridge(foot.x - toward * width * 0.5, eaves.y + 1.2);
+            const Vec<2> sill(foot.x, foot.y + 0.5 * (eaves.y - foot.y)), balcony(foot.x + toward * 0.8, sill.y);
+            sketch.path({foot, sill, balcony, {balcony.x, balcony.y + 0.7}}, false);
+            sketch.line(sill, eaves);
+            for (int i = 0; i < 4; ++i) {  // courses of tiles
+                sketch.line(eaves + (ridge - eaves) * (i / 4.0), eaves + (ridge - eaves) * ((i + 1) / 4.0));
+                sketch.line(ridge + (back - ridge) * (i / 4.0), ridge + (back - ridge) * ((i + 1) / 4.0));
+            }
+            x += width;
+        } else if (kind == 1 && x < 196) {
+            // A bush: the upper part of a circle, nowhere steeper than 45 degrees to the ground.
+            const double width = random.uniform(2, 4);
+            const Vec<2> a = on_ground(x), b = on_ground(x + width);
+            std::vector<Vec<2>> crown{a};
+            for (int i = 1; i < 8; ++i) {
+                const double share = i / 8.0;
+                crown.push_back(a + (b - a) * share + Vec<2>(0, width * share * (1 - share) * (i % 2 == 0 ? 0.85 : 1)));
+            }
+            crown.push_back(b);
+            sketch.path(crown, false);
+            x += width;
+        } else {
+            const double length = random.uniform(1.5, 4);
+            const int pieces = static_cast<int>(length / 0.4);
+            for (int i = 0; i < pieces; ++i)
+                sketch.line(on_ground(x + length * i / pieces), on_ground(x + length * (i + 1) / pieces));
+            x += length;
+        }
+    }
+    return sketch.segments;
+}
+
+}  // namespace sightline
