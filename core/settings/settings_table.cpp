@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/settings/settings_table.h"
+
+#include <algorithm>
+#include <charconv>
+
+#include "core/error.h"
+#include "core/number.h"
+
+namespace sightline {
+
+namespace {
+
+template <typename E>
+constexpr std::size_t longest() {
+    std::size_t size = 0;
+    for (const std::string_view word : words<E>) size += word.size() + 3;
+    return size;
+}
+
+/// "eye | camera", made at compile time from the words of the enum.
+template <typename E>
+struct WordList {
+    char text[longest<E>() + 1] = {};
+    std::size_t size = 0;
+    constexpr WordList() {
+        for (const std::string_view word : words<E>) {
+            if (size > 0)
+                for (const char c : {' ', '|', ' '}) text[size++] = c;
+            for (const char c : word) text[size++] = c;
+        }
+    }
+    constexpr std::string_view view() const { return {text, size}; }
+};
+template <typename E>
+constexpr WordList<E> word_list;
+
+template <auto member>
+struct Field;  // reads and writes one member of Settings as text
+
+template <typename T, T Settings::*member>
+struct Field<member> {
+    static std::string get(const Settings& s) {
+        if constexpr (std::is_enum_v<T>)
+            return std::string(words<T>[static_cast<std::size_t>(s.*member)]);
+        else if constexpr (std::is_same_v<T, std::string>)
+            return s.*member;
+        else if constexpr (std::is_same_v<T, Budget>)
+            return budget_text(s.*member);
+        else if constexpr (std::is_integral_v<T>)
+            return std::to_string(s.*member);
+        else
+            return number_text(s.*member);
+    }
+};
+
+template <auto member>
+SettingRow choice(std::string_view name, Invalidates invalidates, std::string_view source, std::string_view help) {
+    using E = std::remove_cvref_t<decltype(Settings{}.*member)>;
+    return {name,
+            help,
+            source,
+            invalidates,
+            word_list<E>.view(),
+            Field<member>::get,
+            [](Settings& s, std::string_view value) {
+                const auto found = std::find(words<E>.begin(), words<E>.end(), value);
+                if (found == words<E>.end())
+                    throw InputError("'" + std::string(value) + "' is not one of " + std::string(word_list<E>.view()));
+                s.*member = static_cast<E>(found - words<E>.begin());
+            }};
+}
+
+template <auto member, double low, double high, bool low_open>
+SettingRow real(std::string_view name, Invalidates invalidates, std::string_view values, std::string_view source,
+                std::string_view help) {
+    return {name, help, source, invalidates, values, Field<member>::get, [](Settings& s, std::string_view value) {
+                const auto number = parse_number(value);
+                if (!number) throw InputError("'" + std::string(value) + "' is not a number");
+                if (*number > high || *number < low || (low_open && *number == low))
+                    throw InputError(std::string(value) + " lies outside " + (low_open ? "(" : "[") + number_text(low) +
+                                     ", " + number_text(high) + "]");
+                s.*member = *number;
+            }};
+}
+
+template <auto member, std::uint64_t low, std::uint64_t high>
+SettingRow whole(std::string_view name, Invalidates invalidates, std::string_view values, std::string_view source,
+                 std::string_view help) {
+    return {name, help, source, invalidates, values, Field<member>::get, [](Settings& s, std::string_view value) {
+                std::uint64_t number = 0;
+                const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), number);
+                if (error != std::errc() || end != value.data() + value.size())
+                    throw InputError("'" + std::string(value) + "' is not a whole number");
+                if (number < low || number > high)
+                    throw InputError(std::string(value) + " lies outside [" + std::to_string(low) + ", " +
+                                     std::to_string(high) + "]");
+                s.*member = static_cast<std::remove_cvref_t<decltype(s.*member)>>(number);
+            }};
+}
+
+using S = Settings;
+
+const std::vector<SettingRow>& rows() {
+    static const std::vector<SettingRow> table{
+        choice<&S::two_sided>("two_sided", Invalidates::scene, "Doom WAD",
+                              "read two-sided lines of a level too, not only its solid walls"),
+
+        choice<&S::tessellation>("tessellation", Invalidates::tessellation, "TVCG 4.3",
+                                 "cells: Delaunay of the leaf centres, or the leaves of the tree"),
+        real<&S::error_bound, 0.0, 1.0, true>("error_bound", Invalidates::tessellation, "(0, 1]", "TVCG 4.3, note 4",
+                                              "leaves are split down to this share of the scene's longest side"),
+        choice<&S::border>("border", Invalidates::tessellation, "field notes A1 i",
+                           "corners of an inflated box close the gap between hull and scene border (Delaunay)"),
+        real<&S::jitter, 0.0, 0.5, false>("jitter", Invalidates::tessellation, "[0, 0.5]", "TVCG 4.3",
+                                          "random shift of a leaf's centre, in sides of the leaf"),
+        whole<&S::seed, 0, 0xffffffffffffffffull>("seed", Invalidates::tessellation, "[0, 2^64)", "TVCG 4.3",
+                                                  "seed of the jitter"),
+
+        SettingRow{"method", "which rule orders cells or primitives; see --help for the ids", "TVCG 5",
+                   Invalidates::traversal, "a method id", Field<&S::method>::get,
+                   [](Settings& s, std::string_view value) { s.method = std::string(value); }},
+        SettingRow{"budget", "how much may be rendered: 500, 5%, 16ms or unlimited", "TVCG 3", Invalidates::traversal,
+                   "500 | 5% | 16ms | unlimited", Field<&S::budget>::get,
+                   [](Settings& s, std::string_view value) { s.budget = parse_budget(value); }},
+        choice<&S::view_vector>("view_vector", Invalidates::traversal, "TVCG fig. 5, line 1",
+                                "v: from the eye to the facet's centroid, or the camera's forward direction"),
+        choice<&S::transfer_sign>("transfer_sign", Invalidates::traversal, "TVCG fig. 5, line 1",
+                                  "negative v.n: cut at 0, kept, or made positive"),
+        choice<&S::on_reenqueue>("on_reenqueue", Invalidates::traversal, "TVCG fig. 4, line 10",
+                                 "a cell already in the front takes the new key, the smaller or the larger"),
+        choice<&S::star_shaped>("star_shaped", Invalidates::traversal, "TVCG fig. 5, line 2",
+                                "test whether the ray from the eye to a cell's centre crosses the shared facet"),
+        choice<&S::penalty>("penalty", Invalidates::traversal, "TVCG fig. 5, line 3",
+                            "what a cell that fails the star-shape test pays"),
+        real<&S::penalty_amount, 0.0, 1e6, false>("penalty_amount", Invalidates::traversal, "[0, 1e6]",
+                                                  "TVCG fig. 5, line 3", "the factor or the summand of the penalty"),
+        choice<&S::solidity_scale>("solidity_scale", Invalidates::traversal, "TVCG 3.1",
+                                   "|A| is divided by the largest |A|, or by the 95th percentile and cut at 1"),
+        choice<&S::outside_view>("outside_view", Invalidates::traversal, "gem, add_neighbors_to_front",
+                                 "cells outside the view are marked unseen, or enqueued like others"),
+        choice<&S::culled_cost>("culled_cost", Invalidates::traversal, "field notes A1 m",
+                                "a primitive outside the view costs nothing, or counts against the budget"),
+        choice<&S::neighbours_before_break>("neighbours_before_break", Invalidates::traversal, "TVCG fig. 4, lines 4-6",
+                                            "when the budget ends inside a cell, its neighbours are still enqueued"),
+        choice<&S::seeds>("seeds", Invalidates::traversal, "field notes A2 d7",
+                          "an eye outside starts from the nearest cell, or from every hull cell that faces it"),
+
+        whole<&S::reference_size, 1, 16777216>("reference_size", Invalidates::reference, "[1, 16777216] pixels",
+                                               "TVCG 4.4", "pixels of the 1D item buffer"),
+
+        choice<&S::palette>("palette", Invalidates::picture, "TR figs 1, 2, 4",
+                            "colours: safe for colour-blind readers, as in the papers, or for print"),
+        choice<&S::show_tessellation>("show_tessellation", Invalidates::picture, "TR fig. 1",
+                                      "draw the cells' borders"),
+        choice<&S::show_states>("show_states", Invalidates::picture, "TR figs 1, 4", "fill cells by their state"),
+        choice<&S::show_primitives>("show_primitives", Invalidates::picture, "TR fig. 1",
+                                    "draw the scene: rendered, missed, hidden but rendered"),
+        choice<&S::show_view>("show_view", Invalidates::picture, "TR fig. 1", "draw eye, view cone and seed cell"),
+        choice<&S::show_normals>("show_normals", Invalidates::picture, "TVCG fig. 6",
+                                 "draw eye rays and facet normals of the last step"),
+        choice<&S::show_penalties>("show_penalties", Invalidates::picture, "TVCG fig. 6",
+                                   "mark facets of projected cells that cost a penalty"),
+        choice<&S::show_chain>("show_chain", Invalidates::picture, "field notes B3",
+                               "draw the chain of updates from the seed to the selected cell"),
+        choice<&S::label>("label", Invalidates::picture, "field notes A1", "the number written on cells"),
+        choice<&S::label_where>("label_where", Invalidates::picture, "field notes A1",
+                                "number the front with the last cell, every touched cell, or the selected one"),
+        choice<&S::heat>("heat", Invalidates::picture, "field notes A1", "the number shown as a heat map"),
+        choice<&S::legend>("legend", Invalidates::picture, "figures", "where the legend stands"),
+        choice<&S::caption>("caption", Invalidates::picture, "figures", "a caption with the conditions"),
+        real<&S::zoom, 0.01, 1000.0, false>(
+            "zoom", Invalidates::picture, "[0.01, 1000]", "figures",
+            "magnification around what the display eye looks at; 1 shows the whole scene"),
+    };
+    return table;
+}
+
+}  // namespace
+
+std::span<const SettingRow> settings_table() { return rows(); }
+
+const SettingRow& setting_row(std::string_view name) {
+    for (const SettingRow& row : rows())
+        if (row.name == name) return row;
+    std::string known;
+    for (const SettingRow& row : rows()) known += (known.empty() ? "" : ", ") + std::string(row.name);
+    throw InputError("setting '" + std::string(name) + "' does not exist; there are " + known);
+}
+
+const SettingRow& apply_setting(Settings& settings, std::string_view assignment) {
+    const std::size_t equals = assignment.find('=');
+    if (equals == std::string_view::npos)
+        throw InputError("setting '" + std::string(assignment) + "': write FIELD=VALUE");
+    const SettingRow& row = setting_row(assignment.substr(0, equals));
+    try {
+        row.set(settings, assignment.substr(equals + 1));
+    } catch (const InputError& error) {
+        throw InputError("setting " + std::string(row.name) + ": " + error.what());
+    }
+    return row;
+}
+
+std::span<const Preset> presets() {
+    static const std::vector<Preset> table{
+        {"default",
+         "every traversal setting at its default",
+         {"view_vector=eye", "transfer_sign=clamp", "on_reenqueue=replace", "star_shaped=on", "penalty=multiply",
+          "penalty_amount=2", "solidity_scale=max", "outside_view=unseen", "culled_cost=free",
+          "neighbours_before_break=yes", "seeds=one", "border=inflated", "jitter=0.02", "error_bound=0.05"}},
+        {"letter",
+         "the papers to the letter, as the 2D prototype of TR: no star-shape test",
+         {"view_vector=camera", "transfer_sign=signed", "on_reenqueue=replace", "star_shaped=off", "penalty=multiply",
+          "penalty_amount=2", "solidity_scale=max", "outside_view=enqueue", "culled_cost=free",
+          "neighbours_before_break=no", "seeds=one", "border=none", "jitter=0.02", "error_bound=0.05"}},
+    };
+    return table;
+}
+
+void apply_preset(Settings& settings, std::string_view id) {
+    for (const Preset& preset : presets())
+        if (preset.id == id) {
+            for (const std::string_view assignment : preset.assignments) apply_setting(settings, assignment);
+            return;
+        }
+    std::string known;
+    for (const Preset& preset : presets()) known += (known.empty() ? "" : ", ") + std::string(preset.id);
+    throw InputError("preset '" + std::string(id) + "' does not exist; there are " + known);
+}
+
+Invalidates difference(const Settings& a, const Settings& b) {
+    Invalidates strongest = Invalidates::picture;
+    for (const SettingRow& row : rows())
+        if (row.get(a) != row.get(b)) strongest = std::max(strongest, row.invalidates);
+    return strongest;
+}
+
+}  // namespace sightline
