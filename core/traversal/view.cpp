@@ -52,7 +52,8 @@ View<3> make_view(const ViewSpec<3>& spec, double aspect) {
     View<3> view{spec.eye, spec.look_at, spec.fov, false, {}};
     const Vec<3> forward = view.forward();
     const Vec<3> up_hint = std::abs(forward.z) < 0.999 ? Vec<3>(0, 0, 1) : Vec<3>(0, 1, 0);
-    const Vec<3> right = glm::cross(forward, up_hint) / std::sqrt(glm::dot(glm::cross(forward, up_hint), glm::cross(forward, up_hint)));
+    const Vec<3> right =
+        glm::cross(forward, up_hint) / std::sqrt(glm::dot(glm::cross(forward, up_hint), glm::cross(forward, up_hint)));
     const Vec<3> up = glm::cross(right, forward);
     const SinCos half = sincos_degrees(spec.fov / 2);
     const double distance = std::sqrt(glm::dot(spec.look_at - spec.eye, spec.look_at - spec.eye));

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/space/cell_complex.h"
+
+#include <algorithm>
+
+#include "core/space/builders.h"
+
+namespace sightline {
+
+namespace {
+
+template <typename T>
+std::size_t bytes(const std::vector<T>& v) {
+    return v.size() * sizeof(T);
+}
+
+double distance_to_segment(const Vec<2>& a, const Vec<2>& b, const Vec<2>& p) {
+    const Vec<2> ab = b - a;
+    const double length2 = glm::dot(ab, ab);
+    const double t = length2 > 0 ? std::clamp(glm::dot(p - a, ab) / length2, 0.0, 1.0) : 0;
+    const Vec<2> d = p - (a + ab * t);
+    return std::sqrt(glm::dot(d, d));
+}
+
+double distance_to_polygon(const CellComplex<2>& cells, std::span<const std::uint32_t> facet, const Vec<2>& p) {
+    return distance_to_segment(cells.points[facet[0]], cells.points[facet[1]], p);
+}
+
+double distance_to_polygon(const CellComplex<3>& cells, std::span<const std::uint32_t> facet, const Vec<3>& p) {
+    const auto corner = [&](std::size_t i) { return cells.points[facet[i % facet.size()]]; };
+    const Vec<3> normal = glm::cross(corner(1) - corner(0), corner(2) - corner(0));
+    bool above_inside = true;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < facet.size(); ++i) {
+        const Vec<3> a = corner(i), ab = corner(i + 1) - a;
+        above_inside &= glm::dot(glm::cross(normal, ab), p - a) >= 0;
+        const double t = std::clamp(glm::dot(p - a, ab) / glm::dot(ab, ab), 0.0, 1.0);
+        const Vec<3> d = p - (a + ab * t);
+        nearest = std::min(nearest, std::sqrt(glm::dot(d, d)));
+    }
+    return above_inside ? std::abs(glm::dot(p - corner(0), normal)) / std::sqrt(glm::dot(normal, normal)) : nearest;
+}
+
+/// Among the cells that hold p, which are linked through facets on whose line p lies, the one of lowest index.
+template <int D>
+std::uint32_t lowest_holding(const CellComplex<D>& cells, std::uint32_t cell, const Vec<D>& p) {
+    std::vector<std::uint32_t> holding{cell};
+    for (std::size_t i = 0; i < holding.size(); ++i)
+        for (const HalfFacet& half : cells.facets_of(holding[i])) {
+            if (half.neighbour == none || facet_side(cells, half, p) != 0) continue;
+            if (std::find(holding.begin(), holding.end(), half.neighbour) != holding.end()) continue;
+            const auto facets = cells.facets_of(half.neighbour);
+            if (std::all_of(facets.begin(), facets.end(),
+                            [&](const HalfFacet& other) { return facet_side(cells, other, p) >= 0; }))
+                holding.push_back(half.neighbour);
+        }
+    return *std::min_element(holding.begin(), holding.end());
+}
+
+}  // namespace
+
+template <int D>
+std::size_t CellComplex<D>::memory_bytes() const {
+    return bytes(points) + bytes(centres) + bytes(cell_facet_begin) + bytes(half_facets) + bytes(cell_point_begin) +
+           bytes(cell_points) + bytes(facet_point_begin) + bytes(facet_points) + bytes(tree.nodes) +
+           bytes(tree.leaves) + bytes(leaf_cell);
+}
+
+template <int D>
+std::size_t CellComplex<D>::reference_memory_bytes() const {
+    return bytes(cell_primitive_begin) + bytes(cell_primitives);
+}
+
+template <int D>
+std::uint32_t locate(const CellComplex<D>& cells, const Vec<D>& p) {
+    if (cells.cell_count() == 0) return none;
+    if (cells.kind == Tessellation::tree && !cells.tree.root_box().contains(p)) return none;
+    std::uint32_t cell = cells.leaf_cell[cells.tree.leaf_at(p)];
+    // Visibility walk: on a Delaunay triangulation it ends (no cycle), in a tree it starts at its end.
+    for (bool moved = true; moved;) {
+        moved = false;
+        for (const HalfFacet& half : cells.facets_of(cell))
+            if (facet_side(cells, half, p) < 0) {
+                if (half.neighbour == none) return none;
+                cell = half.neighbour;
+                moved = true;
+                break;
+            }
+    }
+    return lowest_holding(cells, cell, p);
+}
+
+template <int D>
+double distance_to_facet(const CellComplex<D>& cells, std::uint32_t facet, const Vec<D>& p) {
+    return distance_to_polygon(cells, cells.points_of_facet(facet), p);
+}
+
+template <int D>
+void set_cell_primitives(CellComplex<D>& cells, std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs) {
+    std::vector<std::uint32_t>& begin = cells.cell_primitive_begin;
+    begin.assign(cells.cell_count() + 1, 0);
+    for (const auto& [cell, primitive] : pairs) ++begin[cell + 1];
+    cells.rho_max = cells.rho_p95 = 0;
+    std::vector<std::uint32_t> counts;
+    for (const std::uint32_t count : begin)
+        if (count > 0) counts.push_back(count);
+    if (!counts.empty()) {
+        const auto p95 = counts.begin() + static_cast<std::ptrdiff_t>((counts.size() - 1) * 95 / 100);
+        std::nth_element(counts.begin(), p95, counts.end());
+        cells.rho_p95 = *p95;
+        cells.rho_max = *std::max_element(counts.begin(), counts.end());
+    }
+    for (std::size_t i = 1; i < begin.size(); ++i) begin[i] += begin[i - 1];
+    cells.cell_primitives.resize(pairs.size());
+    std::vector<std::uint32_t> end(begin.begin(), begin.end() - 1);
+    for (const auto& [cell, primitive] : pairs) cells.cell_primitives[end[cell]++] = primitive;
+    for (std::uint32_t cell = 0; cell < cells.cell_count(); ++cell)
+        std::sort(cells.cell_primitives.begin() + begin[cell], cells.cell_primitives.begin() + begin[cell + 1]);
+}
+
+CellComplex<2> tessellation(const Scene<2>& scene, const Settings& settings) {
+    Tree<2> tree = build_tree<2>(scene.primitives, settings.error_bound);
+    return settings.tessellation == Tessellation::delaunay ? delaunay_cells(std::move(tree), settings)
+                                                           : tree_cells(std::move(tree));
+}
+
+CellComplex<2> build_cells(const Scene<2>& scene, const Settings& settings) {
+    CellComplex<2> cells = tessellation(scene, settings);
+    assign_primitives(cells, scene.primitives);
+    return cells;
+}
+
+template struct CellComplex<2>;
+template struct CellComplex<3>;
+template std::uint32_t locate<2>(const CellComplex<2>&, const Vec<2>&);
+template std::uint32_t locate<3>(const CellComplex<3>&, const Vec<3>&);
+template double distance_to_facet<2>(const CellComplex<2>&, std::uint32_t, const Vec<2>&);
+template double distance_to_facet<3>(const CellComplex<3>&, std::uint32_t, const Vec<3>&);
+template void set_cell_primitives<2>(CellComplex<2>&, std::span<const std::pair<std::uint32_t, std::uint32_t>>);
+template void set_cell_primitives<3>(CellComplex<3>&, std::span<const std::pair<std::uint32_t, std::uint32_t>>);
+
+}  // namespace sightline
