@@ -1,4 +1,4 @@
-// The exact visible set in 2D by an angular sweep with exact predicates.
+// The exact visible set in 2D: envelopes about the eye, merged with exact predicates.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -14,7 +14,7 @@ namespace sightline {
 inline constexpr std::uint32_t no_primitive = 0xffffffffu;
 
 /// A maximal stretch of one primitive that the eye sees, counter-clockwise about the eye, clipped to the view cone.
-/// Which primitive is seen is exact; the end points are rounded to the nearest double or near it.
+/// Which primitive is seen is exact; the end points are rounded, to within 1e-14 of the primitive's largest coordinate.
 struct VisiblePiece {
     std::uint32_t primitive = no_primitive;
     Vec<2> from{}, to{};
@@ -31,10 +31,12 @@ struct VisibleSet {
     std::size_t eye_on = 0;             ///< primitives that contain the eye; reported, see the rules
 };
 
+/// O(n a(n) log n) whatever the number of crossings (a: inverse Ackermann).
 VisibleSet exact_visible_set(std::span<const Primitive<2>> primitives, const View<2>& view);
 
 /// Layering number of every primitive (TVCG section 3): its smallest rank among the primitives along the rays inside
 /// the cone that hit it, 1 = visible; 0 when no ray hits it. Exact; overlapping primitives are ranked by id.
+/// Time and memory also grow with the number of crossings, and time with the number of primitives along a ray.
 std::vector<std::uint32_t> layering_numbers(std::span<const Primitive<2>> primitives, const View<2>& view);
 
 }  // namespace sightline
