@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/condition.h"
+
+#include <muParser.h>
+
+#include <limits>
+#include <vector>
+
+#include "core/error.h"
+
+namespace sightline {
+
+namespace {
+
+constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
+
+template <int D>
+const StepRecord& last(const Session<D>& s) {
+    return s.timeline().steps[s.position() - 1];
+}
+
+template <int D>
+std::uint32_t rendered_in_step(const Session<D>& s) {
+    return last(s).rendered_count - s.timeline().rendered_before(s.position());
+}
+
+template <int D>
+std::size_t visible_in_step(const Session<D>& s) {
+    const std::uint32_t before = s.timeline().touched_before(s.position());
+    return visible_rendered<D>(s.reference(),
+                               std::span(s.state().touched).subspan(before, last(s).touched_count - before));
+}
+
+template <int D>
+double count_rules(const Session<D>& s, std::initializer_list<Rule> rules) {
+    double count = 0;
+    for (const FacetRecord& record : s.timeline().facets_of(s.position()))
+        for (const Rule rule : rules) count += record.rule == rule;
+    return count;
+}
+
+template <int D>
+double penalties(const Session<D>& s) {
+    const std::uint32_t cell = last(s).cell;
+    if (cell == none) return 0;
+    const auto records = s.timeline().facets_of(s.position());
+    const auto facets = s.cells().facets_of(cell);
+    const Frame<D> frame = s.frame();
+    double count = 0;
+    for (std::size_t i = 0; i < records.size(); ++i)
+        if (records[i].rule == Rule::enqueued || records[i].rule == Rule::reenqueued)
+            count += s.method().terms(frame, cell, s.state().mark(cell).key, facets[i]).penalised();
+    return count;
+}
+
+/// 0: none; 1: mis-ranked; 2: unreached.
+template <int D>
+double inversion(const Session<D>& s) {
+    const Reference& reference = s.reference();
+    const StepRecord& record = last(s);
+    if (record.cell == none || reference.cell_share[record.cell] > 0 || s.cells().count(record.cell) == 0) return 0;
+    // Cells that this very step enqueued were still clean when it popped.
+    std::vector<std::uint32_t> fresh;
+    const auto records = s.timeline().facets_of(s.position());
+    for (std::size_t i = 0; i < records.size(); ++i)
+        if (records[i].rule == Rule::enqueued) fresh.push_back(s.cells().facets_of(record.cell)[i].neighbour);
+    bool clean = false;
+    for (std::uint32_t cell = 0; cell < s.cells().cell_count(); ++cell) {
+        if (reference.cell_share[cell] == 0) continue;
+        const CellState state = s.state().mark(cell).state;
+        const bool is_fresh = std::find(fresh.begin(), fresh.end(), cell) != fresh.end();
+        if (state == CellState::enqueued && !is_fresh) return 1;
+        clean |= state == CellState::clean || is_fresh;
+    }
+    return clean ? 2 : 0;
+}
+
+template <int D>
+const std::vector<RecordField<D>>& fields() {
+    using S = const Session<D>&;
+    static const std::vector<RecordField<D>> table{
+        {"step", "number of the step", [](S s) -> double { return s.position(); }},
+        {"cell", "the cell that was popped",
+         [](S s) -> double { return last(s).cell == none ? no_value : last(s).cell; }},
+        {"rho", "its key: accumulated solidity, or layer",
+         [](S s) -> double { return last(s).cell == none ? no_value : s.state().mark(last(s).cell).key; }},
+        {"count", "|A|, the primitives in it",
+         [](S s) -> double { return last(s).cell == none ? no_value : s.cells().count(last(s).cell); }},
+        {"runner_up", "the key of the next cell in the front",
+         [](S s) -> double { return last(s).runner_up == none ? no_value : last(s).runner_up_key; }},
+        {"visible_share", "part of the exact visible angle inside the cell; 0: hidden",
+         [](S s) -> double { return last(s).cell == none ? no_value : s.reference().cell_share[last(s).cell]; }},
+        {"rendered_now", "primitives rendered in this step", [](S s) -> double { return rendered_in_step(s); }},
+        {"visible_now", "visible ones among them",
+         [](S s) -> double { return static_cast<double>(visible_in_step(s)); }},
+        {"hidden_now", "hidden ones among them",
+         [](S s) -> double { return static_cast<double>(rendered_in_step(s) - visible_in_step(s)); }},
+        {"rendered", "primitives rendered so far", [](S s) -> double { return s.state().rendered_count; }},
+        {"front", "cells in the front after the step", [](S s) -> double { return s.state().front_size; }},
+        {"enqueued", "neighbours put into the front", [](S s) { return count_rules(s, {Rule::enqueued}); }},
+        {"reenqueued", "neighbours in the front that got a new key",
+         [](S s) { return count_rules(s, {Rule::reenqueued}); }},
+        {"unseen", "neighbours found outside the view", [](S s) { return count_rules(s, {Rule::marked_unseen}); }},
+        {"penalties", "neighbours whose new key carries a penalty", [](S s) { return penalties(s); }},
+        {"inversion", "1: mis-ranked, 2: unreached, 0: none", [](S s) { return inversion(s); }},
+        {"coverage", "share of the visible set rendered so far",
+         [](S s) { return coverage(s.reference(), s.visible_rendered()).value_or(no_value); }},
+    };
+    return table;
+}
+
+}  // namespace
+
+template <int D>
+std::span<const RecordField<D>> record_fields() {
+    return fields<D>();
+}
+
+template <int D>
+struct Condition<D>::Expression {
+    mu::Parser parser;
+    std::vector<double> values;     // one per field, filled before an evaluation
+    std::vector<std::size_t> used;  // the fields that the text mentions: the others are not computed
+};
+
+template <int D>
+Condition<D>::Condition(std::string_view text) : text_(text), expression_(std::make_unique<Expression>()) {
+    std::string formula(text);
+    for (const std::string_view word : {"step", "cell"})
+        if (text.starts_with(std::string(word) + ":"))
+            formula = std::string(word) + " == " + std::string(text.substr(word.size() + 1));
+    mu::Parser& parser = expression_->parser;
+    const auto table = fields<D>();
+    expression_->values.resize(table.size());
+    try {
+        parser.DefineInfixOprt("!", [](double v) -> double { return v == 0; });
+        for (std::size_t i = 0; i < table.size(); ++i)
+            parser.DefineVar(std::string(table[i].name), &expression_->values[i]);
+        parser.SetExpr(formula);
+        for (const auto& [name, variable] : parser.GetUsedVar())
+            expression_->used.push_back(static_cast<std::size_t>(variable - expression_->values.data()));
+        parser.Eval();
+        if (parser.GetNumResults() != 1)
+            throw InputError("condition '" + text_ + "': write one expression, not several");
+    } catch (const mu::Parser::exception_type& error) {
+        std::string known;
+        for (const RecordField<D>& field : table) known += (known.empty() ? "" : ", ") + std::string(field.name);
+        std::string why = error.GetMsg();
+        while (!why.empty() && (why.back() == '\n' || why.back() == '.')) why.pop_back();
+        throw InputError("condition '" + text_ + "': " + why + " (fields: " + known + ")");
+    }
+}
+
+template <int D>
+Condition<D>::Condition(Condition&&) noexcept = default;
+template <int D>
+Condition<D>& Condition<D>::operator=(Condition&&) noexcept = default;
+template <int D>
+Condition<D>::~Condition() = default;
+
+template <int D>
+bool Condition<D>::holds(const Session<D>& session) const {
+    if (session.position() == 0) return false;
+    for (const std::size_t i : expression_->used) expression_->values[i] = fields<D>()[i].value(session);
+    const double result = expression_->parser.Eval();
+    return result == result && result != 0;
+}
+
+template std::span<const RecordField<2>> record_fields<2>();
+template class Condition<2>;
+
+}  // namespace sightline

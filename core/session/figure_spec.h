@@ -1,0 +1,16 @@
+// How a figure of a session is put down: what a sidecar needs to write the same figure again.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace sightline {
+
+struct FigureSpec {
+    std::string size = "84mm";  ///< a width in millimetres, or WxH in pixels
+    double font_pt = 8;
+    std::vector<std::string> panels;  ///< places in the timeline ("step 12"); empty: one panel, as the session stands
+};
+
+}  // namespace sightline

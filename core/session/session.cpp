@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/session.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "core/number.h"
+#include "core/space/builders.h"
+
+namespace sightline {
+
+namespace {
+
+/// Adds the time that `work` takes to `milliseconds`.
+template <typename Work>
+auto timed(double& milliseconds, Work work) {
+    struct Clock {
+        double& sum;
+        std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
+        ~Clock() { sum += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count(); }
+    } clock{milliseconds};
+    return work();
+}
+
+}  // namespace
+
+template <int D>
+Session<D>::Session(std::shared_ptr<const Scene<D>> scene, const ViewSpec<D>& view, const Settings& settings,
+                    std::span<const Method<D>> methods)
+    : scene_(std::move(scene)),
+      methods_(methods),
+      method_(find_method<D>(methods, settings.method)),
+      settings_(settings),
+      culling_view_(view),
+      display_view_(view),
+      view_(make_view(view)) {
+    tessellate();
+    restart();
+}
+
+template <int D>
+Frame<D> Session<D>::frame() const {
+    return make_frame<D>(scene_->primitives, *cells_, view_, settings_);
+}
+
+template <int D>
+void Session<D>::tessellate() {
+    CellComplex<D> cells = timed(times_.tessellate, [&] { return tessellation(*scene_, settings_); });
+    timed(times_.assign, [&] { assign_primitives(cells, scene_->primitives); });
+    cells_ = std::make_shared<const CellComplex<D>>(std::move(cells));
+    if (selected_cell != none && selected_cell >= cells_->cell_count()) selected_cell = none;
+}
+
+template <int D>
+void Session<D>::restart() {
+    const Frame<D> frame = this->frame();
+    method_.start(frame, state_);
+    timeline_ = {};
+    timeline_.seed_count = state_.front_size;
+    time_stop_ = none;
+}
+
+template <int D>
+Stop Session<D>::step() {
+    if (state_.step >= time_stop_) return Stop::budget;
+    if (state_.step < timeline_.steps.size()) {
+        redo_step(frame(), state_, timeline_);
+        return Stop::none;
+    }
+    return timed(times_.traverse, [&] { return method_.record(frame(), state_, timeline_); });
+}
+
+template <int D>
+bool Session<D>::back() {
+    if (state_.step == 0) return false;
+    undo_step(frame(), state_, timeline_);
+    return true;
+}
+
+template <int D>
+Stop Session<D>::run(std::uint32_t steps) {
+    const bool limited_by_time = settings_.budget.kind == Budget::Kind::milliseconds && time_stop_ == none;
+    const auto start = std::chrono::steady_clock::now();
+    for (std::uint32_t made = 0; made < steps; ++made) {
+        if (const Stop stop = step(); stop != Stop::none) return stop;
+        if (limited_by_time &&
+            std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count() >=
+                settings_.budget.value)
+            time_stop_ = state_.step;
+    }
+    return Stop::steps;
+}
+
+template <int D>
+Stop Session<D>::run_until(const std::function<bool(const Session&)>& holds) {
+    for (;;) {
+        if (const Stop stop = step(); stop != Stop::none) return stop;
+        if (holds(*this)) return Stop::breakpoint;
+    }
+}
+
+template <int D>
+void Session<D>::seek(std::uint32_t step) {
+    const Frame<D> frame = this->frame();
+    while (state_.step > step) undo_step(frame, state_, timeline_);
+    while (state_.step < std::min<std::size_t>({step, timeline_.steps.size(), time_stop_}))
+        redo_step(frame, state_, timeline_);
+    while (state_.step < step)
+        if (this->step() != Stop::none) break;
+}
+
+template <int D>
+Invalidates Session<D>::change(const Settings& settings) {
+    const Invalidates what = difference(settings_, settings);
+    const Method<D>& method = find_method<D>(methods_, settings.method);
+    const std::uint32_t step = state_.step;
+    settings_ = settings;
+    method_ = method;
+    if (what >= Invalidates::tessellation) {
+        tessellate();
+        reference_.reset();
+    }
+    if (what >= Invalidates::traversal) {
+        restart();
+        seek(step);
+    }
+    return what;
+}
+
+template <int D>
+void Session<D>::set_view(const ViewSpec<D>& view) {
+    const View<D> made = make_view(view);
+    if (frozen_) {
+        display_view_ = view;
+        return;
+    }
+    const std::uint32_t step = state_.step;
+    culling_view_ = view;
+    view_ = made;
+    reference_.reset();
+    restart();
+    seek(step);
+}
+
+template <int D>
+void Session<D>::freeze() {
+    if (!frozen_) display_view_ = culling_view_;
+    frozen_ = true;
+}
+
+template <int D>
+const Reference& Session<D>::reference() const {
+    if (!reference_)
+        reference_ = timed(times_.reference, [&] {
+            return std::make_shared<const Reference>(exact_reference(scene_->primitives, *cells_, view_));
+        });
+    return *reference_;
+}
+
+template <int D>
+std::size_t Session<D>::visible_rendered() const {
+    return sightline::visible_rendered<D>(reference(), std::span(state_.touched).first(state_.touched_count));
+}
+
+template <int D>
+std::vector<Inversion> Session<D>::inversions() const {
+    return sightline::inversions(reference(), frame(), state_, timeline_);
+}
+
+template <int D>
+std::vector<Marker> Session<D>::markers() const {
+    std::vector<Marker> markers;
+    const Frame<D> frame = this->frame();
+    if (method_.terms)
+        for (std::uint32_t step = 1; step <= state_.step; ++step) {
+            const std::uint32_t cell = timeline_.steps[step - 1].cell;
+            const auto records = timeline_.facets_of(step);
+            const auto facets = cells_->facets_of(cell);
+            std::uint32_t penalised = 0;
+            for (std::size_t i = 0; i < records.size(); ++i)
+                if (records[i].rule == Rule::enqueued || records[i].rule == Rule::reenqueued)
+                    penalised += method_.terms(frame, cell, state_.mark(cell).key, facets[i]).penalised();
+            if (penalised > 0)
+                markers.push_back({step, Marker::Kind::penalty, std::to_string(penalised) + " penalised"});
+        }
+    for (const Inversion& inversion : inversions())
+        markers.push_back(
+            {inversion.step,
+             inversion.kind == Inversion::Kind::mis_ranked ? Marker::Kind::mis_ranked : Marker::Kind::unreached,
+             std::to_string(inversion.wasted) + " wasted"});
+    for (const double share : {0.01, 0.02, 0.05, 0.10}) {
+        const std::uint32_t wanted = Budget{Budget::Kind::share, share}.primitives(scene_->primitives.size());
+        const auto reached = std::find_if(timeline_.steps.begin(), timeline_.steps.end(),
+                                          [&](const StepRecord& record) { return record.spent >= wanted; });
+        if (reached != timeline_.steps.end())
+            markers.push_back({static_cast<std::uint32_t>(reached - timeline_.steps.begin()) + 1, Marker::Kind::budget,
+                               short_number(share * 100) + " %"});
+    }
+    std::stable_sort(markers.begin(), markers.end(), [](const Marker& a, const Marker& b) { return a.step < b.step; });
+    return markers;
+}
+
+template class Session<2>;
+
+}  // namespace sightline

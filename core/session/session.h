@@ -1,0 +1,119 @@
+// A session: a scene, its cells, a view, settings and a recorded traversal that goes forward and back. A value: copy it
+// to branch, keep two side by side to compare. No globals.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/measure/metrics.h"
+#include "core/session/note.h"
+#include "core/settings/settings_table.h"
+#include "core/traversal/methods.h"
+
+namespace sightline {
+
+/// A named place in the timeline.
+struct Bookmark {
+    std::uint32_t step = 0;
+    std::string label;
+    bool operator==(const Bookmark&) const = default;
+};
+
+/// Something worth a mark on the timeline, found by looking at the recording.
+struct Marker {
+    enum class Kind : std::uint8_t { penalty, mis_ranked, unreached, budget };
+    std::uint32_t step = 0;
+    Kind kind = Kind::penalty;
+    std::string label;
+};
+
+/// Milliseconds spent making the parts of a session.
+struct Times {
+    double read = 0, tessellate = 0, assign = 0, reference = 0, traverse = 0, draw = 0;
+};
+
+template <int D>
+class Session {
+public:
+    /// Tessellates, starts the traversal and stays at step 0. Throws InputError for a view or a method that cannot be.
+    Session(std::shared_ptr<const Scene<D>> scene, const ViewSpec<D>& view, const Settings& settings,
+            std::span<const Method<D>> methods = method_table<D>());
+
+    // What there is. A step number counts the steps taken: 0 is the start.
+    const Scene<D>& scene() const { return *scene_; }
+    const CellComplex<D>& cells() const { return *cells_; }
+    const Settings& settings() const { return settings_; }
+    const Method<D>& method() const { return method_; }
+    const ViewSpec<D>& culling_view() const { return culling_view_; }
+    const ViewSpec<D>& display_view() const { return frozen_ ? display_view_ : culling_view_; }
+    bool frozen() const { return frozen_; }
+    Frame<D> frame() const;
+    const State<D>& state() const { return state_; }
+    const Timeline& timeline() const { return timeline_; }
+    std::uint32_t position() const { return state_.step; }
+    std::uint32_t recorded() const { return static_cast<std::uint32_t>(timeline_.steps.size()); }
+    std::uint64_t hash() const { return state_hash(state_); }
+    const Times& times() const { return times_; }
+    Times& times() { return times_; }
+
+    // Moving in time.
+    /// One step forward. Stop::none when it was made, else why not.
+    Stop step();
+    /// One step back; false at the start.
+    bool back();
+    /// Forward until something stops it: the budget, the empty front, or `steps` steps made.
+    Stop run(std::uint32_t steps = none);
+    /// Forward, at least one step, until `holds(*this)` after a step (Stop::breakpoint).
+    Stop run_until(const std::function<bool(const Session&)>& holds);
+    /// To a step, or as near as the budget and the front allow.
+    void seek(std::uint32_t step);
+    /// Where a budget in milliseconds ended the run; none before it ran. Sidecars give it back so that a replay ends
+    /// at the same step.
+    std::uint32_t time_stop() const { return time_stop_; }
+    void set_time_stop(std::uint32_t step) { time_stop_ = step; }
+
+    // Changing it. Each keeps the step as far as the new traversal has it, and the selection.
+    /// What was made again.
+    Invalidates change(const Settings& settings);
+    /// Moves the culling view, or while frozen the display view only.
+    void set_view(const ViewSpec<D>& view);
+    void freeze();
+    void unfreeze() { frozen_ = false; }
+
+    // What people put into it.
+    std::vector<Bookmark> bookmarks;
+    std::vector<Note<D>> notes;
+    std::uint32_t selected_cell = none;
+
+    // Measured, made on first use.
+    const Reference& reference() const;
+    std::size_t visible_rendered() const;
+    std::vector<Inversion> inversions() const;
+    /// Penalties, inversions and the ticks of 1, 2, 5 and 10 % budget, by step.
+    std::vector<Marker> markers() const;
+
+private:
+    void tessellate();
+    void restart();
+
+    std::shared_ptr<const Scene<D>> scene_;
+    std::shared_ptr<const CellComplex<D>> cells_;
+    std::span<const Method<D>> methods_;
+    Method<D> method_;
+    Settings settings_;
+    ViewSpec<D> culling_view_, display_view_;
+    View<D> view_;
+    bool frozen_ = false;
+    State<D> state_;
+    Timeline timeline_;
+    std::uint32_t time_stop_ = none;
+    mutable std::shared_ptr<const Reference> reference_;
+    mutable Times times_;
+};
+
+extern template class Session<2>;
+
+}  // namespace sightline
