@@ -44,6 +44,8 @@ std::string to_text(const DrawList& list) {
         text += "label " + point(l.at) + " offset " + point(l.offset_pt) + " scale " + number(l.scale) + " " +
                 colour(l.colour);
         if (l.disc) text += " disc " + colour(*l.disc);
+        if (l.leader) text += " leader";
+        if (l.yields) text += " yields";
         text += " \"";
         text += l.text;
         text += "\"\n";

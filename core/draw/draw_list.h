@@ -61,8 +61,10 @@ struct Label {
     Align align = Align::centre;
     double scale = 1;  ///< times the figure's font size
     Colour colour{0, 0, 0};
-    Colour halo = transparent;  ///< drawn 1 pt around the glyphs, for contrast
+    Colour halo = transparent;   ///< drawn 1 pt around the glyphs, for contrast
     std::optional<Colour> disc;  ///< numbered callouts: a filled circle behind the text
+    bool leader = false;         ///< an arrow from the text to `at`, in the text's colour
+    bool yields = false;         ///< left out where it would overlap an earlier label
 };
 
 /// Shapes are drawn in order, then the labels.
@@ -74,8 +76,8 @@ struct DrawList {
     std::vector<Label> labels;
 
     void add(ShapeKind kind, std::uint16_t style, std::initializer_list<Vec<2>> at, double size_pt = 0) {
-        shapes.push_back({kind, style, static_cast<std::uint32_t>(points.size()),
-                          static_cast<std::uint32_t>(at.size()), size_pt});
+        shapes.push_back(
+            {kind, style, static_cast<std::uint32_t>(points.size()), static_cast<std::uint32_t>(at.size()), size_pt});
         points.insert(points.end(), at.begin(), at.end());
     }
 };
@@ -94,7 +96,12 @@ struct ColourBar {
     std::vector<Colour> stops;
 };
 
-enum class LegendPlace : std::uint8_t { inside, outside, off };
+/// Where legend and colour bar go; off shows neither.
+enum class LegendPlace : std::uint8_t {
+    inside,   ///< a box in the corner of a panel that hides least; outside when no panel has room for it
+    outside,  ///< right of the panels or below them
+    off,
+};
 
 /// A whole figure: one panel or several with one legend and one scale.
 struct Figure {

@@ -1,2 +1,132 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shell/figure/figure.h"
+
+#include <cairo-pdf.h>
+#include <cairo.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+#include "core/output_file.h"
+#include "shell/figure/cairo_canvas.h"
+#include "shell/figure/layout.h"
+#include "shell/figure/paint.h"
+#include "shell/figure/png.h"
+#include "shell/figure/svg_canvas.h"
+
+namespace sightline {
+
+namespace {
+
+enum class Format : std::uint8_t { png, svg, pdf };
+
+Format format_of(const std::filesystem::path& path) {
+    std::string ending = path.extension().string();
+    for (char& c : ending)
+        if (c >= 'A' && c <= 'Z') c += 'a' - 'A';
+    if (ending == ".png") return Format::png;
+    if (ending == ".svg") return Format::svg;
+    if (ending == ".pdf") return Format::pdf;
+    throw InputError("cannot write " + path.string() + ": " +
+                     (ending.empty() ? std::string("the name has no ending") : "unknown ending " + ending) +
+                     "; use .png, .svg or .pdf");
+}
+
+bool in_pixels(const FigureSize& size) { return size.width_px > 0; }
+
+/// Three decimals and no trailing zeros.
+std::string short_number(double value) {
+    std::string text = std::to_string(std::round(value * 1000) / 1000);
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.back() == '.') text.pop_back();
+    return text;
+}
+
+std::string svg_of(const Figure& figure, const FigureSize& size, const Layout& layout, const Font& font) {
+    SvgCanvas canvas(font);
+    paint(canvas, figure, layout, font);
+    const auto length = [](double pt) { return short_number(pt * 25.4 / 72) + "mm"; };
+    if (in_pixels(size))
+        return canvas.document(std::to_string(size.width_px), std::to_string(size.height_px), layout.width,
+                               layout.height);
+    return canvas.document(length(layout.width), length(layout.height), layout.width, layout.height);
+}
+
+std::string png_of(const Figure& figure, const FigureSize& size, const Layout& layout, const Font& font) {
+    const double dpi = in_pixels(size) ? 96 : size.dpi, scale = dpi / 72;
+    const double width = in_pixels(size) ? size.width_px : std::max(1.0, std::round(layout.width * scale));
+    const double height = in_pixels(size) ? size.height_px : std::ceil(layout.height * scale - 1e-6);
+    if (std::max(width, height) > 20000)
+        throw InputError("a PNG of " + short_number(width) + "x" + short_number(height) + " px at " +
+                         short_number(dpi) + " dpi is too large: at most 20000 px a side; lower the dpi or the size");
+    const cairo_format_t format = figure.background.a == 255 ? CAIRO_FORMAT_RGB24 : CAIRO_FORMAT_ARGB32;
+    const CairoSurface surface(cairo_image_surface_create(format, static_cast<int>(width), static_cast<int>(height)));
+    CairoCanvas canvas(surface.get(), scale, font);
+    paint(canvas, figure, layout, font);
+    canvas.end_page();
+    return encode_png(surface.get(), dpi);
+}
+
+cairo_status_t append(void* text, const unsigned char* data, unsigned length) {
+    static_cast<std::string*>(text)->append(reinterpret_cast<const char*>(data), length);
+    return CAIRO_STATUS_SUCCESS;
+}
+
+std::string pdf_of(std::span<const Figure> pages, std::span<const Layout> layouts, const Font& font) {
+    // Acrobat reads no page beyond 200 inches.
+    if (std::max(layouts.front().width, layouts.front().height) > 14400)
+        throw InputError("a PDF page of " + short_number(layouts.front().width) + "x" +
+                         short_number(layouts.front().height) + " pt is too large: at most 14400 pt a side");
+    std::string data;
+    {
+        const CairoSurface surface(
+            cairo_pdf_surface_create_for_stream(append, &data, layouts.front().width, layouts.front().height));
+        cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATOR, "Sightline");
+        // The same figure is the same file, whenever it is written.
+        cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, "2000-01-01T00:00:00Z");
+        CairoCanvas canvas(surface.get(), 1, font);
+        for (std::size_t i = 0; i < pages.size(); ++i) {
+            paint(canvas, pages[i], layouts[i], font);
+            canvas.end_page();
+        }
+        cairo_surface_finish(surface.get());
+        if (const cairo_status_t status = cairo_surface_status(surface.get()); status != CAIRO_STATUS_SUCCESS)
+            throw WorkError(std::string("cannot write the PDF: ") + cairo_status_to_string(status));
+    }
+    return data;
+}
+
+void save(const std::filesystem::path& path, std::string_view data) {
+    OutputFile file(path);
+    file.write(data);
+    file.commit();
+}
+
+}  // namespace
+
+void write_figure(const Figure& figure, const FigureSize& size, const std::filesystem::path& path) {
+    const Format format = format_of(path);
+    check_size(size);
+    const Font font = find_font();
+    const std::vector<Layout> layouts = lay_out({&figure, 1}, size, font);
+    switch (format) {
+        case Format::png:
+            return save(path, png_of(figure, size, layouts[0], font));
+        case Format::svg:
+            return save(path, svg_of(figure, size, layouts[0], font));
+        case Format::pdf:
+            return save(path, pdf_of({&figure, 1}, layouts, font));
+    }
+}
+
+void write_figure_pages(std::span<const Figure> pages, const FigureSize& size, const std::filesystem::path& path) {
+    if (format_of(path) != Format::pdf)
+        throw InputError("cannot write " + path.string() + ": several pages need the ending .pdf");
+    if (pages.empty()) throw InputError("cannot write " + path.string() + ": there are no pages");
+    check_size(size);
+    const Font font = find_font();
+    save(path, pdf_of(pages, lay_out(pages, size, font), font));
+}
+
+}  // namespace sightline

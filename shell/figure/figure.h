@@ -17,9 +17,15 @@ struct FigureSize {
     double dpi = 300;                 ///< PNG with a width in millimetres
 };
 
-/// Writes the figure; the ending of the name (.png, .svg, .pdf, any case) chooses the format. Lines are at least 0.5 pt;
-/// text stays text; fonts are embedded in SVG and PDF. The file is written to a temporary name and renamed.
-/// Throws InputError for another ending or an impossible size, WorkError when the file cannot be written.
+/// Writes the figure; the ending of the name (.png, .svg, .pdf, any case) chooses the format. Lines are at least 0.5
+/// pt; text stays text; fonts are embedded in SVG and PDF. Texts shrink, down to half their size, where few pixels
+/// would leave no room for the panels. The file is written to a temporary name and renamed. The same figure gives the
+/// same bytes. Throws InputError for another ending, an impossible size or one too small for the content; WorkError
+/// when the file cannot be written or the font is not installed.
 void write_figure(const Figure& figure, const FigureSize& size, const std::filesystem::path& path);
+
+/// The same for a PDF of several pages, e.g. the steps of a film: panels, legend and caption lie at the same places on
+/// each page, so that nothing jumps. The first page says where the legend stands.
+void write_figure_pages(std::span<const Figure> pages, const FigureSize& size, const std::filesystem::path& path);
 
 }  // namespace sightline

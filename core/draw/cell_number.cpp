@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/draw/cell_number.h"
+
+#include <algorithm>
+
+namespace sightline {
+
+std::vector<std::optional<double>> cell_numbers(const Session<2>& session, CellNumber what) {
+    const CellComplex<2>& cells = session.cells();
+    std::vector<std::optional<double>> numbers(cells.cell_count());
+    std::vector<std::uint32_t> layers;
+    if (what == CellNumber::zeta)
+        layers = layering_numbers(session.scene().primitives, make_view(session.culling_view()));
+    for (std::uint32_t cell = 0; cell < cells.cell_count(); ++cell) {
+        const CellMark mark = session.state().mark(cell);
+        switch (what) {
+            case CellNumber::solidity:
+                if (mark.state == CellState::enqueued || mark.state == CellState::projected) numbers[cell] = mark.key;
+                break;
+            case CellNumber::count:
+                numbers[cell] = cells.count(cell);
+                break;
+            case CellNumber::share:
+                numbers[cell] = session.reference().cell_share[cell];
+                break;
+            case CellNumber::id:
+                numbers[cell] = cell;
+                break;
+            case CellNumber::zeta:
+                for (const std::uint32_t primitive : cells.primitives_of(cell))
+                    if (layers[primitive] > 0)
+                        numbers[cell] = std::min<double>(numbers[cell].value_or(layers[primitive]), layers[primitive]);
+                break;
+            case CellNumber::order:
+            case CellNumber::none:
+                break;
+        }
+    }
+    if (what == CellNumber::order)
+        for (std::uint32_t step = 1; step <= session.position(); ++step)
+            if (const std::uint32_t cell = session.timeline().steps[step - 1].cell; cell != none) numbers[cell] = step;
+    return numbers;
+}
+
+std::optional<std::array<double, 2>> number_range(const Session<2>& session, CellNumber what) {
+    Session<2> at_end = session;
+    at_end.seek(session.recorded());
+    std::optional<std::array<double, 2>> range;
+    for (const auto& number : cell_numbers(at_end, what)) {
+        if (!number) continue;
+        if (!range) range = {*number, *number};
+        range = {std::min((*range)[0], *number), std::max((*range)[1], *number)};
+    }
+    return range;
+}
+
+std::string_view number_title(CellNumber what) {
+    switch (what) {
+        case CellNumber::solidity:
+            return "accumulated solidity ρ";
+        case CellNumber::count:
+            return "primitives in the cell |A|";
+        case CellNumber::order:
+            return "step of projection";
+        case CellNumber::zeta:
+            return "layering number ζ";
+        case CellNumber::share:
+            return "visible share";
+        case CellNumber::id:
+            return "cell";
+        case CellNumber::none:
+            break;
+    }
+    return "";
+}
+
+}  // namespace sightline

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/draw/palette.h"
+
+#include <array>
+#include <cmath>
+
+namespace sightline {
+
+namespace {
+
+constexpr Colour white{255, 255, 255}, black{0, 0, 0};
+
+Style area(const char* name, Colour fill, Hatch hatch = Hatch::none, Colour hatch_colour = transparent) {
+    Style style{name};
+    style.fill = fill;
+    style.hatch = hatch;
+    style.hatch_colour = hatch_colour;
+    return style;
+}
+
+Style line(const char* name, Colour stroke, double width_pt, Dash dash = Dash::solid) {
+    Style style{name};
+    style.stroke = stroke;
+    style.width_pt = width_pt;
+    style.dash = dash;
+    return style;
+}
+
+Style mark(const char* name, Colour fill, Colour stroke, double width_pt) {
+    Style style = line(name, stroke, width_pt);
+    style.fill = fill;
+    return style;
+}
+
+/// Safe for colour-blind readers: after Okabe and Ito's set; the four states at L* of about 100, 82, 61 and 39.
+Colours standard() {
+    const Colour blue{0, 90, 170}, vermilion{200, 70, 0}, grey{120, 120, 120}, purple{140, 50, 120};
+    return {white,
+            black,
+            white,
+            vermilion,
+            {
+                area("clean", white),
+                area("enqueued", {40, 90, 155}, Hatch::diagonal, {150, 190, 235}),
+                area("projected", {178, 214, 198}),
+                area("unseen", {146, 146, 146}, Hatch::dots, {205, 205, 205}),
+                line("tessellation", {105, 125, 145}, 0.5),
+                line("other", {125, 125, 125}, 0.7),
+                line("rendered", black, 1.6),
+                line("missed", vermilion, 1.8),
+                line("wasted", purple, 1.1, Dash::dashed),
+                line("view", blue, 0.9, Dash::dashed),
+                line("display_view", grey, 0.7, Dash::dotted),
+                mark("eye", {230, 160, 0}, black, 0.7),
+                line("seed", {230, 160, 0}, 1.6),
+                line("selected", vermilion, 2.0),
+                line("last", black, 1.6),
+                line("eye_ray", blue, 0.6, Dash::dotted),
+                line("normal", purple, 1.0),
+                line("penalty", vermilion, 1.1),
+                line("chain", vermilion, 1.3),
+                line("note", black, 0.8),
+            },
+            // Solid is dark: black lines stay legible on the many cells of low numbers.
+            {{255, 251, 232}, {252, 222, 150}, {240, 165, 85}, {205, 90, 80}, {120, 30, 90}}};
+}
+
+/// The colours of TR figs 1, 2 and 4: white input, blue tessellation and front, green cells, red rendered geometry.
+Colours paper() {
+    const Colour green{60, 220, 60}, red{255, 60, 60};
+    return {black,
+            white,
+            black,
+            red,
+            {
+                area("clean", black),
+                area("enqueued", {25, 50, 170}, Hatch::diagonal, {90, 130, 255}),
+                mark("projected", {0, 75, 0}, green, 0.6),
+                area("unseen", {58, 58, 58}, Hatch::dots, {110, 110, 110}),
+                line("tessellation", {50, 80, 200}, 0.5),
+                line("other", {215, 215, 215}, 0.7),
+                line("rendered", red, 1.6),
+                line("missed", {255, 220, 0}, 1.8),
+                line("wasted", {255, 140, 140}, 1.1, Dash::dashed),
+                line("view", red, 0.9),
+                line("display_view", white, 0.7, Dash::dotted),
+                mark("eye", {255, 220, 0}, white, 0.7),
+                line("seed", green, 1.6),
+                line("selected", {255, 220, 0}, 2.0),
+                line("last", white, 1.4),
+                line("eye_ray", {255, 220, 0}, 0.6, Dash::dotted),
+                line("normal", white, 1.0),
+                line("penalty", {255, 220, 0}, 1.1),
+                line("chain", {255, 220, 0}, 1.3),
+                line("note", white, 0.8),
+            },
+            {{0, 0, 90}, {60, 30, 170}, {190, 50, 120}, {240, 140, 50}, {255, 240, 120}}};
+}
+
+/// Greys only.
+Colours print() {
+    const Colour dark{70, 70, 70};
+    return {white,
+            black,
+            white,
+            black,
+            {
+                area("clean", white),
+                area("enqueued", {95, 95, 95}, Hatch::diagonal, {215, 215, 215}),
+                area("projected", {205, 205, 205}),
+                area("unseen", {150, 150, 150}, Hatch::cross, {205, 205, 205}),
+                line("tessellation", {110, 110, 110}, 0.5),
+                line("other", {120, 120, 120}, 0.7),
+                line("rendered", black, 1.8),
+                line("missed", black, 1.8, Dash::dotted),
+                line("wasted", dark, 1.1, Dash::dashed),
+                line("view", black, 0.8, Dash::dashed),
+                line("display_view", dark, 0.7, Dash::dotted),
+                mark("eye", white, black, 0.9),
+                line("seed", black, 1.6),
+                line("selected", black, 2.2),
+                line("last", black, 1.6),
+                line("eye_ray", dark, 0.6, Dash::dotted),
+                line("normal", dark, 1.0),
+                line("penalty", black, 1.1),
+                line("chain", black, 1.4),
+                line("note", black, 0.8),
+            },
+            {{250, 250, 250}, {205, 205, 205}, {155, 155, 155}, {110, 110, 110}, {75, 75, 75}}};
+}
+
+}  // namespace
+
+const Colours& colours(Palette palette) {
+    static const std::array table{standard(), paper(), print()};
+    return table[static_cast<std::size_t>(palette)];
+}
+
+double lightness(const Colour& colour) {
+    const auto linear = [](std::uint8_t part) {
+        const double v = part / 255.0;
+        return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+    };
+    const double y = 0.2126 * linear(colour.r) + 0.7152 * linear(colour.g) + 0.0722 * linear(colour.b);
+    return y > 0.008856 ? 116 * std::cbrt(y) - 16 : 903.3 * y;
+}
+
+}  // namespace sightline

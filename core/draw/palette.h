@@ -1,0 +1,48 @@
+// Colours and line styles by meaning. States differ in lightness and hatch, so that they stay apart in greyscale.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "core/draw/draw_list.h"
+#include "core/settings/settings.h"
+
+namespace sightline {
+
+/// Indices of DrawList::styles in every picture; heat map steps follow after `count`.
+enum class Look : std::uint16_t {
+    clean,
+    enqueued,
+    projected,
+    unseen,
+    tessellation,
+    other,     ///< primitives: not rendered and not visible
+    rendered,  ///< visible and rendered
+    missed,    ///< visible, not rendered
+    wasted,    ///< rendered, but hidden
+    view,
+    display_view,
+    eye,
+    seed,
+    selected,
+    last,
+    eye_ray,
+    normal,
+    penalty,
+    chain,
+    note,
+    count,
+};
+
+struct Colours {
+    Colour background, ink, halo, accent;
+    std::vector<Style> looks;  ///< one per Look
+    std::vector<Colour> heat;  ///< from low to high
+};
+
+const Colours& colours(Palette palette);
+
+/// CIE lightness L* in [0, 100] of an opaque colour (sRGB, D65).
+double lightness(const Colour& colour);
+
+}  // namespace sightline

@@ -1,0 +1,326 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/draw/picture.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/draw/cell_number.h"
+#include "core/draw/notes.h"
+#include "core/draw/palette.h"
+#include "core/number.h"
+#include "core/session/explain.h"
+#include "core/session/report.h"
+#include "core/traversal/facet_geometry.h"
+
+namespace sightline {
+
+namespace {
+
+constexpr int heat_steps = 32;
+
+std::uint16_t index(Look look) { return static_cast<std::uint16_t>(look); }
+
+Box<2> shown_world(const Session<2>& session) {
+    Box<2> box = bounds<2>(session.scene().primitives);
+    const ViewSpec<2>& view = session.display_view();
+    box.add(view.eye);
+    if (session.settings().zoom != 1) {
+        // The eye stands off the middle, so that more of what it looks at is shown.
+        const Vec<2> half = box.extent() * (0.5 / session.settings().zoom);
+        const Vec<2> centre = view.eye + make_view(view).forward() * (0.5 * std::min(half.x, half.y));
+        return {centre - half, centre + half};
+    }
+    const Vec<2> margin(std::max(box.longest_side(), 1e-300) * 0.05);
+    return {box.min - margin, box.max + margin};
+}
+
+Colour between(const std::vector<Colour>& stops, double share) {
+    const double at = share * static_cast<double>(stops.size() - 1);
+    const auto i = std::min(static_cast<std::size_t>(at), stops.size() - 2);
+    const double t = at - static_cast<double>(i);
+    const auto mix = [&](std::uint8_t a, std::uint8_t b) { return static_cast<std::uint8_t>(a + (b - a) * t + 0.5); };
+    return {mix(stops[i].r, stops[i + 1].r), mix(stops[i].g, stops[i + 1].g), mix(stops[i].b, stops[i + 1].b)};
+}
+
+/// Builds one picture, layer by layer from the back to the front.
+class Painter {
+public:
+    Painter(const Session<2>& session, const std::optional<std::array<double, 2>>& heat_range)
+        : session_(session), set_(session.settings()), cells_(session.cells()), colours_(colours(set_.palette)) {
+        list_.world = shown_world(session);
+        list_.styles = colours_.looks;
+        if (set_.heat != CellNumber::none && heat_range) heat_map(*heat_range);
+        if (set_.heat == CellNumber::none && set_.show_states == Switch::on) states();
+        if (set_.show_tessellation == Switch::on) tessellation();
+        if (set_.show_primitives == Switch::on) primitives();
+        if (set_.show_view == Switch::on) view();
+        if (set_.show_normals == Switch::on && session.position() > 0) normals();
+        if (set_.show_penalties == Switch::on) penalties();
+        highlights();
+        if (set_.show_chain == Switch::on && session.selected_cell != none) chain();
+        draw_notes(session, colours_, index(Look::note), list_);
+        labels();
+    }
+    DrawList take() { return std::move(list_); }
+
+private:
+    void cell_shape(std::uint32_t cell, std::uint16_t style) {
+        const auto corners = cells_.corners_of(cell);
+        list_.shapes.push_back({ShapeKind::polygon, style, static_cast<std::uint32_t>(list_.points.size()),
+                                static_cast<std::uint32_t>(corners.size())});
+        for (const std::uint32_t p : corners) list_.points.push_back(cells_.points[p]);
+    }
+
+    void states() {
+        for (std::uint32_t cell = 0; cell < cells_.cell_count(); ++cell) {
+            const CellState state = session_.state().mark(cell).state;
+            if (state == CellState::enqueued) cell_shape(cell, index(Look::enqueued));
+            if (state == CellState::projected) cell_shape(cell, index(Look::projected));
+            if (state == CellState::unseen) cell_shape(cell, index(Look::unseen));
+        }
+    }
+
+    void heat_map(const std::array<double, 2>& range) {
+        const auto first = static_cast<std::uint16_t>(list_.styles.size());
+        for (int i = 0; i < heat_steps; ++i) {
+            Style style{"heat " + std::to_string(i)};
+            style.fill = between(colours_.heat, static_cast<double>(i) / (heat_steps - 1));
+            list_.styles.push_back(style);
+        }
+        const auto numbers = cell_numbers(session_, set_.heat);
+        const double span = range[1] - range[0];
+        for (std::uint32_t cell = 0; cell < numbers.size(); ++cell)
+            if (numbers[cell]) {
+                const double share = span > 0 ? std::clamp((*numbers[cell] - range[0]) / span, 0.0, 1.0) : 0;
+                cell_shape(cell, static_cast<std::uint16_t>(first + std::lround(share * (heat_steps - 1))));
+            }
+    }
+
+    void tessellation() {
+        for (std::uint32_t facet = 0; facet < cells_.facet_count(); ++facet) {
+            const auto ends = cells_.points_of_facet(facet);
+            list_.add(ShapeKind::polyline, index(Look::tessellation), {cells_.points[ends[0]], cells_.points[ends[1]]});
+        }
+    }
+
+    void primitives() {
+        const auto& segments = session_.scene().primitives;
+        const Reference& reference = session_.reference();
+        std::vector<std::uint8_t> rendered(segments.size());
+        const State<2>& state = session_.state();
+        for (std::uint32_t i = 0; i < state.touched_count; ++i)
+            if (!(state.touched[i] & State<2>::culled_bit)) rendered[state.touched[i]] = 1;
+        const auto look = [&](std::size_t p) {
+            if (rendered[p]) return reference.visible[p] ? Look::rendered : Look::wasted;
+            return reference.visible[p] ? Look::missed : Look::other;
+        };
+        // What matters most comes last, on top.
+        for (const Look layer : {Look::other, Look::wasted, Look::rendered, Look::missed})
+            for (std::size_t p = 0; p < segments.size(); ++p)
+                if (look(p) == layer) list_.add(ShapeKind::polyline, index(layer), {segments[p][0], segments[p][1]});
+    }
+
+    void cone(const ViewSpec<2>& spec, Look look) {
+        const View<2> made = make_view(spec);
+        // Long enough to leave the picture from anywhere near it.
+        const double reach = 4 * list_.world.longest_side() + glm::length(spec.eye - list_.world.centre());
+        if (!made.all_round)
+            for (const Vec<2>& corner : made.corners)
+                list_.add(ShapeKind::polyline, index(look),
+                          {spec.eye, spec.eye + (corner - spec.eye) * (reach / glm::length(corner - spec.eye))});
+    }
+
+    void view() {
+        if (session_.state().seed != none) cell_shape(session_.state().seed, index(Look::seed));
+        cone(session_.culling_view(), Look::view);
+        const ViewSpec<2>& spec = session_.culling_view();
+        const Vec<2> forward = make_view(spec).forward();
+        list_.add(ShapeKind::arrow, index(Look::eye),
+                  {spec.eye, spec.eye + forward * (0.06 * list_.world.longest_side())}, 4);
+        list_.add(ShapeKind::disc, index(Look::eye), {spec.eye}, 2.6);
+        if (session_.frozen() && session_.display_view() != spec) {
+            cone(session_.display_view(), Look::display_view);
+            list_.add(ShapeKind::ring, index(Look::display_view), {session_.display_view().eye}, 2.6);
+        }
+    }
+
+    void normals() {
+        const std::uint32_t cell = session_.timeline().steps[session_.position() - 1].cell;
+        if (cell == none) return;
+        const Vec<2> eye = session_.culling_view().eye;
+        for (const HalfFacet& half : cells_.facets_of(cell)) {
+            if (half.neighbour == none) continue;
+            const FacetGeometry<2> facet = facet_geometry(cells_, half);
+            const Vec<2> n = facet.normal / glm::length(facet.normal);
+            list_.add(ShapeKind::polyline, index(Look::eye_ray), {eye, facet.centroid});
+            list_.add(ShapeKind::arrow, index(Look::normal),
+                      {facet.centroid, facet.centroid + n * (0.05 * list_.world.longest_side())}, 3.5);
+        }
+    }
+
+    void penalties() {
+        if (!session_.method().terms) return;
+        const Frame<2> frame = session_.frame();
+        for (std::uint32_t step = 1; step <= session_.position(); ++step) {
+            const std::uint32_t cell = session_.timeline().steps[step - 1].cell;
+            const auto records = session_.timeline().facets_of(step);
+            const auto facets = cells_.facets_of(cell);
+            for (std::size_t i = 0; i < records.size(); ++i)
+                if ((records[i].rule == Rule::enqueued || records[i].rule == Rule::reenqueued) &&
+                    session_.method().terms(frame, cell, session_.state().mark(cell).key, facets[i]).penalised())
+                    list_.add(ShapeKind::cross, index(Look::penalty), {facet_geometry(cells_, facets[i]).centroid}, 2);
+        }
+    }
+
+    void highlights() {
+        if (session_.position() > 0)
+            if (const std::uint32_t last = session_.timeline().steps[session_.position() - 1].cell; last != none)
+                cell_shape(last, index(Look::last));
+        if (session_.selected_cell != none) cell_shape(session_.selected_cell, index(Look::selected));
+    }
+
+    void chain() {
+        for (const ChainLink& link : explain_cell(session_, session_.selected_cell).chain)
+            list_.add(ShapeKind::arrow, index(Look::chain),
+                      {cells_.centres[link.update.from], cells_.centres[link.update.neighbour]}, 4);
+    }
+
+    void labels() {
+        if (set_.label == CellNumber::none) return;
+        const auto numbers = cell_numbers(session_, set_.label);
+        const std::uint32_t last =
+            session_.position() > 0 ? session_.timeline().steps[session_.position() - 1].cell : none;
+        for (std::uint32_t cell = 0; cell < numbers.size(); ++cell) {
+            if (!numbers[cell]) continue;
+            const bool in_front = session_.state().mark(cell).state == CellState::enqueued;
+            const bool wanted = set_.label_where == LabelWhere::all || cell == session_.selected_cell ||
+                                (set_.label_where == LabelWhere::front && (in_front || cell == last));
+            if (!wanted || !list_.world.contains(cells_.centres[cell])) continue;
+            Label label;
+            label.at = cells_.centres[cell];
+            label.text = short_number(*numbers[cell]);
+            label.scale = 0.8;
+            label.colour = colours_.ink;
+            label.halo = colours_.halo;
+            label.yields = cell != last && cell != session_.selected_cell;
+            list_.labels.push_back(label);
+        }
+        // Those that must show claim their place first.
+        std::stable_partition(list_.labels.begin(), list_.labels.end(), [](const Label& l) { return !l.yields; });
+    }
+
+    const Session<2>& session_;
+    const Settings& set_;
+    const CellComplex<2>& cells_;
+    const Colours& colours_;
+    DrawList list_;
+};
+
+struct LegendEntry {
+    Look look;
+    ShapeKind swatch;
+    const char* text;
+};
+
+constexpr std::array legend_entries{
+    LegendEntry{Look::projected, ShapeKind::polygon, "projected"},
+    LegendEntry{Look::enqueued, ShapeKind::polygon, "in the front (enqueued)"},
+    LegendEntry{Look::unseen, ShapeKind::polygon, "outside the view (unseen)"},
+    LegendEntry{Look::clean, ShapeKind::polygon, "not touched (clean)"},
+    LegendEntry{Look::last, ShapeKind::polygon, "projected last"},
+    LegendEntry{Look::selected, ShapeKind::polygon, "selected cell"},
+    LegendEntry{Look::rendered, ShapeKind::polyline, "visible, rendered"},
+    LegendEntry{Look::missed, ShapeKind::polyline, "visible, not rendered"},
+    LegendEntry{Look::wasted, ShapeKind::polyline, "rendered but hidden"},
+    LegendEntry{Look::other, ShapeKind::polyline, "hidden, not rendered"},
+    LegendEntry{Look::eye, ShapeKind::disc, "eye"},
+    LegendEntry{Look::view, ShapeKind::polyline, "border of the view"},
+    LegendEntry{Look::seed, ShapeKind::polygon, "seed cell"},
+    LegendEntry{Look::display_view, ShapeKind::polyline, "display view (frozen)"},
+    LegendEntry{Look::eye_ray, ShapeKind::polyline, "eye ray v"},
+    LegendEntry{Look::normal, ShapeKind::arrow, "facet normal n"},
+    LegendEntry{Look::penalty, ShapeKind::cross, "penalty: not star-shaped"},
+    LegendEntry{Look::chain, ShapeKind::arrow, "chain of updates"},
+};
+
+std::vector<LegendRow> legend(std::span<const Figure::Panel> panels, const Settings& settings,
+                              std::span<const Note<2>> notes) {
+    std::vector<std::uint8_t> used(index(Look::count));
+    for (const Figure::Panel& panel : panels)
+        for (const Shape& shape : panel.list.shapes)
+            if (shape.style < used.size()) used[shape.style] = 1;
+    const bool states = settings.heat == CellNumber::none && settings.show_states == Switch::on;
+    used[index(Look::clean)] = states && settings.show_tessellation == Switch::on;
+    std::vector<LegendRow> rows;
+    for (const LegendEntry& entry : legend_entries)
+        if (used[index(entry.look)]) {
+            Style style = colours(settings.palette).looks[index(entry.look)];
+            // An area without a border of its own would not show as a swatch when it is as light as the page.
+            if (entry.swatch == ShapeKind::polygon && style.stroke.a == 0)
+                style.stroke = colours(settings.palette).looks[index(Look::tessellation)].stroke;
+            rows.push_back({entry.swatch, style, entry.text});
+        }
+    const auto add_text = [&](std::string text) {
+        LegendRow row;
+        row.text = std::move(text);
+        rows.push_back(std::move(row));
+    };
+    if (settings.label != CellNumber::none) add_text("number: " + std::string(number_title(settings.label)));
+    for (const Note<2>& note : notes)
+        if (note.kind == Note<2>::Kind::callout) add_text(std::to_string(note.number) + ": " + note.text);
+    return rows;
+}
+
+char panel_letter(std::size_t i) { return static_cast<char>('a' + std::min<std::size_t>(i, 25)); }
+
+std::string caption(std::span<const PanelSource> panels) {
+    std::string text = conditions(panels.front().session);
+    for (std::size_t i = 0; i < panels.size(); ++i) {
+        const Session<2>& s = panels[i].session;
+        text += panels.size() > 1 ? " (" + std::string(1, panel_letter(i)) + ") step " : " Step ";
+        text += std::to_string(s.position()) + ": ";
+        text += std::to_string(s.state().rendered_count) + " rendered";
+        if (const auto share = coverage(s.reference(), s.visible_rendered()))
+            text += ", coverage ε = " + short_number(*share);
+        text += ".";
+    }
+    text += " Reference: exact visible set, |V| = " + std::to_string(panels.front().session.reference().count) + ".";
+    return text;
+}
+
+}  // namespace
+
+DrawList make_picture(const Session<2>& session, const std::optional<std::array<double, 2>>& heat_range) {
+    return Painter(session, heat_range).take();
+}
+
+Figure make_figure(std::span<const PanelSource> panels) {
+    const Settings& settings = panels.front().session.settings();
+    const Colours& palette = colours(settings.palette);
+    std::optional<std::array<double, 2>> range;
+    if (settings.heat != CellNumber::none)
+        for (const PanelSource& panel : panels)
+            if (const auto own = number_range(panel.session, settings.heat)) {
+                if (!range) range = own;
+                range = {std::min((*range)[0], (*own)[0]), std::max((*range)[1], (*own)[1])};
+            }
+    Figure figure;
+    for (std::size_t i = 0; i < panels.size(); ++i) {
+        std::string title;
+        if (panels.size() > 1) title = "(" + std::string(1, panel_letter(i)) + ") " + panels[i].title;
+        figure.panels.push_back({make_picture(panels[i].session, range), title});
+    }
+    figure.legend_place = settings.legend == Legend::inside    ? LegendPlace::inside
+                          : settings.legend == Legend::outside ? LegendPlace::outside
+                                                               : LegendPlace::off;
+    figure.legend = legend(figure.panels, settings, panels.front().session.notes);
+    if (range)
+        figure.bar = ColourBar{std::string(number_title(settings.heat)), short_number((*range)[0]),
+                               short_number((*range)[1]), palette.heat};
+    if (settings.caption == Switch::on) figure.caption = caption(panels);
+    figure.background = palette.background;
+    figure.ink = palette.ink;
+    return figure;
+}
+
+}  // namespace sightline

@@ -1,0 +1,53 @@
+// Where everything of a figure goes on its page: plain rectangles and text runs in points, y down from the top left.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "shell/figure/figure.h"
+#include "shell/figure/font.h"
+#include "shell/figure/page.h"
+
+namespace sightline {
+
+struct Layout {
+    struct Panel {
+        Rect frame;
+        Box<2> world;    ///< what the frame shows: the list's world, widened where that has no area
+        Rect title_box;  ///< zero when there is no title
+        std::vector<TextRun> title;
+    };
+    struct Row {
+        Rect box, swatch;
+        std::vector<TextRun> text;
+    };
+    struct Bar {
+        Rect box, strip;
+        std::vector<TextRun> text;  ///< title, low, high
+    };
+    double width = 0, height = 0;  ///< of the page
+    double font_pt = 8;            ///< as asked, or smaller when a small pixel size leaves no room
+    double scale = 1;              ///< points per scene unit, the same in each panel
+    std::vector<Panel> panels;
+    std::optional<Rect> legend_box;  ///< when the legend stands inside a panel: its background
+    std::vector<Row> legend;
+    std::optional<Bar> bar;
+    Rect caption_box;
+    std::vector<TextRun> caption;
+};
+
+/// A scene point on the page. Finite for finite points whose distance to the world is not absurd.
+inline Vec<2> to_page(const Layout::Panel& panel, double scale, const Vec<2>& p) {
+    return {panel.frame.x + (p.x - panel.world.min.x) * scale,
+            panel.frame.bottom() - (p.y - panel.world.min.y) * scale};
+}
+
+/// Throws InputError for sizes that are no numbers or out of range.
+void check_size(const FigureSize& size);
+
+/// One layout for each page; frames and boxes lie at the same places on all of them.
+/// Throws InputError when the size is out of range or too small for the content.
+std::vector<Layout> lay_out(std::span<const Figure> pages, const FigureSize& size, const Font& font);
+
+}  // namespace sightline
