@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shell/commands/workbench.h"
+
+#include <chrono>
+#include <iostream>
+
+#include "core/draw/picture.h"
+#include "core/error.h"
+#include "core/file.h"
+#include "core/number.h"
+#include "core/session/condition.h"
+#include "core/session/state_file.h"
+#include "shell/figure/figure.h"
+
+namespace sightline {
+
+namespace {
+
+FigureSize figure_size(const FigureSpec& spec) {
+    FigureSize size;
+    size.font_pt = spec.font_pt;
+    const std::string_view text = spec.size;
+    if (text.ends_with("mm")) {
+        const auto width = parse_number(text.substr(0, text.size() - 2));
+        if (width && *width > 0) {
+            size.width_mm = *width;
+            return size;
+        }
+    } else if (const std::size_t x = text.find('x'); x != std::string_view::npos) {
+        const auto width = parse_number(text.substr(0, x)), height = parse_number(text.substr(x + 1));
+        if (width && height && *width >= 1 && *height >= 1 && *width <= 1e6 && *height <= 1e6) {
+            size.width_px = static_cast<int>(*width);
+            size.height_px = static_cast<int>(*height);
+            return size;
+        }
+    }
+    throw InputError("size '" + spec.size + "': write a width such as 84mm, or pixels such as 1280x720");
+}
+
+/// A place in the timeline, as --panels takes it.
+void go_to_place(Session<2>& session, const std::string& place) {
+    const auto number = [&](std::string_view digits) { return parse_number(digits); };
+    if (place == "start") return session.seek(0);
+    if (place == "end") {
+        session.run();
+        return;
+    }
+    if (place.starts_with("step ")) {
+        const auto step = number(std::string_view(place).substr(5));
+        if (step && *step >= 0 && *step < 4e9 && *step == static_cast<std::uint32_t>(*step))
+            return session.seek(static_cast<std::uint32_t>(*step));
+    } else if (place.starts_with("until ")) {
+        const Condition<2> condition(place.substr(6));
+        session.seek(0);
+        session.run_until([&](const Session<2>& s) { return condition.holds(s); });
+        return;
+    }
+    throw InputError("panel '" + place + "': write start, end, step N or until CONDITION");
+}
+
+}  // namespace
+
+void run_to_end(Workbench& bench) { bench.last_stop = bench.session.run(); }
+
+void go_to_step(Workbench& bench, std::uint32_t step) {
+    bench.session.seek(step);
+    // Asking for one more step of a copy tells why the session stands where it does.
+    if (bench.session.position() == step) {
+        bench.last_stop = Stop::steps;
+    } else {
+        Session<2> copy = bench.session;
+        bench.last_stop = copy.step();
+    }
+}
+
+void write_shot(Workbench& bench, const std::string& file) {
+    const auto start = std::chrono::steady_clock::now();
+    std::vector<PanelSource> panels;
+    if (bench.figure.panels.empty()) panels.push_back({bench.session, ""});
+    for (const std::string& place : bench.figure.panels) {
+        panels.push_back({bench.session, ""});
+        Session<2>& session = panels.back().session;
+        go_to_place(session, place);
+        panels.back().title = "step " + std::to_string(session.position());
+    }
+    write_figure(make_figure(panels), figure_size(bench.figure), file);
+    write_file(file + ".json", state_json(bench.session, bench.figure));
+    bench.session.times().draw +=
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    bench.say("wrote " + file + " and " + file + ".json");
+}
+
+void write_text(const std::string& file, const std::string& text) {
+    if (file == "-") {
+        std::cout << text;
+    } else {
+        write_file(file, text);
+    }
+}
+
+Vec<2> parse_point(const std::string& text, const Scene<2>& scene) {
+    const std::size_t comma = text.find(',');
+    if (comma != std::string::npos) {
+        const std::string_view view = text;
+        const auto x = parse_number(view.substr(0, comma)), y = parse_number(view.substr(comma + 1));
+        if (x && y) return Vec<2>(*x, *y) - scene.origin;
+    }
+    throw InputError("point '" + text + "': write X,Y");
+}
+
+}  // namespace sightline

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "viewer2d/options.h"
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "core/error.h"
+#include "core/number.h"
+#include "core/session/condition.h"
+#include "core/settings/settings_table.h"
+#include "shell/commands/commands.h"
+
+namespace sightline {
+
+namespace {
+
+std::string padded(std::string text, std::size_t width) {
+    text.resize(std::max(width, text.size() + 1), ' ');
+    return text;
+}
+
+/// The tables behind the options, so that help is complete without another page.
+std::string tables(std::span<const Method<2>> methods) {
+    std::string text = "\nMethods:\n";
+    for (const Method<2>& m : methods)
+        text += "  " + padded(std::string(m.id), 14) + std::string(m.sentence) +
+                (m.guarantee == Guarantee::approximate ? " [approximate]\n" : " [conservative]\n");
+    text += "\nPresets:\n";
+    for (const Preset& p : presets()) text += "  " + padded(std::string(p.id), 14) + std::string(p.title) + "\n";
+    text += "\nSettings (--set FIELD=VALUE), with default and source:\n";
+    const Settings defaults;
+    for (const SettingRow& row : settings_table())
+        text += "  " + padded(std::string(row.name), 24) + std::string(row.help) + "\n" + std::string(26, ' ') +
+                std::string(row.values) + "; default " + row.get(defaults) + "; " + std::string(row.source) + "\n";
+    text += "\nCommands (--do):\n";
+    for (const Command& c : command_table())
+        text += "  " + padded(std::string(c.id) + " " + std::string(c.arguments), 34) + std::string(c.text) + "\n";
+    text += "\nFields of conditions (--until), values after a step:\n";
+    for (const RecordField<2>& field : record_fields<2>())
+        text += "  " + padded(std::string(field.name), 16) + std::string(field.help) + "\n";
+    return text;
+}
+
+}  // namespace
+
+std::optional<Options> parse_options(int argc, const char* const* argv, std::span<const Method<2>> methods) {
+    Options o;
+    CLI::App app{
+        "Steps occlusion-culling methods through a scene of line segments, forward and back, explains every number, "
+        "measures it against the exact visible set, and writes figures.",
+        "viewer2d"};
+    app.get_formatter()->column_width(34);
+    std::string fov, steps, font;
+    app.add_option("SCENE", o.scene,
+                   "a catalogue id (--list), a file (Sightline JSON, GeoJSON, Doom WAD as FILE.wad#MAP), or "
+                   "freedoom1#E1M2; default bottleneck");
+    app.add_flag("--list", o.list, "print the catalogue and the installed levels, and end");
+    app.add_flag("--headless", o.headless, "no window: obey the options, write the files, end");
+    app.add_option("--eye", o.eye, "X,Y of the eye, in the file's coordinates");
+    app.add_option("--look-at", o.look_at, "X,Y of a point to look at");
+    app.add_option("--fov", fov, "opening of the view in degrees; 360 looks all round");
+    app.add_option("--method", o.method, "method id, see below");
+    app.add_option("--preset", o.preset, "preset id, see below");
+    app.add_option("--set", o.settings, "FIELD=VALUE, see below; may be given several times")->allow_extra_args(false);
+    app.add_option("--budget", o.budget, "500 | 5% | 16ms | unlimited");
+    app.add_option("--steps", steps, "start at step 0 and go to step N");
+    app.add_option("--until", o.until, "start at step 0 and stop at step:N, cell:ID or where an expression holds");
+    app.add_option("--do", o.commands, "\"COMMAND; COMMAND\": start at step 0 and run commands, see below");
+    app.add_option("--shot", o.shots, "write a figure: FILE.png, .svg or .pdf; its sidecar is FILE.ext.json")
+        ->allow_extra_args(false);
+    app.add_option("--panels", o.panels, "\"step 1; step 12; end\": a figure with panels (a), (b), (c)");
+    app.add_option("--size", o.size, "of the figure: a width such as 84mm, or pixels such as 1280x720");
+    app.add_option("--font", font, "size of the figure's text, such as 8pt");
+    app.add_option("--state", o.state, "open a state file or sidecar: same scene, settings, view, step");
+    app.add_option("--trace", o.trace, "write the records of all steps as JSON (- for standard output)");
+    app.add_option("--stats", o.stats, "write the statistics as JSON (- for standard output)");
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::CallForHelp&) {
+        std::cout << app.help() << tables(methods);
+        return std::nullopt;
+    } catch (const CLI::ParseError& error) {
+        throw InputError(std::string(error.what()) + " (--help lists the options)");
+    }
+    const auto number = [](const std::string& option, std::string text, std::string_view unit) {
+        if (!unit.empty() && text.ends_with(unit)) text.resize(text.size() - unit.size());
+        const auto value = parse_number(text);
+        if (!value) throw InputError(option + " '" + text + "': not a number");
+        return *value;
+    };
+    if (!fov.empty()) o.fov = number("--fov", fov, "");
+    if (!font.empty()) o.font_pt = number("--font", font, "pt");
+    if (!steps.empty()) {
+        const double value = number("--steps", steps, "");
+        if (value < 0 || value > 4e9 || value != static_cast<double>(static_cast<std::uint32_t>(value)))
+            throw InputError("--steps '" + steps + "': not a number of steps");
+        o.steps = static_cast<std::uint32_t>(value);
+    }
+    if (!o.state.empty() && !o.scene.empty()) throw InputError("--state names its own scene: leave out " + o.scene);
+    return o;
+}
+
+}  // namespace sightline

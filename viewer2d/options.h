@@ -1,0 +1,33 @@
+// The command line of viewer2d.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/traversal/methods.h"
+
+namespace sightline {
+
+/// What was asked for; empty or nothing: not asked.
+struct Options {
+    std::string scene;
+    bool list = false, headless = false;
+    std::string eye, look_at;
+    std::optional<double> fov;
+    std::string method, preset, budget;
+    std::vector<std::string> settings;
+    std::optional<std::uint32_t> steps;
+    std::string until, commands;
+    std::string panels, size;
+    std::optional<double> font_pt;
+    std::vector<std::string> shots;
+    std::string state, trace, stats;
+};
+
+/// Nothing when help was asked for (and printed). Throws InputError for wrong usage.
+std::optional<Options> parse_options(int argc, const char* const* argv, std::span<const Method<2>> methods);
+
+}  // namespace sightline

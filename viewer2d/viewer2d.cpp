@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "viewer2d/viewer2d.h"
+
+#include <chrono>
+#include <iostream>
+#include <new>
+
+#include "core/error.h"
+#include "core/file.h"
+#include "core/number.h"
+#include "core/scene/catalogue.h"
+#include "core/scene/load.h"
+#include "core/session/condition.h"
+#include "core/session/report.h"
+#include "core/session/state_file.h"
+#include "shell/commands/commands.h"
+#include "viewer2d/options.h"
+
+namespace sightline {
+
+namespace {
+
+void print_catalogue() {
+    for (const CatalogueRow& row : catalogue()) {
+        std::string id = row.id;
+        id.resize(14, ' ');
+        std::cout << id << row.title << " (" << make_scene(row).primitives.size() << " segments, seed " << row.seed
+                  << "). " << row.lesson << "\n";
+    }
+    const auto maps = installed_maps();
+    if (maps.empty()) {
+        std::cout << "No Freedoom levels found: Debian's package freedoom has dozens.\n";
+    } else {
+        std::cout << "Levels of the installed package freedoom:";
+        for (const std::string& map : maps) std::cout << ' ' << map;
+        std::cout << "\n";
+    }
+}
+
+/// The settings a catalogue row starts with; defaults for a file.
+Settings start_settings(const CatalogueRow* row) {
+    Settings settings;
+    if (!row) return settings;
+    settings.error_bound = row->error_bound;
+    settings.method = row->method;
+    settings.budget = parse_budget(row->budget);
+    for (const SettingOverride& s : row->settings) apply_setting(settings, std::string(s.field) + "=" + s.value);
+    return settings;
+}
+
+void apply_options(Settings& settings, const Options& o) {
+    if (!o.preset.empty()) apply_preset(settings, o.preset);
+    if (!o.method.empty()) settings.method = o.method;
+    if (!o.budget.empty()) settings.budget = parse_budget(o.budget);
+    for (const std::string& assignment : o.settings) apply_setting(settings, assignment);
+}
+
+ViewSpec<2> apply_options(ViewSpec<2> view, const Options& o, const Scene<2>& scene) {
+    if (!o.eye.empty()) view.eye = parse_point(o.eye, scene);
+    if (!o.look_at.empty()) view.look_at = parse_point(o.look_at, scene);
+    if (o.fov) view.fov = *o.fov;
+    return view;
+}
+
+/// A bookmark of the catalogue is a condition: its step is where the condition first holds.
+void add_bookmarks(Session<2>& session, const CatalogueRow& row) {
+    Session<2> scout = session;
+    for (const CatalogueBookmark& bookmark : row.bookmarks) {
+        const Condition<2> condition(bookmark.condition);
+        scout.seek(0);
+        if (scout.run_until([&](const Session<2>& s) { return condition.holds(s); }) == Stop::breakpoint)
+            session.bookmarks.push_back({scout.position(), bookmark.label});
+    }
+}
+
+Session<2> open_scene(const Options& o, std::span<const Method<2>> methods) {
+    const std::string name = o.scene.empty() ? "bottleneck" : o.scene;
+    const CatalogueRow* row = find_in_catalogue(name);
+    Settings settings = start_settings(row);
+    apply_options(settings, o);
+    const auto start = std::chrono::steady_clock::now();
+    auto scene = std::make_shared<const Scene<2>>(load_scene(name, {.two_sided = settings.two_sided == Switch::on}));
+    const double read_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    for (const std::string& warning : scene->warnings) std::cerr << "warning: " << warning << "\n";
+    if (scene->dropped.total() > 0)
+        std::cerr << "warning: " << name << ": dropped " << scene->dropped.degenerate << " of zero length, "
+                  << scene->dropped.duplicate << " duplicates, " << scene->dropped.not_finite << " not finite\n";
+    const ViewSpec<2> view = apply_options(scene->start_view.value_or(ViewSpec<2>{{0, 0}, {1, 0}, 60}), o, *scene);
+    Session<2> session(scene, view, settings, methods);
+    session.times().read = read_ms;
+    if (row) add_bookmarks(session, *row);
+    return session;
+}
+
+Workbench open(const Options& o, std::span<const Method<2>> methods) {
+    const auto say = [](const std::string& line) { std::cout << line << "\n"; };
+    if (o.state.empty()) return {open_scene(o, methods), {}, Stop::none, false, say};
+    OpenedState opened = open_state(read_file(o.state), o.state, methods);
+    for (const std::string& warning : opened.warnings) std::cerr << "warning: " << warning << "\n";
+    Settings settings = opened.session.settings();
+    apply_options(settings, o);
+    if (difference(opened.session.settings(), settings) == Invalidates::scene)
+        throw InputError("two_sided decides how the scene is read: it cannot be changed in a state file");
+    opened.session.change(settings);
+    const ViewSpec<2> view = apply_options(opened.session.culling_view(), o, opened.session.scene());
+    if (view != opened.session.culling_view()) opened.session.set_view(view);
+    return {std::move(opened.session), std::move(opened.figure), Stop::none, false, say};
+}
+
+void move(Workbench& bench, const Options& o) {
+    const bool asked = o.steps || !o.until.empty() || !o.commands.empty();
+    if (!asked && o.state.empty()) run_to_end(bench);
+    if (!asked && !o.state.empty()) go_to_step(bench, bench.session.position());
+    if (!o.commands.empty()) run_commands(bench, o.commands);
+    if (!o.until.empty()) {
+        const Condition<2> condition(o.until);
+        bench.session.seek(0);
+        bench.last_stop = bench.session.run_until([&](const Session<2>& s) { return condition.holds(s); });
+    }
+    if (o.steps) go_to_step(bench, *o.steps);
+}
+
+std::string value(const std::optional<double>& v) { return v ? short_number(*v) : "none (nothing is visible)"; }
+
+void print_summary(const Workbench& bench) {
+    const Session<2>& s = bench.session;
+    const Reference& reference = s.reference();
+    const auto inversions = s.inversions();
+    const auto so_far =
+        std::count_if(inversions.begin(), inversions.end(), [&](const Inversion& i) { return i.step <= s.position(); });
+    std::cout << conditions(s) << "\n"
+              << "Step " << s.position() << " (stopped by: " << stop_words[static_cast<std::size_t>(bench.last_stop)]
+              << "): " << s.state().rendered_count << " rendered, " << s.visible_rendered() << " of " << reference.count
+              << " visible; coverage " << value(coverage(reference, s.visible_rendered()))
+              << " (exact reference), inversions " << so_far << ", state " << hash_text(s.hash()) << "\n";
+    if (s.scene().primitives.empty()) std::cerr << "warning: " << s.scene().id << ": the scene is empty\n";
+    if (s.cells().cell_count() == 0) std::cerr << "warning: no cells: too few leaf centres without a border\n";
+    if (reference.eye_on > 0)
+        std::cerr << "warning: the eye lies on " << reference.eye_on
+                  << (reference.eye_on == 1 ? " segment, which subtends" : " segments, which subtend")
+                  << " no angle there: not visible\n";
+    if (s.cells().unassigned > 0)
+        std::cerr << "warning: " << s.cells().unassigned << " segments lie in no cell and are never rendered (border="
+                  << words<Border>[static_cast<std::size_t>(s.settings().border)] << ")\n";
+}
+
+void obey(const Options& o, std::span<const Method<2>> methods) {
+    if (!o.headless)
+        std::cerr << "viewer2d: the window comes with a later version; doing the same as with --headless\n";
+    Workbench bench = open(o, methods);
+    if (!o.size.empty()) bench.figure.size = o.size;
+    if (o.font_pt) bench.figure.font_pt = *o.font_pt;
+    if (!o.panels.empty()) {
+        bench.figure.panels.clear();
+        for (std::size_t begin = 0; begin <= o.panels.size();) {
+            const std::size_t end = std::min(o.panels.find(';', begin), o.panels.size());
+            const std::string part = o.panels.substr(begin, end - begin);
+            const std::size_t first = part.find_first_not_of(' ');
+            if (first != std::string::npos)
+                bench.figure.panels.push_back(part.substr(first, part.find_last_not_of(' ') - first + 1));
+            begin = end + 1;
+        }
+    }
+    move(bench, o);
+    print_summary(bench);
+    for (const std::string& file : o.shots) write_shot(bench, file);
+    if (!o.trace.empty()) write_text(o.trace, trace_json(bench.session));
+    if (!o.stats.empty()) write_text(o.stats, stats_json(bench.session, bench.last_stop));
+}
+
+int report(const char* what, int status) {
+    std::cerr << "viewer2d: " << what << "\n";
+    return status;
+}
+
+}  // namespace
+
+int viewer2d(int argc, const char* const* argv, std::span<const Method<2>> methods) {
+    try {
+        const std::optional<Options> options = parse_options(argc, argv, methods);
+        if (!options) return 0;
+        if (options->list)
+            print_catalogue();
+        else
+            obey(*options, methods);
+        std::cout.flush();
+        if (!std::cout) throw WorkError("standard output: cannot be written");
+        return 0;
+    } catch (const InputError& error) {
+        return report(error.what(), 2);
+    } catch (const std::bad_alloc&) {
+        return report("out of memory", 1);
+    } catch (const std::exception& error) {
+        return report(error.what(), 1);
+    }
+}
+
+}  // namespace sightline
