@@ -59,6 +59,7 @@ struct CellComplex {
             .subspan(cell_point_begin[cell], cell_point_begin[cell + 1] - cell_point_begin[cell]);
     }
     std::span<const std::uint32_t> points_of_facet(std::uint32_t facet) const {
+        if constexpr (D == 2) return std::span(facet_points).subspan(2 * std::size_t{facet}, 2);
         return std::span(facet_points)
             .subspan(facet_point_begin[facet], facet_point_begin[facet + 1] - facet_point_begin[facet]);
     }

@@ -38,6 +38,9 @@ public:
         return heap_.empty() ? nullptr : &heap_.front();
     }
 
+    /// The cell at the top, outdated or not; `otherwise` when the heap is empty. A guess at what comes next.
+    std::uint32_t likely_next(std::uint32_t otherwise) const { return heap_.empty() ? otherwise : heap_.front().cell; }
+
     void pop() {
         const Entry last = heap_.back();
         heap_.pop_back();

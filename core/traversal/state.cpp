@@ -21,7 +21,7 @@ template <int D>
 void begin_frame(State<D>& state, const Frame<D>& frame) {
     const std::size_t cells = frame.cells->cell_count(), primitives = frame.primitives->size();
     if (state.marks.size() != cells || state.primitive_frame.size() != primitives ||
-        state.frame == std::numeric_limits<std::uint32_t>::max()) {
+        state.frame == State<D>::last_frame) {
         state.marks.assign(cells, {});
         state.primitive_frame.assign(primitives, 0);
         state.frame = 0;
@@ -45,9 +45,10 @@ const Front::Entry* front_top(State<D>& state) {
                 state.front.push({mark.key, mark.stamp, cell});
         state.front_is_stale = false;
     }
+    const std::uint32_t enqueued = state.frame << 2 | static_cast<std::uint32_t>(CellState::enqueued);
     return state.front.top([&](const Front::Entry& entry) {
-        const auto& [mark, frame] = state.marks[entry.cell];
-        return mark.state == CellState::enqueued && mark.stamp == entry.stamp;
+        const auto& mark = state.marks[entry.cell];
+        return mark.frame_and_state == enqueued && mark.stamp == entry.stamp;
     });
 }
 

@@ -48,13 +48,16 @@ struct CellMark {
 
 template <int D>
 struct State {
-    /// Marks of another frame count as clean: starting a frame costs nothing however large the scene.
-    struct StampedMark {
-        CellMark mark;
-        std::uint32_t frame = 0;
+    /// A mark in 16 bytes. Marks of another frame count as clean: starting a frame costs nothing however large the
+    /// scene is.
+    struct PackedMark {
+        double key = 0;
+        std::uint32_t stamp = 0;
+        std::uint32_t frame_and_state = 0;  ///< frame * 4 + state
     };
-    std::uint32_t frame = 0;  ///< number of the current frame, from 1
-    std::vector<StampedMark> marks;
+    static constexpr std::uint32_t last_frame = 0x3fffffffu;
+    std::uint32_t frame = 0;  ///< number of the current frame, from 1 to last_frame
+    std::vector<PackedMark> marks;
     Front front;
     bool front_is_stale = false;  ///< marks were put back by an undo: rebuild the front before using it
     std::uint32_t front_size = 0;
@@ -75,8 +78,14 @@ struct State {
     std::vector<std::uint32_t> order;   ///< methods that order primitives, not cells: the whole order
     std::uint32_t seed = none;          ///< the seed cell (the first of several)
 
-    CellMark mark(std::uint32_t cell) const { return marks[cell].frame == frame ? marks[cell].mark : CellMark{}; }
-    void set_mark(std::uint32_t cell, const CellMark& mark) { marks[cell] = {mark, frame}; }
+    CellMark mark(std::uint32_t cell) const {
+        const PackedMark& m = marks[cell];
+        if (m.frame_and_state >> 2 != frame) return {};
+        return {m.key, m.stamp, static_cast<CellState>(m.frame_and_state & 3)};
+    }
+    void set_mark(std::uint32_t cell, const CellMark& mark) {
+        marks[cell] = {mark.key, mark.stamp, frame << 2 | static_cast<std::uint32_t>(mark.state)};
+    }
 };
 
 /// Makes the state clean for the next frame over these cells and primitives.

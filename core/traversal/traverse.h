@@ -13,6 +13,12 @@ inline constexpr std::uint32_t primitive_batch = 32;
 
 namespace detail {
 
+inline void prefetch([[maybe_unused]] const void* address) {
+#if defined(__GNUC__)
+    __builtin_prefetch(address);
+#endif
+}
+
 /// Meets a primitive for the first time in this frame. False when the budget has no place for it: nothing changed.
 template <int D>
 bool meet_primitive(const Frame<D>& frame, State<D>& state, std::uint32_t primitive, bool cull) {
@@ -77,6 +83,38 @@ void add_neighbours(const Frame<D>& frame, State<D>& state, std::uint32_t cell, 
     }
 }
 
+// The pops jump about in space, so that most of a step's time goes into waiting for memory, one row after the other.
+// The three functions below ask for it ahead; they change nothing else.
+
+/// Where the rows of the cell that is likely to be next begin.
+template <int D>
+void prefetch_row_begins(const Frame<D>& frame, const State<D>& state, std::uint32_t cell) {
+    const std::uint32_t next = state.front.likely_next(cell);
+    prefetch(&frame.cells->cell_facet_begin[next]);
+    prefetch(&frame.cells->cell_primitive_begin[next]);
+}
+
+/// The rows themselves.
+template <int D>
+void prefetch_rows(const Frame<D>& frame, const State<D>& state, std::uint32_t cell) {
+    const std::uint32_t next = state.front.likely_next(cell);
+    prefetch(frame.cells->facets_of(next).data());
+    prefetch(frame.cells->primitives_of(next).data());
+}
+
+/// What the rows of the popped cell point at.
+template <int D>
+void prefetch_step(const Frame<D>& frame, const State<D>& state, std::uint32_t cell) {
+    const CellComplex<D>& cells = *frame.cells;
+    for (const HalfFacet& half : cells.facets_of(cell)) {
+        if (half.neighbour == none) continue;
+        prefetch(&state.marks[half.neighbour]);
+        prefetch(&cells.centres[half.neighbour]);
+        prefetch(cells.points_of_facet(half.facet()).data());
+    }
+    for (const std::uint32_t primitive : cells.primitives_of(cell)) prefetch(&state.primitive_frame[primitive]);
+}
+
 /// Projects the popped or partly rendered cell and adds its neighbours, as far as the budget allows.
 template <int D, typename Heuristic, typename Sink>
 void go_on_with(const Frame<D>& frame, State<D>& state, std::uint32_t cell, Sink& sink) {
@@ -117,9 +155,12 @@ Stop step_cells(const Frame<D>& frame, State<D>& state, Sink& sink) {
         mark.state = CellState::projected;
         state.set_mark(cell, mark);
         ++state.step;
+        detail::prefetch_step(frame, state, cell);
+        detail::prefetch_row_begins(frame, state, cell);
         if constexpr (Sink::enabled) sink.popped(cell, front_top(state));
     }
     detail::go_on_with<D, Heuristic>(frame, state, cell, sink);
+    detail::prefetch_rows(frame, state, cell);
     if constexpr (Sink::enabled) sink.finished(state);
     return Stop::none;
 }
