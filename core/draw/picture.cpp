@@ -243,12 +243,21 @@ constexpr std::array legend_entries{
     LegendEntry{Look::chain, ShapeKind::arrow, "chain of updates"},
 };
 
+/// Whether any of the shape may lie in the shown part of the world.
+bool shows(const DrawList& list, const Shape& shape) {
+    Box<2> box;
+    for (std::uint32_t i = 0; i < shape.point_count; ++i) box.add(list.points[shape.first_point + i]);
+    for (int axis = 0; axis < 2; ++axis)
+        if (box.max[axis] < list.world.min[axis] || box.min[axis] > list.world.max[axis]) return false;
+    return true;
+}
+
 std::vector<LegendRow> legend(std::span<const Figure::Panel> panels, const Settings& settings,
                               std::span<const Note<2>> notes) {
     std::vector<std::uint8_t> used(index(Look::count));
     for (const Figure::Panel& panel : panels)
         for (const Shape& shape : panel.list.shapes)
-            if (shape.style < used.size()) used[shape.style] = 1;
+            if (shape.style < used.size() && shows(panel.list, shape)) used[shape.style] = 1;
     const bool states = settings.heat == CellNumber::none && settings.show_states == Switch::on;
     used[index(Look::clean)] = states && settings.show_tessellation == Switch::on;
     std::vector<LegendRow> rows;

@@ -28,7 +28,15 @@ std::uint32_t whole(Text text, const char* what) {
 
 std::uint32_t count(Text text) { return text.empty() ? 1 : whole(text, "a number of steps"); }
 
+/// A number, or "last": the cell of the last step.
 std::uint32_t cell_id(const Workbench& bench, Text text) {
+    const Session<2>& session = bench.session;
+    if (text == "last") {
+        if (session.position() > 0)
+            if (const std::uint32_t cell = session.timeline().steps[session.position() - 1].cell; cell != none)
+                return cell;
+        throw InputError("no cell has been projected yet");
+    }
     const std::uint32_t cell = whole(text, "a cell");
     if (cell >= bench.session.cells().cell_count())
         throw InputError("cell " + text + " does not exist; there are " +
@@ -243,15 +251,15 @@ constexpr std::array table{
     Command{"method", "ID", "change the method", "", [](Workbench& bench, Text text) { set(bench, "method=" + text); }},
     Command{"budget", "B", "change the budget: 500, 5%, 16ms or unlimited", "",
             [](Workbench& bench, Text text) { set(bench, "budget=" + text); }},
-    Command{"select", "ID | none", "select a cell", "", select},
+    Command{"select", "ID | last | none", "select a cell", "", select},
     Command{"freeze", "", "keep the culling view; eye, look and fov move the display view", "F",
             [](Workbench& bench, Text) { bench.session.freeze(); }},
     Command{"unfreeze", "", "the display view is the culling view again", "F",
             [](Workbench& bench, Text) { bench.session.unfreeze(); }},
     Command{"bookmark", "LABEL", "name this step", "B", bookmark},
     Command{"note", "KIND ANCHOR [[DX,DY]] TEXT",
-            "text, arrow, ring or callout at X,Y, cell:ID or primitive:ID, text shifted in points", "N", note},
-    Command{"explain", "[step N | cell ID]", "say why: this step, another, or where a cell stands", "E", explain},
+            "text, arrow, ring or callout at X,Y, cell:ID, cell:last or primitive:ID, text shifted in points", "N", note},
+    Command{"explain", "[step N | cell ID | cell last]", "say why: this step, another, or where a cell stands", "E", explain},
     Command{"front", "", "list the front", "", front},
     Command{"inversions", "", "list hidden cells projected before visible ones", "I", inversions},
     Command{"markers", "", "list penalties, inversions, budget ticks and bookmarks", "", markers},

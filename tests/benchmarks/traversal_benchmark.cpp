@@ -31,7 +31,7 @@ struct Town {
 };
 
 const Town& town() {
-    static const Town made(50'000, 0.006);
+    static const Town made(60'000, 0.006);
     return made;
 }
 
@@ -107,10 +107,10 @@ void BM_Assign(benchmark::State& run) {
 }
 BENCHMARK(BM_Assign)->Unit(benchmark::kMillisecond);
 
-/// A recorded session of about 110,000 steps.
+/// A recorded session of more than 100,000 steps.
 Session<2> long_session() {
     Settings settings = town().settings;
-    settings.error_bound = 0.0055;
+    settings.error_bound = 0.005;
     const Box<2> box = bounds<2>(town().scene.primitives);
     Session<2> session(std::make_shared<const Scene<2>>(town().scene), {box.centre(), box.max, 360}, settings);
     session.run();
