@@ -2,6 +2,7 @@
 #include "core/session/state_file.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
@@ -65,7 +66,15 @@ Note<2> read_note(const Json& json) {
 
 Scene<2> read_scene(const Json& json, const std::string& name, bool two_sided) {
     if (json.contains("embedded")) return read_json(json.at("embedded").dump(), name + ": scene");
-    Scene<2> scene = load_scene(json.at("id").get<std::string>(), {.two_sided = two_sided});
+    // A file that is not where it was may lie beside the state file.
+    std::string id = json.at("id").get<std::string>();
+    const auto exists = [](const std::string& path) {
+        std::error_code error;
+        return std::filesystem::exists(path.substr(0, path.rfind('#')), error);
+    };
+    const std::string beside = (std::filesystem::path(name).parent_path() / id).string();
+    if (!exists(id) && exists(beside)) id = beside;
+    Scene<2> scene = load_scene(id, {.two_sided = two_sided});
     if (hash_text(scene_hash(scene)) != json.at("hash").get<std::string>())
         throw InputError("scene '" + scene.id + "' is not the one the state was made with (its hash differs)");
     return scene;
