@@ -28,6 +28,13 @@ OutputFile::OutputFile(std::filesystem::path target) : target_(std::move(target)
     if (!std::filesystem::exists(folder, error)) fail(target_, "there is no folder " + folder.string());
     if (!std::filesystem::is_directory(folder, error)) fail(target_, folder.string() + " is not a folder");
     if (std::filesystem::is_directory(target_, error)) fail(target_, "it is a folder");
+    // Behind a link lies the file that is meant.
+    if (std::filesystem::is_symlink(target_, error)) target_ = std::filesystem::weakly_canonical(target_, error);
+    if (std::filesystem::is_other(target_, error)) {  // a pipe or a device takes the bytes itself
+        descriptor_ = open(target_.c_str(), O_WRONLY | O_CLOEXEC);
+        if (descriptor_ < 0) fail(target_, reason_of(errno));
+        return;
+    }
     // A rename would replace a file that its owner has protected.
     if (std::filesystem::exists(target_, error) && access(target_.c_str(), W_OK) != 0) fail(target_, reason_of(errno));
     // Short, whatever the target's own name: file systems limit a name's length.
@@ -54,6 +61,7 @@ void OutputFile::write(std::string_view data) {
 
 void OutputFile::commit() {
     if (close(std::exchange(descriptor_, -1)) != 0) fail(target_, reason_of(errno));
+    if (temporary_.empty()) return;
     if (rename(temporary_.c_str(), target_.c_str()) != 0) fail(target_, reason_of(errno));
     temporary_.clear();
 }

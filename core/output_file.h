@@ -8,6 +8,7 @@
 namespace sightline {
 
 /// Writes beside the target and renames. Without commit() the temporary file is removed and the target is untouched.
+/// A link is followed; a pipe or a device is written to directly.
 class OutputFile {
 public:
     /// Throws WorkError with path and reason when the file cannot be made.
