@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 
 #include "core/draw/cell_number.h"
 #include "core/draw/notes.h"
@@ -20,18 +21,31 @@ constexpr int heat_steps = 32;
 
 std::uint16_t index(Look look) { return static_cast<std::uint16_t>(look); }
 
+/// The cell that the last step projected, if it did.
+std::uint32_t last_cell(const Session<2>& session) {
+    return session.position() > 0 ? session.timeline().steps[session.position() - 1].cell : none;
+}
+
 Box<2> shown_world(const Session<2>& session) {
     Box<2> box = bounds<2>(session.scene().primitives);
     const ViewSpec<2>& view = session.display_view();
     box.add(view.eye);
-    if (session.settings().zoom != 1) {
-        // The eye stands off the middle, so that more of what it looks at is shown.
-        const Vec<2> half = box.extent() * (0.5 / session.settings().zoom);
-        const Vec<2> centre = view.eye + make_view(view).forward() * (0.5 * std::min(half.x, half.y));
-        return {centre - half, centre + half};
-    }
     const Vec<2> margin(std::max(box.longest_side(), 1e-300) * 0.05);
-    return {box.min - margin, box.max + margin};
+    box.min -= margin;
+    box.max += margin;
+    const double zoom = session.settings().zoom;
+    if (zoom == 1) return box;
+    const Vec<2> half = box.extent() * (0.5 / zoom);
+    // The eye stands off the middle, so that more of what it looks at is shown.
+    Vec<2> centre = view.eye + make_view(view).forward() * half * 0.6;
+    std::uint32_t cell = none;
+    if (session.settings().zoom_at == ZoomAt::last) cell = last_cell(session);
+    if (session.settings().zoom_at == ZoomAt::selected) cell = session.selected_cell;
+    if (cell != none)
+        centre = session.cells().centres[cell];
+    else if (zoom > 1)
+        centre = glm::clamp(centre, box.min + half, box.max - half);  // no room is lost beside the scene
+    return {centre - half, centre + half};
 }
 
 Colour between(const std::vector<Colour>& stops, double share) {
@@ -54,7 +68,7 @@ public:
         if (set_.show_tessellation == Switch::on) tessellation();
         if (set_.show_primitives == Switch::on) primitives();
         if (set_.show_view == Switch::on) view();
-        if (set_.show_normals == Switch::on && session.position() > 0) normals();
+        if (set_.show_normals == Switch::on) normals();
         if (set_.show_penalties == Switch::on) penalties();
         highlights();
         if (set_.show_chain == Switch::on && session.selected_cell != none) chain();
@@ -105,12 +119,14 @@ private:
 
     void primitives() {
         const auto& segments = session_.scene().primitives;
+        const bool tell = set_.show_visibility == Switch::on;
         const Reference& reference = session_.reference();
         std::vector<std::uint8_t> rendered(segments.size());
         const State<2>& state = session_.state();
         for (std::uint32_t i = 0; i < state.touched_count; ++i)
             if (!(state.touched[i] & State<2>::culled_bit)) rendered[state.touched[i]] = 1;
         const auto look = [&](std::size_t p) {
+            if (!tell) return rendered[p] ? Look::rendered : Look::other;
             if (rendered[p]) return reference.visible[p] ? Look::rendered : Look::wasted;
             return reference.visible[p] ? Look::missed : Look::other;
         };
@@ -145,16 +161,22 @@ private:
     }
 
     void normals() {
-        const std::uint32_t cell = session_.timeline().steps[session_.position() - 1].cell;
+        const std::uint32_t cell = last_cell(session_);
         if (cell == none) return;
         const Vec<2> eye = session_.culling_view().eye;
+        Style rim{"rim of normals"};  // the arrows lie over light and dark cells alike
+        rim.stroke = colours_.halo;
+        rim.width_pt = 3.2;
+        const auto halo = static_cast<std::uint16_t>(list_.styles.size());
+        list_.styles.push_back(rim);
         for (const HalfFacet& half : cells_.facets_of(cell)) {
             if (half.neighbour == none) continue;
             const FacetGeometry<2> facet = facet_geometry(cells_, half);
             const Vec<2> n = facet.normal / glm::length(facet.normal);
             list_.add(ShapeKind::polyline, index(Look::eye_ray), {eye, facet.centroid});
-            list_.add(ShapeKind::arrow, index(Look::normal),
-                      {facet.centroid, facet.centroid + n * (0.05 * list_.world.longest_side())}, 3.5);
+            const Vec<2> tip = facet.centroid + n * (0.07 * list_.world.longest_side());
+            list_.add(ShapeKind::arrow, halo, {facet.centroid, tip}, 4);
+            list_.add(ShapeKind::arrow, index(Look::normal), {facet.centroid, tip}, 4);
         }
     }
 
@@ -173,9 +195,7 @@ private:
     }
 
     void highlights() {
-        if (session_.position() > 0)
-            if (const std::uint32_t last = session_.timeline().steps[session_.position() - 1].cell; last != none)
-                cell_shape(last, index(Look::last));
+        if (const std::uint32_t last = last_cell(session_); last != none) cell_shape(last, index(Look::last));
         if (session_.selected_cell != none) cell_shape(session_.selected_cell, index(Look::selected));
     }
 
@@ -188,8 +208,7 @@ private:
     void labels() {
         if (set_.label == CellNumber::none) return;
         const auto numbers = cell_numbers(session_, set_.label);
-        const std::uint32_t last =
-            session_.position() > 0 ? session_.timeline().steps[session_.position() - 1].cell : none;
+        const std::uint32_t last = last_cell(session_);
         for (std::uint32_t cell = 0; cell < numbers.size(); ++cell) {
             if (!numbers[cell]) continue;
             const bool in_front = session_.state().mark(cell).state == CellState::enqueued;
@@ -243,12 +262,20 @@ constexpr std::array legend_entries{
     LegendEntry{Look::chain, ShapeKind::arrow, "chain of updates"},
 };
 
+/// Whether some of the shape may lie in the picture: a legend says nothing about what a magnification leaves out.
+bool is_shown(const DrawList& list, const Shape& shape) {
+    Box<2> box;
+    for (std::uint32_t i = 0; i < shape.point_count; ++i) box.add(list.points[shape.first_point + i]);
+    const Box<2>& world = list.world;
+    return box.min.x <= world.max.x && box.min.y <= world.max.y && box.max.x >= world.min.x && box.max.y >= world.min.y;
+}
+
 std::vector<LegendRow> legend(std::span<const Figure::Panel> panels, const Settings& settings,
                               std::span<const Note<2>> notes) {
     std::vector<std::uint8_t> used(index(Look::count));
     for (const Figure::Panel& panel : panels)
         for (const Shape& shape : panel.list.shapes)
-            if (shape.style < used.size()) used[shape.style] = 1;
+            if (shape.style < used.size() && is_shown(panel.list, shape)) used[shape.style] = 1;
     const bool states = settings.heat == CellNumber::none && settings.show_states == Switch::on;
     used[index(Look::clean)] = states && settings.show_tessellation == Switch::on;
     std::vector<LegendRow> rows;
@@ -258,7 +285,12 @@ std::vector<LegendRow> legend(std::span<const Figure::Panel> panels, const Setti
             // An area without a border of its own would not show as a swatch when it is as light as the page.
             if (entry.swatch == ShapeKind::polygon && style.stroke.a == 0)
                 style.stroke = colours(settings.palette).looks[index(Look::tessellation)].stroke;
-            rows.push_back({entry.swatch, style, entry.text});
+            std::string text = entry.text;
+            if (settings.show_visibility == Switch::off) {
+                if (entry.look == Look::rendered) text = "rendered";
+                if (entry.look == Look::other) text = "not rendered";
+            }
+            rows.push_back({entry.swatch, style, std::move(text)});
         }
     const auto add_text = [&](std::string text) {
         LegendRow row;
