@@ -66,6 +66,7 @@ public:
         if (set_.heat != CellNumber::none && heat_range) heat_map(*heat_range);
         if (set_.heat == CellNumber::none && set_.show_states == Switch::on) states();
         if (set_.show_tessellation == Switch::on) tessellation();
+        if (set_.heat == CellNumber::none && set_.show_states == Switch::on) projected_borders();
         if (set_.show_primitives == Switch::on) primitives();
         if (set_.show_view == Switch::on) view();
         if (set_.show_normals == Switch::on) normals();
@@ -92,6 +93,17 @@ private:
             if (state == CellState::projected) cell_shape(cell, index(Look::projected));
             if (state == CellState::unseen) cell_shape(cell, index(Look::unseen));
         }
+    }
+
+    /// A palette may give projected cells a border of their own, which goes over the tessellation.
+    void projected_borders() {
+        if (colours_.looks[index(Look::projected)].stroke.a == 0) return;
+        for (std::uint32_t cell = 0; cell < cells_.cell_count(); ++cell)
+            if (session_.state().mark(cell).state == CellState::projected)
+                for (const HalfFacet& half : cells_.facets_of(cell)) {
+                    const auto [a, b] = facet_ends(cells_, half);
+                    list_.add(ShapeKind::polyline, index(Look::projected), {a, b});
+                }
     }
 
     void heat_map(const std::array<double, 2>& range) {
