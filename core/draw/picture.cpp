@@ -3,13 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 
 #include "core/draw/cell_number.h"
 #include "core/draw/notes.h"
 #include "core/draw/palette.h"
 #include "core/number.h"
 #include "core/session/explain.h"
-#include "core/session/report.h"
 #include "core/traversal/facet_geometry.h"
 
 namespace sightline {
@@ -20,18 +20,31 @@ constexpr int heat_steps = 32;
 
 std::uint16_t index(Look look) { return static_cast<std::uint16_t>(look); }
 
+/// The cell that the last step projected, if it did.
+std::uint32_t last_cell(const Session<2>& session) {
+    return session.position() > 0 ? session.timeline().steps[session.position() - 1].cell : none;
+}
+
 Box<2> shown_world(const Session<2>& session) {
     Box<2> box = bounds<2>(session.scene().primitives);
     const ViewSpec<2>& view = session.display_view();
     box.add(view.eye);
-    if (session.settings().zoom != 1) {
-        // The eye stands off the middle, so that more of what it looks at is shown.
-        const Vec<2> half = box.extent() * (0.5 / session.settings().zoom);
-        const Vec<2> centre = view.eye + make_view(view).forward() * (0.5 * std::min(half.x, half.y));
-        return {centre - half, centre + half};
-    }
     const Vec<2> margin(std::max(box.longest_side(), 1e-300) * 0.05);
-    return {box.min - margin, box.max + margin};
+    box.min -= margin;
+    box.max += margin;
+    const double zoom = session.settings().zoom;
+    if (zoom == 1) return box;
+    const Vec<2> half = box.extent() * (0.5 / zoom);
+    // The eye stands off the middle, so that more of what it looks at is shown.
+    Vec<2> centre = view.eye + make_view(view).forward() * half * 0.6;
+    std::uint32_t cell = none;
+    if (session.settings().zoom_at == ZoomAt::last) cell = last_cell(session);
+    if (session.settings().zoom_at == ZoomAt::selected) cell = session.selected_cell;
+    if (cell != none)
+        centre = session.cells().centres[cell];
+    else if (zoom > 1)
+        centre = glm::clamp(centre, box.min + half, box.max - half);  // no room is lost beside the scene
+    return {centre - half, centre + half};
 }
 
 Colour between(const std::vector<Colour>& stops, double share) {
@@ -52,9 +65,10 @@ public:
         if (set_.heat != CellNumber::none && heat_range) heat_map(*heat_range);
         if (set_.heat == CellNumber::none && set_.show_states == Switch::on) states();
         if (set_.show_tessellation == Switch::on) tessellation();
+        if (set_.heat == CellNumber::none && set_.show_states == Switch::on) projected_borders();
         if (set_.show_primitives == Switch::on) primitives();
         if (set_.show_view == Switch::on) view();
-        if (set_.show_normals == Switch::on && session.position() > 0) normals();
+        if (set_.show_normals == Switch::on) normals();
         if (set_.show_penalties == Switch::on) penalties();
         highlights();
         if (set_.show_chain == Switch::on && session.selected_cell != none) chain();
@@ -78,6 +92,17 @@ private:
             if (state == CellState::projected) cell_shape(cell, index(Look::projected));
             if (state == CellState::unseen) cell_shape(cell, index(Look::unseen));
         }
+    }
+
+    /// A palette may give projected cells a border of their own, which goes over the tessellation.
+    void projected_borders() {
+        if (colours_.looks[index(Look::projected)].stroke.a == 0) return;
+        for (std::uint32_t cell = 0; cell < cells_.cell_count(); ++cell)
+            if (session_.state().mark(cell).state == CellState::projected)
+                for (const HalfFacet& half : cells_.facets_of(cell)) {
+                    const auto [a, b] = facet_ends(cells_, half);
+                    list_.add(ShapeKind::polyline, index(Look::projected), {a, b});
+                }
     }
 
     void heat_map(const std::array<double, 2>& range) {
@@ -105,12 +130,14 @@ private:
 
     void primitives() {
         const auto& segments = session_.scene().primitives;
+        const bool tell = set_.show_visibility == Switch::on;
         const Reference& reference = session_.reference();
         std::vector<std::uint8_t> rendered(segments.size());
         const State<2>& state = session_.state();
         for (std::uint32_t i = 0; i < state.touched_count; ++i)
             if (!(state.touched[i] & State<2>::culled_bit)) rendered[state.touched[i]] = 1;
         const auto look = [&](std::size_t p) {
+            if (!tell) return rendered[p] ? Look::rendered : Look::other;
             if (rendered[p]) return reference.visible[p] ? Look::rendered : Look::wasted;
             return reference.visible[p] ? Look::missed : Look::other;
         };
@@ -145,16 +172,22 @@ private:
     }
 
     void normals() {
-        const std::uint32_t cell = session_.timeline().steps[session_.position() - 1].cell;
+        const std::uint32_t cell = last_cell(session_);
         if (cell == none) return;
         const Vec<2> eye = session_.culling_view().eye;
+        Style rim{"rim of normals"};  // the arrows lie over light and dark cells alike
+        rim.stroke = colours_.halo;
+        rim.width_pt = 3.2;
+        const auto halo = static_cast<std::uint16_t>(list_.styles.size());
+        list_.styles.push_back(rim);
         for (const HalfFacet& half : cells_.facets_of(cell)) {
             if (half.neighbour == none) continue;
             const FacetGeometry<2> facet = facet_geometry(cells_, half);
             const Vec<2> n = facet.normal / glm::length(facet.normal);
             list_.add(ShapeKind::polyline, index(Look::eye_ray), {eye, facet.centroid});
-            list_.add(ShapeKind::arrow, index(Look::normal),
-                      {facet.centroid, facet.centroid + n * (0.05 * list_.world.longest_side())}, 3.5);
+            const Vec<2> tip = facet.centroid + n * (0.07 * list_.world.longest_side());
+            list_.add(ShapeKind::arrow, halo, {facet.centroid, tip}, 4);
+            list_.add(ShapeKind::arrow, index(Look::normal), {facet.centroid, tip}, 4);
         }
     }
 
@@ -173,9 +206,7 @@ private:
     }
 
     void highlights() {
-        if (session_.position() > 0)
-            if (const std::uint32_t last = session_.timeline().steps[session_.position() - 1].cell; last != none)
-                cell_shape(last, index(Look::last));
+        if (const std::uint32_t last = last_cell(session_); last != none) cell_shape(last, index(Look::last));
         if (session_.selected_cell != none) cell_shape(session_.selected_cell, index(Look::selected));
     }
 
@@ -188,8 +219,7 @@ private:
     void labels() {
         if (set_.label == CellNumber::none) return;
         const auto numbers = cell_numbers(session_, set_.label);
-        const std::uint32_t last =
-            session_.position() > 0 ? session_.timeline().steps[session_.position() - 1].cell : none;
+        const std::uint32_t last = last_cell(session_);
         for (std::uint32_t cell = 0; cell < numbers.size(); ++cell) {
             if (!numbers[cell]) continue;
             const bool in_front = session_.state().mark(cell).state == CellState::enqueued;
@@ -216,120 +246,10 @@ private:
     DrawList list_;
 };
 
-struct LegendEntry {
-    Look look;
-    ShapeKind swatch;
-    const char* text;
-};
-
-constexpr std::array legend_entries{
-    LegendEntry{Look::projected, ShapeKind::polygon, "projected"},
-    LegendEntry{Look::enqueued, ShapeKind::polygon, "in the front (enqueued)"},
-    LegendEntry{Look::unseen, ShapeKind::polygon, "outside the view (unseen)"},
-    LegendEntry{Look::clean, ShapeKind::polygon, "not touched (clean)"},
-    LegendEntry{Look::last, ShapeKind::polygon, "projected last"},
-    LegendEntry{Look::selected, ShapeKind::polygon, "selected cell"},
-    LegendEntry{Look::rendered, ShapeKind::polyline, "visible, rendered"},
-    LegendEntry{Look::missed, ShapeKind::polyline, "visible, not rendered"},
-    LegendEntry{Look::wasted, ShapeKind::polyline, "rendered but hidden"},
-    LegendEntry{Look::other, ShapeKind::polyline, "hidden, not rendered"},
-    LegendEntry{Look::eye, ShapeKind::disc, "eye"},
-    LegendEntry{Look::view, ShapeKind::polyline, "border of the view"},
-    LegendEntry{Look::seed, ShapeKind::polygon, "seed cell"},
-    LegendEntry{Look::display_view, ShapeKind::polyline, "display view (frozen)"},
-    LegendEntry{Look::eye_ray, ShapeKind::polyline, "eye ray v"},
-    LegendEntry{Look::normal, ShapeKind::arrow, "facet normal n"},
-    LegendEntry{Look::penalty, ShapeKind::cross, "penalty: not star-shaped"},
-    LegendEntry{Look::chain, ShapeKind::arrow, "chain of updates"},
-};
-
-/// Whether any of the shape may lie in the shown part of the world.
-bool shows(const DrawList& list, const Shape& shape) {
-    Box<2> box;
-    for (std::uint32_t i = 0; i < shape.point_count; ++i) box.add(list.points[shape.first_point + i]);
-    for (int axis = 0; axis < 2; ++axis)
-        if (box.max[axis] < list.world.min[axis] || box.min[axis] > list.world.max[axis]) return false;
-    return true;
-}
-
-std::vector<LegendRow> legend(std::span<const Figure::Panel> panels, const Settings& settings,
-                              std::span<const Note<2>> notes) {
-    std::vector<std::uint8_t> used(index(Look::count));
-    for (const Figure::Panel& panel : panels)
-        for (const Shape& shape : panel.list.shapes)
-            if (shape.style < used.size() && shows(panel.list, shape)) used[shape.style] = 1;
-    const bool states = settings.heat == CellNumber::none && settings.show_states == Switch::on;
-    used[index(Look::clean)] = states && settings.show_tessellation == Switch::on;
-    std::vector<LegendRow> rows;
-    for (const LegendEntry& entry : legend_entries)
-        if (used[index(entry.look)]) {
-            Style style = colours(settings.palette).looks[index(entry.look)];
-            // An area without a border of its own would not show as a swatch when it is as light as the page.
-            if (entry.swatch == ShapeKind::polygon && style.stroke.a == 0)
-                style.stroke = colours(settings.palette).looks[index(Look::tessellation)].stroke;
-            rows.push_back({entry.swatch, style, entry.text});
-        }
-    const auto add_text = [&](std::string text) {
-        LegendRow row;
-        row.text = std::move(text);
-        rows.push_back(std::move(row));
-    };
-    if (settings.label != CellNumber::none) add_text("number: " + std::string(number_title(settings.label)));
-    for (const Note<2>& note : notes)
-        if (note.kind == Note<2>::Kind::callout) add_text(std::to_string(note.number) + ": " + note.text);
-    return rows;
-}
-
-char panel_letter(std::size_t i) { return static_cast<char>('a' + std::min<std::size_t>(i, 25)); }
-
-std::string caption(std::span<const PanelSource> panels) {
-    std::string text = conditions(panels.front().session);
-    for (std::size_t i = 0; i < panels.size(); ++i) {
-        const Session<2>& s = panels[i].session;
-        text += panels.size() > 1 ? " (" + std::string(1, panel_letter(i)) + ") step " : " Step ";
-        text += std::to_string(s.position()) + ": ";
-        text += std::to_string(s.state().rendered_count) + " rendered";
-        if (const auto share = coverage(s.reference(), s.visible_rendered()))
-            text += ", coverage ε = " + short_number(*share);
-        text += ".";
-    }
-    text += " Reference: exact visible set, |V| = " + std::to_string(panels.front().session.reference().count) + ".";
-    return text;
-}
-
 }  // namespace
 
 DrawList make_picture(const Session<2>& session, const std::optional<std::array<double, 2>>& heat_range) {
     return Painter(session, heat_range).take();
-}
-
-Figure make_figure(std::span<const PanelSource> panels) {
-    const Settings& settings = panels.front().session.settings();
-    const Colours& palette = colours(settings.palette);
-    std::optional<std::array<double, 2>> range;
-    if (settings.heat != CellNumber::none)
-        for (const PanelSource& panel : panels)
-            if (const auto own = number_range(panel.session, settings.heat)) {
-                if (!range) range = own;
-                range = {std::min((*range)[0], (*own)[0]), std::max((*range)[1], (*own)[1])};
-            }
-    Figure figure;
-    for (std::size_t i = 0; i < panels.size(); ++i) {
-        std::string title;
-        if (panels.size() > 1) title = "(" + std::string(1, panel_letter(i)) + ") " + panels[i].title;
-        figure.panels.push_back({make_picture(panels[i].session, range), title});
-    }
-    figure.legend_place = settings.legend == Legend::inside    ? LegendPlace::inside
-                          : settings.legend == Legend::outside ? LegendPlace::outside
-                                                               : LegendPlace::off;
-    figure.legend = legend(figure.panels, settings, panels.front().session.notes);
-    if (range)
-        figure.bar = ColourBar{std::string(number_title(settings.heat)), short_number((*range)[0]),
-                               short_number((*range)[1]), palette.heat};
-    if (settings.caption == Switch::on) figure.caption = caption(panels);
-    figure.background = palette.background;
-    figure.ink = palette.ink;
-    return figure;
 }
 
 }  // namespace sightline

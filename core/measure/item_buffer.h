@@ -1,4 +1,4 @@
-// The papers' reference in 2D: a one-dimensional item buffer (TR section 5, TVCG section 4.4).
+// The papers' reference in 2D: a one-dimensional item buffer (TR section 4, TVCG section 4.4).
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

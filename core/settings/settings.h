@@ -27,6 +27,7 @@ enum class Seeds : std::uint8_t { one, hull };
 enum class CellNumber : std::uint8_t { none, solidity, count, order, zeta, share, id };
 enum class LabelWhere : std::uint8_t { front, all, selected };
 enum class Palette : std::uint8_t { standard, paper, print };
+enum class ZoomAt : std::uint8_t { view, last, selected };
 enum class Legend : std::uint8_t { outside, inside, off };
 
 /// The words of each enum, in the order of its values.
@@ -64,6 +65,8 @@ inline constexpr auto words<LabelWhere> = std::to_array<std::string_view>({"fron
 template <>
 inline constexpr auto words<Palette> = std::to_array<std::string_view>({"default", "paper", "print"});
 template <>
+inline constexpr auto words<ZoomAt> = std::to_array<std::string_view>({"view", "last", "selected"});
+template <>
 inline constexpr auto words<Legend> = std::to_array<std::string_view>({"outside", "inside", "off"});
 
 struct Settings {
@@ -100,6 +103,7 @@ struct Settings {
     Switch show_tessellation = Switch::on;
     Switch show_states = Switch::on;
     Switch show_primitives = Switch::on;
+    Switch show_visibility = Switch::on;
     Switch show_view = Switch::on;
     Switch show_normals = Switch::off;
     Switch show_penalties = Switch::off;
@@ -110,6 +114,7 @@ struct Settings {
     Legend legend = Legend::outside;
     Switch caption = Switch::on;
     double zoom = 1;
+    ZoomAt zoom_at = ZoomAt::view;
 
     bool operator==(const Settings&) const = default;
 };

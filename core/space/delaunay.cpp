@@ -20,7 +20,7 @@ using Delaunay = CGAL::Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data
 using Corners = std::array<std::uint32_t, 3>;
 
 /// How far the border's box reaches beyond the tree's root, in its sides. Any positive share closes the hull gap
-/// (field notes A1 i); a small one keeps the border's cells from being slivers.
+/// (docs/algorithm.md); a small one keeps the border's cells from being slivers.
 constexpr double border_share = 0.05;
 
 std::vector<Vec<2>> sample_points(const Tree<2>& tree, const Settings& settings) {

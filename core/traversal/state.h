@@ -111,7 +111,7 @@ const Front::Entry* front_top(State<D>& state);
 template <int D>
 std::uint64_t state_hash(const State<D>& state);
 
-/// The cells to start from (TVCG 4.1 findCell): the one that holds the eye, else the nearest of those in view, else the
+/// The cells to start from (TVCG 4.2 findCell): the one that holds the eye, else the nearest of those in view, else the
 /// nearest. With seeds = hull and the eye outside: every border cell in view with a facet towards the eye, nearest
 /// first. Empty when there are no cells.
 template <int D>

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <iostream>
 
-#include "core/draw/picture.h"
+#include "core/draw/compose.h"
 #include "core/error.h"
 #include "core/file.h"
 #include "core/number.h"

@@ -1,0 +1,21 @@
+// Pictures of sessions as one figure: panels, legend, scale and caption.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "core/draw/draw_list.h"
+#include "core/session/session.h"
+
+namespace sightline {
+
+struct PanelSource {
+    Session<2> session;
+    std::string title;  ///< e.g. "step 12"; panels of one figure get (a), (b), … before it
+};
+
+/// One figure of all panels with one legend and one scale; palette, legend and caption as in the first panel.
+Figure make_figure(std::span<const PanelSource> panels);
+
+}  // namespace sightline
