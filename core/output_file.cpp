@@ -24,10 +24,18 @@ std::string reason_of(int error) { return std::generic_category().message(error)
 
 OutputFile::OutputFile(std::filesystem::path target) : target_(std::move(target)) {
     std::error_code error;
+    // A rename would replace a link, and a device or a pipe, not write into it.
+    if (std::filesystem::is_symlink(target_, error)) {
+        const std::filesystem::path behind = std::filesystem::canonical(target_, error);
+        if (error) fail(target_, "the link leads nowhere");
+        target_ = behind;
+    }
     const std::filesystem::path folder = target_.has_parent_path() ? target_.parent_path() : ".";
     if (!std::filesystem::exists(folder, error)) fail(target_, "there is no folder " + folder.string());
     if (!std::filesystem::is_directory(folder, error)) fail(target_, folder.string() + " is not a folder");
     if (std::filesystem::is_directory(target_, error)) fail(target_, "it is a folder");
+    if (std::filesystem::exists(target_, error) && !std::filesystem::is_regular_file(target_, error))
+        fail(target_, "it is no regular file");
     // A rename would replace a file that its owner has protected.
     if (std::filesystem::exists(target_, error) && access(target_.c_str(), W_OK) != 0) fail(target_, reason_of(errno));
     // Short, whatever the target's own name: file systems limit a name's length.
