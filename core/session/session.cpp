@@ -171,18 +171,22 @@ template <int D>
 std::vector<Marker> Session<D>::markers() const {
     std::vector<Marker> markers;
     const Frame<D> frame = this->frame();
-    if (method_.terms)
-        for (std::uint32_t step = 1; step <= state_.step; ++step) {
+    if (method_.terms) {
+        // The keys of cells projected later are known where all is done.
+        Session end = *this;
+        end.seek(recorded());
+        for (std::uint32_t step = 1; step <= end.position(); ++step) {
             const std::uint32_t cell = timeline_.steps[step - 1].cell;
-            const auto records = timeline_.facets_of(step);
+            const auto records = end.timeline_.facets_of(step);
             const auto facets = cells_->facets_of(cell);
             std::uint32_t penalised = 0;
             for (std::size_t i = 0; i < records.size(); ++i)
                 if (records[i].rule == Rule::enqueued || records[i].rule == Rule::reenqueued)
-                    penalised += method_.terms(frame, cell, state_.mark(cell).key, facets[i]).penalised();
+                    penalised += method_.terms(frame, cell, end.state_.mark(cell).key, facets[i]).penalised();
             if (penalised > 0)
                 markers.push_back({step, Marker::Kind::penalty, std::to_string(penalised) + " penalised"});
         }
+    }
     for (const Inversion& inversion : inversions())
         markers.push_back(
             {inversion.step,
