@@ -30,7 +30,9 @@ Box<2> shown_world(const Session<2>& session) {
         const Vec<2> centre = view.eye + make_view(view).forward() * (0.5 * std::min(half.x, half.y));
         return {centre - half, centre + half};
     }
-    const Vec<2> margin(std::max(box.longest_side(), 1e-300) * 0.05);
+    const double side = box.longest_side();
+    // Nothing but the eye: any size will do that does not vanish beside its coordinates.
+    const Vec<2> margin((side > 0 ? side : std::max({1.0, std::abs(view.eye.x), std::abs(view.eye.y)})) * 0.05);
     return {box.min - margin, box.max + margin};
 }
 
