@@ -73,6 +73,13 @@ void go_to_step(Workbench& bench, std::uint32_t step) {
     }
 }
 
+void set_figure_size(Workbench& bench, const std::string& size) {
+    FigureSpec spec = bench.figure;
+    spec.size = size;
+    figure_size(spec);
+    bench.figure = std::move(spec);
+}
+
 void write_shot(Workbench& bench, const std::string& file) {
     const auto start = std::chrono::steady_clock::now();
     std::vector<PanelSource> panels;
