@@ -302,18 +302,18 @@ TEST(Picture, PanelsShareLegendAndScale) {
         settings.show_tessellation = Switch::off;
         session.change(settings);
         std::vector<PanelSource> panels;
-        for (const std::uint32_t step : {0u, 10u, 30u}) {
+        for (const std::uint32_t step : {0u, 30u, 10u}) {
             panels.push_back({session, "step " + std::to_string(step)});
             panels.back().session.seek(step);
         }
         const std::uint64_t hash = panels[1].session.hash();
         const Figure figure = make_figure(panels);
         EXPECT_EQ(panels[1].session.hash(), hash);
-        EXPECT_EQ(panels[1].session.position(), 10u);
+        EXPECT_EQ(panels[1].session.position(), 30u);
         ASSERT_EQ(figure.panels.size(), 3u);
         EXPECT_EQ(figure.panels[0].title, "(a) step 0");
-        EXPECT_EQ(figure.panels[1].title, "(b) step 10");
-        EXPECT_EQ(figure.panels[2].title, "(c) step 30");
+        EXPECT_EQ(figure.panels[1].title, "(b) step 30");
+        EXPECT_EQ(figure.panels[2].title, "(c) step 10");
         // Every style that a panel uses has its row, once.
         std::set<std::string> used, rows;
         for (const Figure::Panel& panel : figure.panels)
