@@ -24,17 +24,23 @@ std::string reason_of(int error) { return std::generic_category().message(error)
 
 OutputFile::OutputFile(std::filesystem::path target) : target_(std::move(target)) {
     std::error_code error;
+    // A rename would replace a device, a pipe or a link, not write into it. Without O_NONBLOCK, opening a pipe that
+    // nobody reads would wait for ever.
+    if (std::filesystem::is_other(target_, error)) {
+        descriptor_ = open(target_.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK);
+        if (descriptor_ < 0) fail(target_, reason_of(errno));
+        fcntl(descriptor_, F_SETFL, fcntl(descriptor_, F_GETFL) & ~O_NONBLOCK);
+        return;
+    }
+    if (std::filesystem::is_symlink(target_, error)) {
+        const std::filesystem::path behind = std::filesystem::canonical(target_, error);
+        if (error) fail(target_, "the link leads nowhere");
+        target_ = behind;
+    }
     const std::filesystem::path folder = target_.has_parent_path() ? target_.parent_path() : ".";
     if (!std::filesystem::exists(folder, error)) fail(target_, "there is no folder " + folder.string());
     if (!std::filesystem::is_directory(folder, error)) fail(target_, folder.string() + " is not a folder");
     if (std::filesystem::is_directory(target_, error)) fail(target_, "it is a folder");
-    // Behind a link lies the file that is meant.
-    if (std::filesystem::is_symlink(target_, error)) target_ = std::filesystem::weakly_canonical(target_, error);
-    if (std::filesystem::is_other(target_, error)) {  // a pipe or a device takes the bytes itself
-        descriptor_ = open(target_.c_str(), O_WRONLY | O_CLOEXEC);
-        if (descriptor_ < 0) fail(target_, reason_of(errno));
-        return;
-    }
     // A rename would replace a file that its owner has protected.
     if (std::filesystem::exists(target_, error) && access(target_.c_str(), W_OK) != 0) fail(target_, reason_of(errno));
     // Short, whatever the target's own name: file systems limit a name's length.

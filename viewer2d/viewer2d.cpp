@@ -10,6 +10,7 @@
 #include "core/number.h"
 #include "core/scene/catalogue.h"
 #include "core/scene/load.h"
+#include "core/scene/text.h"
 #include "core/session/condition.h"
 #include "core/session/report.h"
 #include "core/session/state_file.h"
@@ -93,10 +94,13 @@ Session<2> open_scene(const Options& o, std::span<const Method<2>> methods) {
 }
 
 Workbench open(const Options& o, std::span<const Method<2>> methods) {
-    const auto say = [](const std::string& line) { std::cout << line << "\n"; };
-    if (o.state.empty()) return {open_scene(o, methods), {}, Stop::none, false, say};
+    // JSON on standard output stays alone there.
+    std::ostream& out = o.stats == "-" || o.trace == "-" ? std::cerr : std::cout;
+    const auto say = [&out](const std::string& line) { out << line << "\n"; };
+    if (o.state.empty()) return {open_scene(o, methods), {}, Stop::steps, false, say};
     OpenedState opened = open_state(read_file(o.state), o.state, methods);
     for (const std::string& warning : opened.warnings) std::cerr << "warning: " << warning << "\n";
+    for (const std::string& warning : opened.session.scene().warnings) std::cerr << "warning: " << warning << "\n";
     Settings settings = opened.session.settings();
     apply_options(settings, o);
     if (difference(opened.session.settings(), settings) == Invalidates::scene)
@@ -104,7 +108,7 @@ Workbench open(const Options& o, std::span<const Method<2>> methods) {
     opened.session.change(settings);
     const ViewSpec<2> view = apply_options(opened.session.culling_view(), o, opened.session.scene());
     if (view != opened.session.culling_view()) opened.session.set_view(view);
-    return {std::move(opened.session), std::move(opened.figure), Stop::none, false, say};
+    return {std::move(opened.session), std::move(opened.figure), Stop::steps, false, say};
 }
 
 void move(Workbench& bench, const Options& o) {
@@ -128,12 +132,13 @@ void print_summary(const Workbench& bench) {
     const auto inversions = s.inversions();
     const auto so_far =
         std::count_if(inversions.begin(), inversions.end(), [&](const Inversion& i) { return i.step <= s.position(); });
-    std::cout << conditions(s) << "\n"
-              << "Step " << s.position() << " (stopped by: " << stop_words[static_cast<std::size_t>(bench.last_stop)]
-              << "): " << s.state().rendered_count << " rendered, " << s.visible_rendered() << " of " << reference.count
-              << " visible; coverage " << value(coverage(reference, s.visible_rendered()))
-              << " (exact reference), inversions " << so_far << ", state " << hash_text(s.hash()) << "\n";
-    if (s.scene().primitives.empty()) std::cerr << "warning: " << s.scene().id << ": the scene is empty\n";
+    bench.say(conditions(s));
+    bench.say("Step " + std::to_string(s.position()) +
+              " (stopped by: " + std::string(stop_words[static_cast<std::size_t>(bench.last_stop)]) +
+              "): " + std::to_string(s.state().rendered_count) + " rendered, " + std::to_string(s.visible_rendered()) +
+              " of " + std::to_string(reference.count) + " visible; coverage " +
+              value(coverage(reference, s.visible_rendered())) + " (exact reference), inversions " +
+              std::to_string(so_far) + ", state " + hash_text(s.hash()));
     if (s.cells().cell_count() == 0) std::cerr << "warning: no cells: too few leaf centres without a border\n";
     if (reference.eye_on > 0)
         std::cerr << "warning: the eye lies on " << reference.eye_on
@@ -148,7 +153,7 @@ void obey(const Options& o, std::span<const Method<2>> methods) {
     if (!o.headless)
         std::cerr << "viewer2d: the window comes with a later version; doing the same as with --headless\n";
     Workbench bench = open(o, methods);
-    if (!o.size.empty()) bench.figure.size = o.size;
+    if (!o.size.empty()) set_figure_size(bench, o.size);
     if (o.font_pt) bench.figure.font_pt = *o.font_pt;
     if (!o.panels.empty()) {
         bench.figure.panels.clear();
@@ -169,7 +174,7 @@ void obey(const Options& o, std::span<const Method<2>> methods) {
 }
 
 int report(const char* what, int status) {
-    std::cerr << "viewer2d: " << what << "\n";
+    std::cerr << "viewer2d: " << one_line(what, 4096) << "\n";
     return status;
 }
 

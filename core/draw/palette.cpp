@@ -42,7 +42,7 @@ Colours standard() {
             {
                 area("clean", white),
                 area("enqueued", {40, 90, 155}, Hatch::diagonal, {150, 190, 235}),
-                area("projected", {178, 214, 198}),
+                area("projected", {174, 210, 194}),
                 area("unseen", {146, 146, 146}, Hatch::dots, {205, 205, 205}),
                 line("tessellation", {105, 125, 145}, 0.5),
                 line("other", {125, 125, 125}, 0.7),
@@ -107,7 +107,7 @@ Colours print() {
             {
                 area("clean", white),
                 area("enqueued", {95, 95, 95}, Hatch::diagonal, {215, 215, 215}),
-                area("projected", {205, 205, 205}),
+                area("projected", {202, 202, 202}),
                 area("unseen", {150, 150, 150}, Hatch::cross, {205, 205, 205}),
                 line("tessellation", {110, 110, 110}, 0.5),
                 line("other", {120, 120, 120}, 0.7),

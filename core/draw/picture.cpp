@@ -29,7 +29,9 @@ Box<2> shown_world(const Session<2>& session) {
     Box<2> box = bounds<2>(session.scene().primitives);
     const ViewSpec<2>& view = session.display_view();
     box.add(view.eye);
-    const Vec<2> margin(std::max(box.longest_side(), 1e-300) * 0.05);
+    const double side = box.longest_side();
+    // Nothing but the eye: any size will do that does not vanish beside its coordinates.
+    const Vec<2> margin((side > 0 ? side : std::max({1.0, std::abs(view.eye.x), std::abs(view.eye.y)})) * 0.05);
     box.min -= margin;
     box.max += margin;
     const double zoom = session.settings().zoom;

@@ -1,5 +1,5 @@
-// Where two segments cross, without rounding: a crossing is kept as its two segments, and predicates see the real
-// point. SPDX-License-Identifier: GPL-3.0-or-later
+// Where two segments cross, without rounding: a crossing is kept as its two segments; predicates see the real point.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <array>

@@ -43,9 +43,7 @@ Scene<2> read_any(const std::string& path, const std::string& map, const std::st
     throw input_error(name, "", "is JSON, but neither GeoJSON (\"type\") nor a scene (\"format\")");
 }
 
-}  // namespace
-
-Scene<2> load_scene(const std::string& name, const LoadOptions& options) {
+Scene<2> find_scene(const std::string& name, const LoadOptions& options) {
     if (const CatalogueRow* row = find_in_catalogue(name)) return make_scene(*row);
     if (exists(name)) return read_any(name, "", name, options);
 
@@ -61,6 +59,14 @@ Scene<2> load_scene(const std::string& name, const LoadOptions& options) {
         return read_any(path, map, base, options);
     }
     throw input_error(name, "", "no such file, and no scene of the catalogue has this id");
+}
+
+}  // namespace
+
+Scene<2> load_scene(const std::string& name, const LoadOptions& options) {
+    Scene<2> scene = find_scene(name, options);
+    scene.name = name;
+    return scene;
 }
 
 std::vector<std::string> list_wad_maps(const std::string& path) { return wad_maps(read_file(path), path); }

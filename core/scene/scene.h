@@ -42,6 +42,7 @@ struct Scene {
     std::string title;   ///< a few words for people
     std::string lesson;  ///< one sentence: what it teaches; may be empty
     std::string source;  ///< "generated", or the reader's format
+    std::string name;    ///< what load_scene took for it; empty when it came another way
     std::uint64_t seed = 0;
     std::vector<Primitive<D>> primitives;
     Vec<D> origin{};  ///< added to a coordinate gives that of the file

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/scene/text.h"
 
 namespace sightline {
 
@@ -123,12 +124,31 @@ struct Condition<D>::Expression {
     std::vector<std::size_t> used;  // the fields that the text mentions: the others are not computed
 };
 
+namespace {
+
+/// muParser would take "step = 5" for an assignment, which holds at once.
+bool assigns(std::string_view formula) {
+    for (std::size_t at = formula.find('='); at != std::string_view::npos; at = formula.find('=', at + 1)) {
+        if (formula.substr(at, 2) == "==")
+            ++at;
+        else if (at == 0 || std::string_view("<>!").find(formula[at - 1]) == std::string_view::npos)
+            return true;
+    }
+    return false;
+}
+
+}  // namespace
+
 template <int D>
 Condition<D>::Condition(std::string_view text) : text_(text), expression_(std::make_unique<Expression>()) {
     std::string formula(text);
     for (const std::string_view word : {"step", "cell"})
         if (text.starts_with(std::string(word) + ":"))
             formula = std::string(word) + " == " + std::string(text.substr(word.size() + 1));
+    const auto fail = [&](const std::string& why) {
+        return InputError(one_line("condition '" + text_ + "': " + why, 4096));
+    };
+    if (assigns(formula)) throw fail("write == to compare");
     mu::Parser& parser = expression_->parser;
     const auto table = fields<D>();
     expression_->values.resize(table.size());
@@ -140,14 +160,13 @@ Condition<D>::Condition(std::string_view text) : text_(text), expression_(std::m
         for (const auto& [name, variable] : parser.GetUsedVar())
             expression_->used.push_back(static_cast<std::size_t>(variable - expression_->values.data()));
         parser.Eval();
-        if (parser.GetNumResults() != 1)
-            throw InputError("condition '" + text_ + "': write one expression, not several");
+        if (parser.GetNumResults() != 1) throw fail("write one expression, not several");
     } catch (const mu::Parser::exception_type& error) {
         std::string known;
         for (const RecordField<D>& field : table) known += (known.empty() ? "" : ", ") + std::string(field.name);
         std::string why = error.GetMsg();
         while (!why.empty() && (why.back() == '\n' || why.back() == '.')) why.pop_back();
-        throw InputError("condition '" + text_ + "': " + why + " (fields: " + known + ")");
+        throw fail(why + " (fields: " + known + ")");
     }
 }
 

@@ -28,6 +28,8 @@ std::string heaviest_term(const Terms& t) {
     const double transferred = t.weight * t.rho_a, penalty = t.key - t.unpenalised;
     if (penalty > t.density && penalty > transferred)
         return "the penalty (+" + short_number(penalty) + "): the ray from the eye to its centre misses the facet";
+    if (t.density > 0 && t.count == 0)
+        return "its way from the seed: " + short_number(t.key) + (t.key == 1 ? " facet" : " facets");
     if (transferred > t.density)
         return "the solidity handed on by the cell in front of it (" + short_number(transferred) + ")";
     if (t.density > 0) return "the crowd in the cell in front of it (|A| = " + std::to_string(t.count) + ")";

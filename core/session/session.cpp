@@ -39,11 +39,6 @@ Session<D>::Session(std::shared_ptr<const Scene<D>> scene, const ViewSpec<D>& vi
 }
 
 template <int D>
-Frame<D> Session<D>::frame() const {
-    return make_frame<D>(scene_->primitives, *cells_, view_, settings_);
-}
-
-template <int D>
 void Session<D>::tessellate() {
     CellComplex<D> cells = timed(times_.tessellate, [&] { return tessellation(*scene_, settings_); });
     timed(times_.assign, [&] { assign_primitives(cells, scene_->primitives); });
@@ -53,8 +48,8 @@ void Session<D>::tessellate() {
 
 template <int D>
 void Session<D>::restart() {
-    const Frame<D> frame = this->frame();
-    method_.start(frame, state_);
+    frame_ = make_frame<D>(scene_->primitives, *cells_, view_, settings_);
+    method_.start(frame_, state_);
     timeline_ = {};
     timeline_.seed_count = state_.front_size;
     time_stop_ = none;
@@ -64,21 +59,22 @@ template <int D>
 Stop Session<D>::step() {
     if (state_.step >= time_stop_) return Stop::budget;
     if (state_.step < timeline_.steps.size()) {
-        redo_step(frame(), state_, timeline_);
+        redo_step(frame_, state_, timeline_);
         return Stop::none;
     }
-    return timed(times_.traverse, [&] { return method_.record(frame(), state_, timeline_); });
+    return timed(times_.traverse, [&] { return method_.record(frame_, state_, timeline_); });
 }
 
 template <int D>
 bool Session<D>::back() {
     if (state_.step == 0) return false;
-    undo_step(frame(), state_, timeline_);
+    undo_step(frame_, state_, timeline_);
     return true;
 }
 
 template <int D>
-Stop Session<D>::run(std::uint32_t steps) {
+template <typename Holds>
+Stop Session<D>::advance(std::uint32_t steps, Holds holds) {
     const bool limited_by_time = settings_.budget.kind == Budget::Kind::milliseconds && time_stop_ == none;
     const auto start = std::chrono::steady_clock::now();
     for (std::uint32_t made = 0; made < steps; ++made) {
@@ -87,24 +83,26 @@ Stop Session<D>::run(std::uint32_t steps) {
             std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count() >=
                 settings_.budget.value)
             time_stop_ = state_.step;
+        if (holds(*this)) return Stop::breakpoint;
     }
     return Stop::steps;
 }
 
 template <int D>
+Stop Session<D>::run(std::uint32_t steps) {
+    return advance(steps, [](const Session&) { return false; });
+}
+
+template <int D>
 Stop Session<D>::run_until(const std::function<bool(const Session&)>& holds) {
-    for (;;) {
-        if (const Stop stop = step(); stop != Stop::none) return stop;
-        if (holds(*this)) return Stop::breakpoint;
-    }
+    return advance(none, holds);
 }
 
 template <int D>
 void Session<D>::seek(std::uint32_t step) {
-    const Frame<D> frame = this->frame();
-    while (state_.step > step) undo_step(frame, state_, timeline_);
+    while (state_.step > step) undo_step(frame_, state_, timeline_);
     while (state_.step < std::min<std::size_t>({step, timeline_.steps.size(), time_stop_}))
-        redo_step(frame, state_, timeline_);
+        redo_step(frame_, state_, timeline_);
     while (state_.step < step)
         if (this->step() != Stop::none) break;
 }
@@ -164,25 +162,28 @@ std::size_t Session<D>::visible_rendered() const {
 
 template <int D>
 std::vector<Inversion> Session<D>::inversions() const {
-    return sightline::inversions(reference(), frame(), state_, timeline_);
+    return sightline::inversions(reference(), frame_, state_, timeline_);
 }
 
 template <int D>
 std::vector<Marker> Session<D>::markers() const {
     std::vector<Marker> markers;
-    const Frame<D> frame = this->frame();
-    if (method_.terms)
-        for (std::uint32_t step = 1; step <= state_.step; ++step) {
+    if (method_.terms) {
+        // The keys of cells projected later are known where all is done.
+        Session end = *this;
+        end.seek(recorded());
+        for (std::uint32_t step = 1; step <= end.position(); ++step) {
             const std::uint32_t cell = timeline_.steps[step - 1].cell;
-            const auto records = timeline_.facets_of(step);
+            const auto records = end.timeline_.facets_of(step);
             const auto facets = cells_->facets_of(cell);
             std::uint32_t penalised = 0;
             for (std::size_t i = 0; i < records.size(); ++i)
                 if (records[i].rule == Rule::enqueued || records[i].rule == Rule::reenqueued)
-                    penalised += method_.terms(frame, cell, state_.mark(cell).key, facets[i]).penalised();
+                    penalised += method_.terms(frame_, cell, end.state_.mark(cell).key, facets[i]).penalised();
             if (penalised > 0)
                 markers.push_back({step, Marker::Kind::penalty, std::to_string(penalised) + " penalised"});
         }
+    }
     for (const Inversion& inversion : inversions())
         markers.push_back(
             {inversion.step,

@@ -50,7 +50,7 @@ public:
     const ViewSpec<D>& culling_view() const { return culling_view_; }
     const ViewSpec<D>& display_view() const { return frozen_ ? display_view_ : culling_view_; }
     bool frozen() const { return frozen_; }
-    Frame<D> frame() const;
+    const Frame<D>& frame() const { return frame_; }
     const State<D>& state() const { return state_; }
     const Timeline& timeline() const { return timeline_; }
     std::uint32_t position() const { return state_.step; }
@@ -98,6 +98,9 @@ public:
 private:
     void tessellate();
     void restart();
+    /// The one way forward: until the budget, the empty front, `steps` steps, or `holds` after a step.
+    template <typename Holds>
+    Stop advance(std::uint32_t steps, Holds holds);
 
     std::shared_ptr<const Scene<D>> scene_;
     std::shared_ptr<const CellComplex<D>> cells_;
@@ -106,6 +109,7 @@ private:
     Settings settings_;
     ViewSpec<D> culling_view_, display_view_;
     View<D> view_;
+    Frame<D> frame_;  ///< points into what scene_ and cells_ own, which copies of the session share
     bool frozen_ = false;
     State<D> state_;
     Timeline timeline_;

@@ -71,15 +71,18 @@ SettingRow choice(std::string_view name, Invalidates invalidates, std::string_vi
             }};
 }
 
-template <auto member, double low, double high, bool low_open>
+enum class Ends { closed, low_open, high_open };
+
+template <auto member, double low, double high, Ends ends = Ends::closed>
 SettingRow real(std::string_view name, Invalidates invalidates, std::string_view values, std::string_view source,
                 std::string_view help) {
     return {name, help, source, invalidates, values, Field<member>::get, [](Settings& s, std::string_view value) {
                 const auto number = parse_number(value);
-                if (!number) throw InputError("'" + std::string(value) + "' is not a number");
-                if (*number > high || *number < low || (low_open && *number == low))
-                    throw InputError(std::string(value) + " lies outside " + (low_open ? "(" : "[") + number_text(low) +
-                                     ", " + number_text(high) + "]");
+                if (!number || *number > high || *number < low || (ends == Ends::low_open && *number == low) ||
+                    (ends == Ends::high_open && *number == high))
+                    throw InputError("'" + std::string(value) + "' is not a number in " +
+                                     (ends == Ends::low_open ? "(" : "[") + number_text(low) + ", " +
+                                     number_text(high) + (ends == Ends::high_open ? ")" : "]"));
                 s.*member = *number;
             }};
 }
@@ -90,11 +93,9 @@ SettingRow whole(std::string_view name, Invalidates invalidates, std::string_vie
     return {name, help, source, invalidates, values, Field<member>::get, [](Settings& s, std::string_view value) {
                 std::uint64_t number = 0;
                 const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), number);
-                if (error != std::errc() || end != value.data() + value.size())
-                    throw InputError("'" + std::string(value) + "' is not a whole number");
-                if (number < low || number > high)
-                    throw InputError(std::string(value) + " lies outside [" + std::to_string(low) + ", " +
-                                     std::to_string(high) + "]");
+                if (error != std::errc() || end != value.data() + value.size() || number < low || number > high)
+                    throw InputError("'" + std::string(value) + "' is not a whole number in [" + std::to_string(low) +
+                                     ", " + std::to_string(high) + "]");
                 s.*member = static_cast<std::remove_cvref_t<decltype(s.*member)>>(number);
             }};
 }
@@ -108,12 +109,13 @@ const std::vector<SettingRow>& rows() {
 
         choice<&S::tessellation>("tessellation", Invalidates::tessellation, "TVCG 4.3",
                                  "cells: Delaunay of the leaf centres, or the leaves of the tree"),
-        real<&S::error_bound, 0.0, 1.0, true>("error_bound", Invalidates::tessellation, "(0, 1]", "TVCG 4.3, note 4",
-                                              "leaves are split down to this share of the scene's longest side"),
+        real<&S::error_bound, 0.0, 1.0, Ends::low_open>(
+            "error_bound", Invalidates::tessellation, "(0, 1]", "TVCG 4.3, note 4",
+            "leaves are split down to this share of the scene's longest side"),
         choice<&S::border>("border", Invalidates::tessellation, "docs/algorithm.md, border",
                            "corners of an inflated box close the gap between hull and scene border (Delaunay)"),
-        real<&S::jitter, 0.0, 0.5, false>("jitter", Invalidates::tessellation, "[0, 0.5]", "TVCG 4.3",
-                                          "random shift of a leaf's centre, in sides of the leaf"),
+        real<&S::jitter, 0.0, 0.5, Ends::high_open>("jitter", Invalidates::tessellation, "[0, 0.5)", "TVCG 4.3",
+                                                    "random shift of a leaf's centre, in sides of the leaf"),
         whole<&S::seed, 0, 0xffffffffffffffffull>("seed", Invalidates::tessellation, "[0, 2^64)", "TVCG 4.3",
                                                   "seed of the jitter"),
 
@@ -133,8 +135,8 @@ const std::vector<SettingRow>& rows() {
                                 "test whether the ray from the eye to a cell's centre crosses the shared facet"),
         choice<&S::penalty>("penalty", Invalidates::traversal, "TVCG fig. 5, line 3",
                             "what a cell that fails the star-shape test pays"),
-        real<&S::penalty_amount, 0.0, 1e6, false>("penalty_amount", Invalidates::traversal, "[0, 1e6]",
-                                                  "TVCG fig. 5, line 3", "the factor or the summand of the penalty"),
+        real<&S::penalty_amount, 0.0, 1e6>("penalty_amount", Invalidates::traversal, "[0, 1e6]", "TVCG fig. 5, line 3",
+                                           "the factor or the summand of the penalty"),
         choice<&S::solidity_scale>("solidity_scale", Invalidates::traversal, "TVCG 3.1",
                                    "|A| is divided by the largest |A|, or by the 95th percentile and cut at 1"),
         choice<&S::outside_view>("outside_view", Invalidates::traversal, "gem, add_neighbors_to_front",
@@ -172,8 +174,8 @@ const std::vector<SettingRow>& rows() {
         choice<&S::heat>("heat", Invalidates::picture, "docs/figures.md", "the number shown as a heat map"),
         choice<&S::legend>("legend", Invalidates::picture, "docs/figures.md", "where the legend stands"),
         choice<&S::caption>("caption", Invalidates::picture, "docs/figures.md", "a caption with the conditions"),
-        real<&S::zoom, 0.01, 1000.0, false>("zoom", Invalidates::picture, "[0.01, 1000]", "docs/figures.md",
-                                            "magnification; 1 shows the whole scene"),
+        real<&S::zoom, 0.01, 1000.0>("zoom", Invalidates::picture, "[0.01, 1000]", "docs/figures.md",
+                                     "magnification; 1 shows the whole scene"),
         choice<&S::zoom_at>("zoom_at", Invalidates::picture, "docs/figures.md",
                             "magnify what the display eye looks at, the cell projected last, or the selected cell"),
     };

@@ -10,7 +10,7 @@ namespace sightline {
 struct Terms {
     double rho_a = 0;         ///< key of the cell just projected
     std::uint32_t count = 0;  ///< |A|
-    double density = 0;       ///< |A| / ρ_max, cut at 1 with solidity_scale = p95
+    double density = 0;       ///< |A| / ρ_max, cut at 1 with solidity_scale = p95; or what the heuristic adds instead
     double alignment = 0;     ///< v · n_B in [-1, 1]
     double weight = 0;        ///< alignment after transfer_sign
     bool star_tested = false;

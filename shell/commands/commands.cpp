@@ -263,7 +263,7 @@ constexpr std::array table{
     Command{"front", "", "list the front", "", front},
     Command{"inversions", "", "list hidden cells projected before visible ones", "I", inversions},
     Command{"markers", "", "list penalties, inversions, budget ticks and bookmarks", "", markers},
-    Command{"size", "84mm | WxH", "size of figures", "", [](Workbench& bench, Text text) { bench.figure.size = text; }},
+    Command{"size", "84mm | WxH", "size of figures", "", set_figure_size},
     Command{"shot", "FILE", "write a figure (.png, .svg, .pdf) and its sidecar", "S",
             [](Workbench& bench, Text text) { write_shot(bench, need_file(text)); }},
     Command{"save", "FILE", "write a state file", "Ctrl+S",

@@ -52,7 +52,8 @@ void go_to_place(Session<2>& session, const std::string& place) {
     } else if (place.starts_with("until ")) {
         const Condition<2> condition(place.substr(6));
         session.seek(0);
-        session.run_until([&](const Session<2>& s) { return condition.holds(s); });
+        if (session.run_until([&](const Session<2>& s) { return condition.holds(s); }) != Stop::breakpoint)
+            throw InputError("panel '" + place + "': the condition never holds before the run ends");
         return;
     }
     throw InputError("panel '" + place + "': write start, end, step N or until CONDITION");
@@ -71,6 +72,13 @@ void go_to_step(Workbench& bench, std::uint32_t step) {
         Session<2> copy = bench.session;
         bench.last_stop = copy.step();
     }
+}
+
+void set_figure_size(Workbench& bench, const std::string& size) {
+    FigureSpec spec = bench.figure;
+    spec.size = size;
+    figure_size(spec);
+    bench.figure = std::move(spec);
 }
 
 void write_shot(Workbench& bench, const std::string& file) {

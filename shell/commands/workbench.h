@@ -25,6 +25,9 @@ void run_to_end(Workbench& bench);
 /// To a step; last_stop is Stop::steps when it is there.
 void go_to_step(Workbench& bench, std::uint32_t step);
 
+/// Sets the size of figures. Throws InputError for what is none; the old size stays.
+void set_figure_size(Workbench& bench, const std::string& size);
+
 /// Writes the figure and beside it FILE.json, a state file that opens the same again.
 void write_shot(Workbench& bench, const std::string& file);
 

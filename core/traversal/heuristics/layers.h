@@ -13,10 +13,10 @@ struct LayerNumber {
     static constexpr bool updates_enqueued = false;
 
     template <int D>
-    static Terms terms(const Frame<D>& frame, std::uint32_t a, double layer_a, const HalfFacet&) {
+    static Terms terms(const Frame<D>&, std::uint32_t, double layer_a, const HalfFacet&) {
         Terms t;
         t.rho_a = layer_a;
-        t.count = frame.cells->count(a);
+        t.density = 1;
         t.weight = 1;
         t.unpenalised = t.key = layer_a + 1;
         return t;

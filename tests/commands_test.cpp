@@ -1,0 +1,408 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shell/commands/commands.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <functional>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "core/file.h"
+#include "core/scene/catalogue.h"
+#include "core/session/report.h"
+#include "core/session/state_file.h"
+#include "tests/scene_support.h"
+
+namespace sightline {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Commands : public ::testing::Test {
+protected:
+    Commands() {
+        const CatalogueRow& row = *find_in_catalogue("bottleneck");
+        settings.error_bound = row.error_bound;
+        bench = std::make_unique<Workbench>(
+            Workbench{Session<2>(std::make_shared<const Scene<2>>(make_scene(row)), row.view, settings),
+                      {},
+                      Stop::none,
+                      false,
+                      [this](const std::string& line) { said.push_back(line); }});
+        fs::create_directories(folder);
+    }
+    ~Commands() override { fs::remove_all(folder); }
+
+    void run(const std::string& text) {
+        said.clear();
+        run_commands(*bench, text);
+    }
+    Session<2>& session() { return bench->session; }
+    std::string file(const std::string& name) const { return (folder / name).string(); }
+
+    Settings settings;
+    fs::path folder = fs::temp_directory_path() / ("sightline-commands-" + std::to_string(getpid()));
+    std::vector<std::string> said;
+    std::unique_ptr<Workbench> bench;
+};
+
+TEST_F(Commands, EveryOneOfTheTableDoesWhatItSays) {
+    // In this order, on one bench; each leaves it at step 10 of the whole run.
+    const std::vector<std::pair<std::string, std::function<void()>>> cases{
+        {"step",
+         [&] {
+             run("step");
+             EXPECT_EQ(session().position(), 1u);
+             run("step 9");
+             EXPECT_EQ(session().position(), 10u);
+             EXPECT_EQ(bench->last_stop, Stop::steps);
+         }},
+        {"back",
+         [&] {
+             run("back; back 4");
+             EXPECT_EQ(session().position(), 5u);
+             run("back 100");
+             EXPECT_EQ(session().position(), 0u);
+         }},
+        {"run",
+         [&] {
+             run("run");
+             EXPECT_EQ(bench->last_stop, Stop::front_empty);
+             EXPECT_EQ(session().recorded(), session().position());
+             EXPECT_GT(session().position(), 50u);
+         }},
+        {"seek",
+         [&] {
+             const std::uint32_t end = session().position();
+             run("seek start");
+             EXPECT_EQ(session().position(), 0u);
+             run("seek end");
+             EXPECT_EQ(session().position(), end);
+             run("seek 999999");
+             EXPECT_EQ(session().position(), end);
+             EXPECT_EQ(bench->last_stop, Stop::front_empty);
+             run("seek 10");
+             EXPECT_EQ(session().position(), 10u);
+             EXPECT_EQ(bench->last_stop, Stop::steps);
+         }},
+        {"until",
+         [&] {
+             run("until step:20");
+             EXPECT_EQ(session().position(), 20u);
+             EXPECT_EQ(bench->last_stop, Stop::breakpoint);
+             run("seek 10; until rendered_now > 0 && step > 11");
+             EXPECT_GT(session().position(), 11u);
+         }},
+        {"bookmark",
+         [&] {
+             run("seek 10; bookmark the tenth step; seek 3; seek @the tenth step");
+             EXPECT_EQ(session().position(), 10u);
+             EXPECT_EQ(session().bookmarks, (std::vector<Bookmark>{{10, "the tenth step"}}));
+         }},
+        {"eye",
+         [&] {
+             run("eye 8,2");
+             EXPECT_EQ(session().culling_view().eye, Vec<2>(8, 2));
+         }},
+        {"look",
+         [&] {
+             run("look 8.5,7");
+             EXPECT_EQ(session().culling_view().look_at, Vec<2>(8.5, 7));
+         }},
+        {"fov",
+         [&] {
+             run("fov 75");
+             EXPECT_EQ(session().culling_view().fov, 75);
+             EXPECT_EQ(session().position(), 10u) << "a moved view keeps the step";
+         }},
+        {"freeze",
+         [&] {
+             const ViewSpec<2> view = session().culling_view();
+             const std::uint64_t hash = session().hash();
+             run("freeze; eye 1,1; look 2,2; fov 30");
+             EXPECT_TRUE(session().frozen());
+             EXPECT_EQ(session().culling_view(), view);
+             EXPECT_EQ(session().display_view(), (ViewSpec<2>{{1, 1}, {2, 2}, 30}));
+             EXPECT_EQ(session().hash(), hash);
+         }},
+        {"unfreeze",
+         [&] {
+             run("unfreeze");
+             EXPECT_FALSE(session().frozen());
+             EXPECT_EQ(session().display_view(), session().culling_view());
+         }},
+        {"set",
+         [&] {
+             run("set palette=print");
+             EXPECT_EQ(session().settings().palette, Palette::print);
+             EXPECT_TRUE(said.empty()) << "nothing was run again";
+             run("set penalty=add");
+             EXPECT_EQ(session().settings().penalty, Penalty::add);
+             ASSERT_EQ(said.size(), 1u);
+             EXPECT_EQ(said[0].find("step 10 of "), 0u) << said[0];
+             run("set error_bound=0.5");
+             EXPECT_NE(said.at(0).find("new cells: "), std::string::npos) << said[0];
+         }},
+        {"preset",
+         [&] {
+             run("preset letter");
+             EXPECT_EQ(session().settings().view_vector, ViewVector::camera);
+             run("preset default; set error_bound=0.25; seek 10");
+             EXPECT_EQ(session().settings().view_vector, ViewVector::eye);
+         }},
+        {"method",
+         [&] {
+             run("method centroid");
+             EXPECT_EQ(session().method().id, "centroid");
+             run("method published; seek 10");
+         }},
+        {"budget",
+         [&] {
+             run("budget 5%; run");
+             EXPECT_EQ(bench->last_stop, Stop::budget);
+             EXPECT_EQ(budget_text(session().settings().budget), "5%");
+             run("budget unlimited; seek 10");
+         }},
+        {"select",
+         [&] {
+             run("select 7");
+             EXPECT_EQ(session().selected_cell, 7u);
+             run("select none");
+             EXPECT_EQ(session().selected_cell, none);
+         }},
+        {"note",
+         [&] {
+             run("note text 1,2 \"a; b\"; note callout cell:3 [4,-5.5] first; note callout primitive:2 second; "
+                 "note ring 0,0");
+             const auto& notes = session().notes;
+             ASSERT_EQ(notes.size(), 4u);
+             EXPECT_EQ(notes[0].text, "a; b");
+             EXPECT_EQ(notes[0].point, Vec<2>(1, 2));
+             EXPECT_EQ(notes[1].anchor, Note<2>::Anchor::cell);
+             EXPECT_EQ(notes[1].index, 3u);
+             EXPECT_EQ(notes[1].offset_pt, Vec<2>(4, -5.5));
+             EXPECT_EQ(notes[1].text, "first");
+             EXPECT_EQ(notes[1].number, 1u);
+             EXPECT_EQ(notes[2].anchor, Note<2>::Anchor::primitive);
+             EXPECT_EQ(notes[2].number, 2u);
+             EXPECT_EQ(notes[3].kind, Note<2>::Kind::ring);
+         }},
+        {"explain",
+         [&] {
+             run("explain");
+             EXPECT_EQ(said.at(0).find("Step 10: "), 0u) << said[0];
+             run("explain step 4");
+             EXPECT_EQ(said.at(0).find("Step 4: "), 0u);
+             run("explain cell 3");
+             EXPECT_EQ(said.at(0).find("Cell 3: "), 0u);
+             run("seek 0; explain; seek 10");
+             EXPECT_EQ(said.at(0).find("Step 0: "), 0u);
+         }},
+        {"front",
+         [&] {
+             run("front");
+             EXPECT_EQ(said.size(), session().state().front_size + 1);
+             EXPECT_EQ(said[0], "Front: " + std::to_string(session().state().front_size) + " cells, first to last.");
+             // The first of the list is what the next step takes.
+             const std::string first = said.at(1);
+             run("step; explain; seek 10");
+             EXPECT_EQ(first.find("  cell " + std::to_string(session().timeline().steps[10].cell) + ", "), 0u) << first;
+         }},
+        {"inversions",
+         [&] {
+             run("run; inversions; seek 10");
+             EXPECT_EQ(said.size(), session().inversions().size() + 1);
+             EXPECT_GT(said.size(), 1u);
+         }},
+        {"markers",
+         [&] {
+             run("markers");
+             EXPECT_EQ(said.size(), session().markers().size() + 1);
+             EXPECT_EQ(said.back(), "  step 10: bookmark 'the tenth step'");
+         }},
+        {"size",
+         [&] {
+             run("size 400x300");
+             EXPECT_EQ(bench->figure.size, "400x300");
+         }},
+        {"shot",
+         [&] {
+             const std::uint64_t hash = session().hash();
+             run("shot " + file("a.svg") + "; shot \"" + file("b c;d.png") + "\"");
+             EXPECT_EQ(session().hash(), hash);
+             EXPECT_EQ(session().position(), 10u);
+             for (const char* name : {"a.svg", "a.svg.json", "b c;d.png", "b c;d.png.json"})
+                 EXPECT_TRUE(fs::exists(folder / name)) << name;
+             EXPECT_EQ(open_state(read_file(file("a.svg.json")), "f").session.hash(), hash);
+         }},
+        {"save",
+         [&] {
+             run("save " + file("s.json"));
+             EXPECT_EQ(open_state(read_file(file("s.json")), "f").session.hash(), session().hash());
+         }},
+        {"trace",
+         [&] {
+             run("trace " + file("t.json"));
+             EXPECT_EQ(nlohmann::json::parse(read_file(file("t.json")))["steps"].size(), 10u);
+         }},
+        {"stats",
+         [&] {
+             run("stats " + file("q.json"));
+             EXPECT_EQ(nlohmann::json::parse(read_file(file("q.json")))["steps"], 10);
+         }},
+        {"quit",
+         [&] {
+             run("quit; seek 3");
+             EXPECT_TRUE(bench->quit);
+             EXPECT_EQ(session().position(), 10u) << "nothing runs after quit";
+         }},
+    };
+    std::set<std::string_view> tested, known;
+    for (const auto& [id, test] : cases) {
+        SCOPED_TRACE(id);
+        ASSERT_NO_THROW(test());
+        tested.insert(id);
+    }
+    for (const Command& command : command_table()) {
+        EXPECT_TRUE(known.insert(command.id).second) << command.id << " stands twice in the table";
+        EXPECT_FALSE(command.text.empty());
+    }
+    EXPECT_EQ(tested, known);
+    std::set<std::string_view> keys;
+    for (const Command& command : command_table())
+        if (!command.key.empty() && command.key != "F") {  // one key freezes and unfreezes
+            EXPECT_TRUE(keys.insert(command.key).second) << command.key;
+        }
+}
+
+TEST_F(Commands, SeparatorsAndQuotes) {
+    run("  ;; step ;\n step\t;");
+    EXPECT_EQ(session().position(), 2u);
+    run("");
+    run(";;;");
+    run("\"step\"");
+    EXPECT_EQ(session().position(), 3u);
+    run("bookmark \"a;b\"; seek 0; seek \"@a;b\"");
+    EXPECT_EQ(session().position(), 3u);
+    run("step   2");
+    EXPECT_EQ(session().position(), 5u);
+    const std::uint32_t before = session().position();
+    test::expect_input_error([&] { run("step; note text 0,0 \"open"); }, "commands: a quote is not closed");
+    EXPECT_EQ(session().position(), before) << "nothing runs when the text is not understood";
+}
+
+TEST_F(Commands, ErrorsNameTheCommandAndChangeNothing) {
+    run("seek 10");
+    const std::uint64_t hash = session().hash();
+    const Settings before = session().settings();
+    const ViewSpec<2> view = session().culling_view();
+    for (const std::string command : {"step x",
+                                      "step -1",
+                                      "step 1.5",
+                                      "step 1e10",
+                                      "back x",
+                                      "seek",
+                                      "seek x",
+                                      "seek -1",
+                                      "seek @nowhere",
+                                      "until",
+                                      "until rho >",
+                                      "until solidity > 1",
+                                      "until step = 3",
+                                      "eye",
+                                      "eye 1",
+                                      "eye 1,2,3",
+                                      "eye nan,1",
+                                      "eye 1,1e999",
+                                      "eye 8,8",
+                                      "look 8,1.5",
+                                      "look x,y",
+                                      "fov",
+                                      "fov x",
+                                      "fov 0",
+                                      "fov 180",
+                                      "fov -90",
+                                      "fov 361",
+                                      "set",
+                                      "set jitter",
+                                      "set jitter=2",
+                                      "set colour=red",
+                                      "set two_sided=on",
+                                      "set method=none",
+                                      "preset",
+                                      "preset nothing",
+                                      "method",
+                                      "method none",
+                                      "budget",
+                                      "budget -1",
+                                      "budget five",
+                                      "select",
+                                      "select x",
+                                      "select 999999",
+                                      "select -1",
+                                      "bookmark",
+                                      "note",
+                                      "note blob 0,0 x",
+                                      "note text",
+                                      "note text 0 x",
+                                      "note text cell:999999 x",
+                                      "note text cell:x y",
+                                      "note text primitive:999999 x",
+                                      "note text 0,0 [1] x",
+                                      "note text 0,0 [1,2 x",
+                                      "note text 0,0 [a,b] x",
+                                      "explain nothing",
+                                      "explain step",
+                                      "explain step 11",
+                                      "explain step x",
+                                      "explain cell",
+                                      "explain cell 999999",
+                                      "size",
+                                      "size 84",
+                                      "size 0mm",
+                                      "size -84mm",
+                                      "size 0x0",
+                                      "size x",
+                                      "shot",
+                                      "shot a.gif",
+                                      "shot a",
+                                      "save",
+                                      "trace",
+                                      "stats"}) {
+        SCOPED_TRACE(command);
+        test::expect_input_error([&] { run(command); }, "command '" + command + "': *");
+        EXPECT_EQ(session().hash(), hash);
+        EXPECT_EQ(session().settings(), before);
+        EXPECT_EQ(session().culling_view(), view);
+        EXPECT_TRUE(session().notes.empty());
+        EXPECT_TRUE(session().bookmarks.empty());
+        EXPECT_EQ(bench->figure.size, "84mm");
+    }
+    EXPECT_TRUE(fs::is_empty(folder));
+    for (const Command& command : command_table())
+        test::expect_input_error([&] { run(std::string(command.id) + "x"); },
+                                 "command '" + std::string(command.id) + "x' does not exist; there are step, back, *");
+    // Those before the wrong one were carried out.
+    EXPECT_THROW(run("step 2; nothing; step 2"), InputError);
+    EXPECT_EQ(session().position(), 12u);
+    // A place that cannot be written is no wrong usage.
+    EXPECT_THROW(run("save " + file("missing/s.json")), WorkError);
+}
+
+TEST_F(Commands, StatsTellWhyTheSessionStandsWhereItDoes) {
+    const auto stop = [&](const std::string& commands) {
+        run(commands);
+        return nlohmann::json::parse(stats_json(session(), bench->last_stop))["stop"].get<std::string>();
+    };
+    EXPECT_EQ(stop("seek 5"), "steps");
+    EXPECT_EQ(stop("until step:7"), "breakpoint");
+    EXPECT_EQ(stop("back 2"), "steps");
+    EXPECT_EQ(stop("run"), "front empty");
+    EXPECT_EQ(stop("budget 10; run"), "budget");
+    EXPECT_EQ(stop("seek 99999"), "budget");
+}
+
+}  // namespace
+}  // namespace sightline

@@ -1,0 +1,153 @@
+// The rules of the design that no compiler checks: which layer includes which, licences, sizes.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <string>
+#include <vector>
+
+namespace sightline {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Source {
+    std::string path;  ///< from the root, e.g. core/space/tree.cpp
+    std::vector<std::string> lines;
+    std::vector<std::string> includes;  ///< what stands between the quotes or brackets
+};
+
+std::vector<std::string> includes_of(const std::vector<std::string>& lines) {
+    static const std::regex include(R"(^\s*#\s*include\s*[<"]([^>"]+)[>"].*)");
+    std::vector<std::string> found;
+    std::smatch match;
+    for (const std::string& line : lines)
+        if (std::regex_match(line, match, include)) found.push_back(match[1]);
+    return found;
+}
+
+std::vector<Source> read_sources() {
+    std::vector<Source> all;
+    const fs::path root = SIGHTLINE_SOURCE_DIR;
+    for (const char* folder : {"core", "shell", "viewer2d", "viewer3d", "lab", "tests", "examples"}) {
+        if (!fs::exists(root / folder)) continue;
+        for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / folder)) {
+            const std::string ending = entry.path().extension().string();
+            if (!entry.is_regular_file() || (ending != ".cpp" && ending != ".h")) continue;
+            Source source{fs::relative(entry.path(), root).generic_string(), {}, {}};
+            std::ifstream in(entry.path());
+            for (std::string line; std::getline(in, line);) source.lines.push_back(line);
+            source.includes = includes_of(source.lines);
+            all.push_back(std::move(source));
+        }
+    }
+    return all;
+}
+
+const std::vector<Source>& sources() {
+    static const std::vector<Source> all = read_sources();
+    return all;
+}
+
+bool in(const Source& source, std::string_view folder) { return source.path.starts_with(std::string(folder) + "/"); }
+bool is_header(const Source& source) { return source.path.ends_with(".h"); }
+
+TEST(Structure, TheTestSeesTheSources) {
+    EXPECT_GT(sources().size(), 100u);
+    EXPECT_EQ(includes_of({"#include \"a/b.h\"", "  #  include <c>  // why", "// #include <d>", "include <e>"}),
+              (std::vector<std::string>{"a/b.h", "c"}));
+    for (const char* folder : {"core", "shell", "viewer2d", "tests"})
+        EXPECT_TRUE(std::any_of(sources().begin(), sources().end(), [&](const Source& s) { return in(s, folder); }));
+}
+
+TEST(Structure, CoreKnowsNoWindow) {
+    static const std::regex window("(SDL|GL/|GLES|glad|epoxy|imgui|ImGui|cairo|shell/|viewer|lab/|tests/).*");
+    for (const Source& source : sources()) {
+        if (!in(source, "core")) continue;
+        for (const std::string& include : source.includes)
+            EXPECT_FALSE(std::regex_match(include, window)) << source.path << " includes " << include;
+    }
+}
+
+TEST(Structure, ProgramsAreNotIncludedFromBelow) {
+    for (const Source& source : sources()) {
+        if (!in(source, "shell")) continue;
+        for (const std::string& include : source.includes)
+            EXPECT_FALSE(include.starts_with("viewer") || include.starts_with("lab/") || include.starts_with("tests/"))
+                << source.path << " includes " << include;
+    }
+}
+
+TEST(Structure, CgalStaysBehindGeometryAndTheBuilders) {
+    for (const Source& source : sources())
+        for (const std::string& include : source.includes) {
+            const bool allowed = in(source, "tests") || source.path == "core/space/delaunay.cpp" ||
+                                 (in(source, "core/geometry") && !is_header(source));
+            EXPECT_TRUE(allowed || !include.starts_with("CGAL/")) << source.path << " includes " << include;
+        }
+}
+
+TEST(Structure, JsonStaysOutOfHeaders) {
+    // One header is the readers' own and is included by .cpp files only.
+    const std::string inner = "core/scene/json_input.h";
+    for (const Source& source : sources()) {
+        if (!(is_header(source) && !in(source, "tests") && source.path != inner)) continue;
+        for (const std::string& include : source.includes)
+            EXPECT_TRUE(!include.starts_with("nlohmann/") && include != inner)
+                << source.path << " includes " << include;
+    }
+}
+
+TEST(Structure, ArrowsInCorePointDown) {
+    constexpr std::array order{"geometry", "scene", "settings", "space", "traversal", "measure", "session", "draw"};
+    const auto rank = [&](const std::string& path) {  // core/FOLDER/…
+        const std::size_t begin = path.find('/') + 1, end = path.find('/', begin);
+        if (end == std::string::npos) return -1;  // core/error.h and its like: below all
+        const auto found = std::find(order.begin(), order.end(), path.substr(begin, end - begin));
+        EXPECT_NE(found, order.end()) << path << " lies in a folder that the order does not name";
+        return static_cast<int>(found - order.begin());
+    };
+    for (const Source& source : sources()) {
+        if (!in(source, "core")) continue;
+        for (const std::string& include : source.includes)
+            if (include.starts_with("core/")) {
+                EXPECT_LE(rank(include), rank(source.path)) << source.path << " includes " << include;
+            }
+    }
+}
+
+TEST(Structure, FiguresNeedOnlyCore) {
+    for (const Source& source : sources()) {
+        if (!in(source, "shell/figure")) continue;
+        for (const std::string& include : source.includes)
+            EXPECT_FALSE(include.starts_with("shell/") && !include.starts_with("shell/figure/"))
+                << source.path << " includes " << include;
+    }
+}
+
+TEST(Structure, EveryFileNamesItsLicence) {
+    for (const Source& source : sources()) {
+        const std::size_t top = std::min<std::size_t>(source.lines.size(), 20);
+        EXPECT_TRUE(
+            std::any_of(source.lines.begin(), source.lines.begin() + static_cast<std::ptrdiff_t>(top),
+                        [](const std::string& line) { return line == "// SPDX-License-Identifier: GPL-3.0-or-later"; }))
+            << source.path;
+    }
+}
+
+TEST(Structure, FilesStayShortAndHeadersAreGuarded) {
+    for (const Source& source : sources()) {
+        if (in(source, "tests")) continue;
+        EXPECT_LE(source.lines.size(), 500u) << source.path;
+        if (!is_header(source)) continue;
+        EXPECT_NE(std::find(source.lines.begin(), source.lines.end(), "#pragma once"), source.lines.end())
+            << source.path;
+    }
+}
+
+}  // namespace
+}  // namespace sightline
