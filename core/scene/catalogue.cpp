@@ -9,18 +9,18 @@ namespace sightline {
 std::span<const CatalogueRow> catalogue() {
     static const std::vector<CatalogueRow> rows = {
         {"bottleneck",
-         3,
+         147,
          "Bottleneck",
          "Empty cells behind two dense blocks are reached round the gap between them, so hidden crates are drawn while "
          "visible walls still wait: this is what the star-shape penalty is for.",
          bottleneck,
-         {{8, 1.5}, {8, 8}, 120},
-         0.25,
+         {{8, 2.05}, {8, 8}, 80},
+         0.24,
          "published",
-         "20%",
+         "30%",
          {},
          {{"visible_share == 0 && count > 0", "the first hidden cell that holds something"},
-          {"step:15", "the front has passed the gap"}}},
+          {"step:12", "the front has passed the gap"}}},
         {"streets",
          1,
          "Street blocks",
