@@ -122,16 +122,18 @@ std::span<const CatalogueRow> catalogue() {
         {"forget",
          10,
          "Forgotten wall",
-         "Solidity fades at every oblique facet: after a long empty run the front has forgotten the wall and draws the "
-         "store behind it before the hedge that can be seen.",
+         "Solidity fades at every oblique facet: after a long empty run the front has forgotten the walls and draws "
+         "the "
+         "store that they hide before the hedge that can be seen.",
          forget,
-         {{3, 15}, {20, 13}, 90},
+         {{3, 16}, {20, 14}, 90},
          0.05,
          "published",
-         "10%",
+         "50%",
          {},
-         {{"visible_share == 0 && count > 0", "the wall's own inner bricks"},
-          {"step:100", "the empty run is crossed"}}},
+         {{"count > 40", "the wall"},
+          {"visible_share == 0 && count == 0 && step > 100 && rho == 0", "behind the wall, and solidity is 0"},
+          {"step:70", "the store is drawn while the hedge waits"}}},
     };
     return rows;
 }

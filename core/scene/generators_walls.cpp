@@ -89,24 +89,28 @@ std::vector<Primitive<2>> wall2(std::uint64_t seed) {
 std::vector<Primitive<2>> forget(std::uint64_t seed) {
     Random random(seed);
     Sketch sketch;
-    // Bricks, in bond; the wall is dense, so solidity notices it at first.
+    // A walled field. Bricks, in bond, stand before the eye; the wall is dense, so solidity notices it at first.
     for (int course = 0; course < 4; ++course)
         for (int brick = 0; brick < 25; ++brick) {
             const double y = 0.05 + 0.6 * brick + (course % 2 == 0 ? 0.0 : 0.3);
             const double x = 9 + 0.3 * course;
             sketch.box(x, y, x + 0.26, y + 0.55);
         }
-    store(sketch, random, {68, 0.5, 80, 14.5}, 1.2);
-    // The lane past the wall's end: a hedge and trees, which stay in sight all the way.
+    for (int course = 0; course < 2; ++course)  // along the lane
+        for (int brick = 0; brick < 62; ++brick) {
+            const double x = 10.3 + 1.1 * brick + (course == 0 ? 0.0 : 0.55), y = 14.6 + 0.35 * course;
+            sketch.box(x, y, x + 1.05, y + 0.3);
+        }
+    store(sketch, random, {66, 0.5, 79, 14}, 1.3);
+    // The lane past the wall's end: grass on the ground, a hedge and trees, which stay in sight all the way.
     for (int i = 0; i < 22; ++i) {
         tree(sketch, random, {12 + 3.0 * i + random.uniform(-0.4, 0.4), 18.9}, random.uniform(0.6, 0.9));
-        for (int k = 0; k < 3; ++k) {
-            const Vec<2> at(11 + 3.0 * i + k, 17.3 + random.uniform(-0.2, 0.2));
-            sketch.line(at, at + Vec<2>(random.uniform(-0.2, 0.2), random.uniform(0.1, 0.3)));
+        for (int k = 0; k < 12; ++k) {
+            const Vec<2> at(11 + 3.0 * i + 0.25 * k, random.uniform(15.8, 17.8));
+            sketch.line(at, at + Vec<2>(random.uniform(-0.2, 0.2), random.uniform(-0.1, 0.1)));
         }
     }
-    sketch.path({{0, 20}, {0, 0}, {80, 0}, {80, 20}}, false);
-    sketch.line({0, 20}, {80, 20});
+    sketch.path({{0, 20}, {0, 0}, {80, 0}, {80, 20}}, true);
     return sketch.segments;
 }
 
