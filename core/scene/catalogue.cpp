@@ -110,15 +110,16 @@ std::span<const CatalogueRow> catalogue() {
         {"statue",
          9,
          "Statue",
-         "One cell with thousands of segments sets the scale of solidity, and beside it all others look empty; scaling "
-         "by the 95th percentile brings them back.",
+         "One cell with hundreds of segments sets the scale of solidity, and beside it all others look empty; the 95th "
+         "percentile brings their numbers back, yet not one step changes, since all keys shrink alike, until a penalty "
+         "is added to them.",
          statue,
-         {{20, 6}, {25, 23.53}, 90},
+         {{25, 4}, {25, 25}, 90},
          0.15,
          "published",
-         "10%",
+         "60%",
          {{"solidity_scale", "max"}},
-         {{"count > 500", "the statue's cell"}}},
+         {{"count > 300", "the statue's cell"}, {"step:35", "a store room nobody can see"}}},
         {"forget",
          10,
          "Forgotten wall",
