@@ -114,7 +114,8 @@ std::span<const CatalogueRow> catalogue() {
          9,
          "Statue",
          "One cell with hundreds of segments sets the scale of solidity, and beside it all others look empty; the 95th "
-         "percentile brings their numbers back, yet not one step changes, since all keys shrink alike, until a penalty "
+         "percentile brings their numbers back, yet hardly a step changes, since all keys shrink alike, until a "
+         "penalty "
          "is added to them.",
          statue,
          {{25, 4}, {25, 25}, 90},
@@ -126,18 +127,16 @@ std::span<const CatalogueRow> catalogue() {
         {"forget",
          10,
          "Forgotten wall",
-         "Solidity fades at every oblique facet: after a long empty run the front has forgotten the walls and draws "
-         "the "
-         "store that they hide before the hedge that can be seen.",
+         "Solidity fades at every oblique facet: after a long empty run the front has forgotten the wall and draws the "
+         "store behind it before the reeds that can be seen.",
          forget,
-         {{3, 16}, {20, 14}, 90},
+         {{3, 20}, {20, 20}, 70},
          0.05,
          "published",
          "50%",
          {},
-         {{"count > 40", "the wall"},
-          {"visible_share == 0 && count == 0 && step > 100 && rho == 0", "behind the wall, and solidity is 0"},
-          {"step:70", "the store is drawn while the hedge waits"}}},
+         {{"visible_share == 0 && rho > 0.5", "behind the wall, which still counts"},
+          {"visible_share == 0 && hidden_now >= 4 && rho == 0", "the store, with solidity 0, while reeds wait"}}},
     };
     return rows;
 }

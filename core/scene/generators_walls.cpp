@@ -89,28 +89,24 @@ std::vector<Primitive<2>> wall2(std::uint64_t seed) {
 std::vector<Primitive<2>> forget(std::uint64_t seed) {
     Random random(seed);
     Sketch sketch;
-    // A walled field. Bricks, in bond, stand before the eye; the wall is dense, so solidity notices it at first.
-    for (int course = 0; course < 4; ++course)
-        for (int brick = 0; brick < 25; ++brick) {
-            const double y = 0.05 + 0.6 * brick + (course % 2 == 0 ? 0.0 : 0.3);
-            const double x = 9 + 0.3 * course;
-            sketch.box(x, y, x + 0.26, y + 0.55);
+    sketch.box(0, 19, 0.4, 21);  // a bench behind the viewer
+    // On the left a wall of bricks, in bond: nothing behind it can be seen. Together with the reeds it goes from side
+    // to side of the view, so there is no way round.
+    for (int course = 0; course < 2; ++course)
+        for (int brick = 0; brick < 14; ++brick) {
+            const double x = 12 + 0.35 * course, y = 20.05 + 1.1 * brick + (course == 0 ? 0.0 : 0.55);
+            sketch.box(x, y, x + 0.3, y + 1.05);
         }
-    for (int course = 0; course < 2; ++course)  // along the lane
-        for (int brick = 0; brick < 62; ++brick) {
-            const double x = 10.3 + 1.1 * brick + (course == 0 ? 0.0 : 0.55), y = 14.6 + 0.35 * course;
-            sketch.box(x, y, x + 1.05, y + 0.3);
+    // Far behind it, a store.
+    store(sketch, random, {58, 21, 72, 40}, 1.6);
+    // On the right reeds: many, but so thin that one looks deep into them.
+    for (int row = 0; row < 30; ++row)
+        for (int column = 0; column < 30; ++column) {
+            const Vec<2> at(10.2 + 0.33 * (column + random.uniform(-0.4, 0.4)),
+                            9.9 + 0.33 * (row + random.uniform(-0.4, 0.4)));
+            const SinCos turn = sincos_degrees(random.uniform(0, 360));
+            sketch.line(at, at + random.uniform(0.04, 0.08) * Vec<2>(turn.cos, turn.sin));
         }
-    store(sketch, random, {66, 0.5, 79, 14}, 1.3);
-    // The lane past the wall's end: grass on the ground, a hedge and trees, which stay in sight all the way.
-    for (int i = 0; i < 22; ++i) {
-        tree(sketch, random, {12 + 3.0 * i + random.uniform(-0.4, 0.4), 18.9}, random.uniform(0.6, 0.9));
-        for (int k = 0; k < 12; ++k) {
-            const Vec<2> at(11 + 3.0 * i + 0.25 * k, random.uniform(15.8, 17.8));
-            sketch.line(at, at + Vec<2>(random.uniform(-0.2, 0.2), random.uniform(-0.1, 0.1)));
-        }
-    }
-    sketch.path({{0, 20}, {0, 0}, {80, 0}, {80, 20}}, true);
     return sketch.segments;
 }
 
