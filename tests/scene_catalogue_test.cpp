@@ -34,10 +34,10 @@ TEST(SceneCatalogue, RowsAreComplete) {
 // Golden: a change here changes every recorded number of the scene.
 TEST(SceneCatalogue, ScenesAreTheSameBitsEverywhere) {
     const std::map<std::string, std::string> golden = {
-        {"bottleneck", "2b474b460b91d11c"}, {"streets", "8630b01d3438c264"}, {"rooms", "c55c93c632a0cc2f"},
+        {"bottleneck", "ae6b9e6ee7fc10cb"}, {"streets", "8630b01d3438c264"}, {"rooms", "c55c93c632a0cc2f"},
         {"cars", "544a2cde0c9a9902"},       {"jungle", "2a4864800813fba8"},  {"terrain", "52b9c0877c7b5eeb"},
-        {"wallholes", "44038285407b72d8"},  {"wall2", "e2f51f4e69f6b71e"},   {"statue", "f2bd1fd041ffb137"},
-        {"forget", "7ac85af647b32be2"},
+        {"wallholes", "44038285407b72d8"},  {"wall2", "e2f51f4e69f6b71e"},   {"statue", "f2d920ec92201485"},
+        {"forget", "b2e3f4f0d36a1c6e"},
     };
     for (const CatalogueRow& row : catalogue()) {
         const auto found = golden.find(row.id);
@@ -101,7 +101,7 @@ TEST(SceneCatalogue, BottleneckHidesItsCrates) {
     Random random(1);
     std::size_t hidden = 0;
     for (const Primitive<2>& crate : scene.primitives) {
-        if (crate[0].y < 8) continue;
+        if (crate[0].y < 8 || std::abs(crate[0].x - 8) < 2.4) continue;  // blocks and bench, house
         ++hidden;
         for (int i = 0; i < 50; ++i) {
             const Vec<2> p = crate[0] + (crate[1] - crate[0]) * random.unit();
@@ -111,7 +111,7 @@ TEST(SceneCatalogue, BottleneckHidesItsCrates) {
             ASSERT_TRUE(covered);
         }
     }
-    EXPECT_EQ(hidden, 15u);
+    EXPECT_EQ(hidden, 20u);
 }
 
 TEST(SceneGenerators, SeedsMatterAndRepeat) {

@@ -132,37 +132,42 @@ std::vector<Primitive<2>> jungle(std::uint64_t seed) {
 std::vector<Primitive<2>> statue(std::uint64_t seed) {
     Random random(seed);
     Sketch sketch;
-    // The statue stands inside one Delaunay cell: halved three times, the 40 m square has leaves of 5 m, and the circle
-    // fits between the leaf centres (22.5, 22.5), (27.5, 22.5) and the middle (25, 25), whichever diagonal is taken.
-    const Vec<2> centre(25, 23.53);
-    for (int layer = 0; layer < 16; ++layer) {
+    // The statue stands in the middle of the gallery, on the diagonal of the square between four leaf centres: halved
+    // three times, the 40 m square has leaves of 5 m. Whoever goes up the gallery passes through one of its two cells.
+    const Vec<2> centre(25, 25);
+    for (int layer = 0; layer < 8; ++layer) {
         std::vector<Vec<2>> contour;
-        const double radius = 0.96 - 0.055 * layer;
-        for (int i = 0; i < 240; ++i) {
-            const SinCos turn = sincos_degrees(1.5 * i), fold = sincos_degrees(1.5 * i * 5 + 20 * layer);
+        const double radius = 1.2 - 0.13 * layer;
+        for (int i = 0; i < 120; ++i) {
+            const SinCos turn = sincos_degrees(3.0 * i), fold = sincos_degrees(15.0 * i + 20 * layer);
             const double r = radius * (0.84 + 0.12 * fold.sin + random.uniform(-0.02, 0.02));
             contour.push_back(centre + r * Vec<2>(turn.cos, turn.sin));
         }
         sketch.path(contour, true);
     }
-    // The hall: walls with doors, pillars, benches, show cases, panels with pictures.
-    const Opening door{20, 2.4};
+    // The hall, the gallery that leads away from it, and a store room on either side, which nobody can look into.
+    const Opening door{20, 2.4}, arch{25, 5};
     sketch.wall({0, 0}, {40, 0}, std::span(&door, 1));
-    sketch.wall({0, 40}, {40, 40}, std::span(&door, 1));
-    sketch.wall({0, 0}, {0, 40}, std::span(&door, 1));
-    sketch.line({40, 0}, {40, 40});
-    for (int i = 0; i < 4; ++i)
-        for (const double x : {8.0, 32.0}) sketch.ring({x, 6.0 + 9.3 * i}, 0.6, 12);
-    for (const double x : {16.0, 24.5}) sketch.box(x, 14, x + 2, 14.6);
+    sketch.path({{0, 0}, {0, 40}, {40, 40}, {40, 0}}, false);
+    sketch.wall({0, 18}, {40, 18}, std::span(&arch, 1));
+    for (const double x : {22.5, 27.5}) sketch.line({x, 18}, {x, 40});
+    for (const Room& area : {Room{1, 20, 21.5, 39}, Room{28.5, 20, 39, 39}})
+        for (double y = area.y0 + 1; y < area.y1; y += 2.2)
+            for (double x = area.x0 + 1; x < area.x1; x += 2.2)
+                crate(sketch, random, {x + random.uniform(-0.2, 0.2), y + random.uniform(-0.2, 0.2)},
+                      random.uniform(0.8, 1.3));
+    // Panels along the gallery and a show case at its end.
     for (int i = 0; i < 5; ++i) {
-        const double x = 12 + 4.2 * i;
-        sketch.box(x, 34, x + 1.6, 35.2);  // show case and what it shows
-        sketch.ring({x + 0.8, 34.6}, 0.3, 7, random.uniform(0, 50));
-        sketch.box(0.4, 4 + 3.1 * i, 0.6, 5.6 + 3.1 * i);
-        sketch.box(39.4, 5 + 7 * i, 39.6, 8 + 7 * i);
+        sketch.box(22.6, 28 + 2.3 * i, 22.75, 29.4 + 2.3 * i);
+        sketch.box(27.25, 28 + 2.3 * i, 27.4, 29.4 + 2.3 * i);
     }
-    for (int i = 0; i < 9; ++i) {  // visitors: shoulders and a head
-        sketch.frame = turned({random.uniform(11, 29), random.uniform(26, 32)}, random.uniform(0, 360));
+    for (int i = 0; i < 4; ++i) sketch.box(23 + 1.1 * i, 38.8, 23.8 + 1.1 * i, 39.4);
+    // In the hall: pillars, benches, visitors with shoulders and a head.
+    for (const double y : {6.0, 14.0})
+        for (const double x : {8.0, 33.0}) sketch.ring({x, y}, 0.6, 12);
+    for (const double x : {17.0, 30.0}) sketch.box(x, 11, x + 2, 11.6);
+    for (int i = 0; i < 7; ++i) {
+        sketch.frame = turned({random.uniform(12, 21), random.uniform(11, 16)}, random.uniform(0, 360));
         sketch.path({{-0.25, -0.1}, {0.25, -0.1}, {0.28, 0.05}, {-0.28, 0.05}}, true);
         sketch.ring({0, 0.16}, 0.1, 6);
     }

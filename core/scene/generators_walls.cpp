@@ -19,22 +19,37 @@ void store(Sketch& sketch, Random& random, const Room& area, double spacing) {
 std::vector<Primitive<2>> bottleneck(std::uint64_t seed) {
     Random random(seed);
     Sketch sketch;
-    // Points only where the quadtree may split: both blocks lie in the second of four rows of leaves' parents.
-    for (const double x : {0.0, 9.1}) {
-        store(sketch, random, {x + 0.1, 4.3, x + 6.8, 7.7}, 0.85);
-        // The outline in short pieces: a budget of a few primitives must not show all of it.
-        const Vec<2> corners[] = {{x, 4.15}, {x + 6.9, 4.15}, {x + 6.9, 7.85}, {x, 7.85}};
-        for (int side = 0; side < 4; ++side)
-            for (int i = 0; i < 6; ++i) {
-                const Vec<2> a = corners[side], along = corners[(side + 1) % 4] - a;
-                sketch.line(a + along * (i / 6.0), i == 5 ? a + along : a + along * ((i + 1) / 6.0));
+    // Every corner of the quadtree costs cells: what there is keeps to seven of its sixteen leaves' parents.
+    const auto pieces = [&](const Vec<2>& a, const Vec<2>& b, int count) {
+        // Walls in short pieces: a budget of a few primitives must not show all of one.
+        for (int i = 0; i < count; ++i)
+            sketch.line(a + (b - a) * (static_cast<double>(i) / count),
+                        i + 1 == count ? b : a + (b - a) * (static_cast<double>(i + 1) / count));
+    };
+    // Two blocks full of crates, their backs lower at the outer ends; x is the distance from the middle of the gap.
+    constexpr double gap = 0.95, end = 7.95, front = 4.3, back = 7.75, outer_back = 7.405, spacing = 0.85;
+    for (const double side : {-1.0, 1.0}) {
+        const auto at = [side](double x, double y) { return Vec<2>(8 + side * x, y); };
+        pieces(at(gap, front), at(end, front), 6);
+        pieces(at(end, front), at(end, outer_back), 2);
+        pieces(at(end, outer_back), at(gap, back), 6);
+        pieces(at(gap, back), at(gap, front), 4);
+        for (int row = 0; row < 4; ++row)
+            for (int column = 0; column < 8; ++column) {
+                const double x = gap + spacing * (column + 0.6), y = front + spacing * (row + 0.6);
+                const double roof = back + (outer_back - back) * (x + 0.3 - gap) / (end - gap);
+                if (x > end - 0.4 * spacing || y + 0.35 * spacing > roof) continue;
+                const Vec<2> shift(random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1));
+                crate(sketch, random, at(x, y) + spacing * shift, spacing * random.uniform(0.35, 0.55));
             }
+        // Behind the block and hidden by it.
+        for (const Vec<2>& crates : {Vec<2>(3.1, 12.5), Vec<2>(3.5, 15)})
+            crate(sketch, random, at(crates.x, crates.y), 0.85);
     }
-    // In front, a bench; behind the blocks and hidden by them, three crates.
+    // Beyond the gap a house, whose front can be seen; behind the viewer a bench.
+    pieces({5.75, 12.45}, {10.25, 12.45}, 14);
+    sketch.path({{5.75, 12.45}, {5.75, 16}, {10.25, 16}, {10.25, 12.45}}, false);
     sketch.box(4.4, 0, 5.6, 0.4);
-    crate(sketch, random, {2.6, 14.8}, 0.8);
-    crate(sketch, random, {1.2, 15.5}, 0.7);
-    crate(sketch, random, {13.4, 15.4}, 0.8);
     return sketch.segments;
 }
 
@@ -74,24 +89,24 @@ std::vector<Primitive<2>> wall2(std::uint64_t seed) {
 std::vector<Primitive<2>> forget(std::uint64_t seed) {
     Random random(seed);
     Sketch sketch;
-    // Bricks, in bond; the wall is dense, so solidity notices it at first.
-    for (int course = 0; course < 4; ++course)
-        for (int brick = 0; brick < 25; ++brick) {
-            const double y = 0.05 + 0.6 * brick + (course % 2 == 0 ? 0.0 : 0.3);
-            const double x = 9 + 0.3 * course;
-            sketch.box(x, y, x + 0.26, y + 0.55);
+    sketch.box(0, 19, 0.4, 21);  // a bench behind the viewer
+    // On the left a wall of bricks, in bond: nothing behind it can be seen. Together with the reeds it goes from side
+    // to side of the view, so there is no way round.
+    for (int course = 0; course < 2; ++course)
+        for (int brick = 0; brick < 14; ++brick) {
+            const double x = 12 + 0.35 * course, y = 20.05 + 1.1 * brick + (course == 0 ? 0.0 : 0.55);
+            sketch.box(x, y, x + 0.3, y + 1.05);
         }
-    store(sketch, random, {68, 0.5, 80, 14.5}, 1.2);
-    // The lane past the wall's end: a hedge and trees, which stay in sight all the way.
-    for (int i = 0; i < 22; ++i) {
-        tree(sketch, random, {12 + 3.0 * i + random.uniform(-0.4, 0.4), 18.9}, random.uniform(0.6, 0.9));
-        for (int k = 0; k < 3; ++k) {
-            const Vec<2> at(11 + 3.0 * i + k, 17.3 + random.uniform(-0.2, 0.2));
-            sketch.line(at, at + Vec<2>(random.uniform(-0.2, 0.2), random.uniform(0.1, 0.3)));
+    // Far behind it, a store.
+    store(sketch, random, {58, 21, 72, 40}, 1.6);
+    // On the right reeds: many, but so thin that one looks deep into them.
+    for (int row = 0; row < 30; ++row)
+        for (int column = 0; column < 30; ++column) {
+            const Vec<2> at(10.2 + 0.33 * (column + random.uniform(-0.4, 0.4)),
+                            9.9 + 0.33 * (row + random.uniform(-0.4, 0.4)));
+            const SinCos turn = sincos_degrees(random.uniform(0, 360));
+            sketch.line(at, at + random.uniform(0.04, 0.08) * Vec<2>(turn.cos, turn.sin));
         }
-    }
-    sketch.path({{0, 20}, {0, 0}, {80, 0}, {80, 20}}, false);
-    sketch.line({0, 20}, {80, 20});
     return sketch.segments;
 }
 
