@@ -317,7 +317,7 @@ TEST_F(Commands, ErrorsNameTheCommandAndChangeNothing) {
                                       "eye nan,1",
                                       "eye 1,1e999",
                                       "eye 8,8",
-                                      "look 8,1.5",
+                                      "look 8,2.05",
                                       "look x,y",
                                       "fov",
                                       "fov x",

@@ -5,7 +5,7 @@
 
 namespace sightline {
 
-Frame turned(const Vec<2>& origin, double degrees) {
+Placement turned(const Vec<2>& origin, double degrees) {
     const SinCos turn = sincos_degrees(degrees);
     return {origin, turn.cos, turn.sin};
 }
@@ -42,7 +42,7 @@ namespace {
 class Place {
 public:
     Place(Sketch& sketch, const Vec<2>& centre, double degrees) : sketch_(sketch), outer_(sketch.frame) {
-        const Frame inner = turned({0, 0}, degrees);
+        const Placement inner = turned({0, 0}, degrees);
         sketch.frame = {outer_.at(centre), outer_.cos * inner.cos - outer_.sin * inner.sin,
                         outer_.sin * inner.cos + outer_.cos * inner.sin};
     }
@@ -52,7 +52,7 @@ public:
 
 private:
     Sketch& sketch_;
-    Frame outer_;
+    Placement outer_;
 };
 
 void chair(Sketch& s, const Vec<2>& at, double degrees) {

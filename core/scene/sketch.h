@@ -13,13 +13,13 @@
 namespace sightline {
 
 /// Local coordinates: turned by an angle, then moved.
-struct Frame {
+struct Placement {
     Vec<2> origin{};
     double cos = 1, sin = 0;
 
     Vec<2> at(const Vec<2>& p) const { return {origin.x + cos * p.x - sin * p.y, origin.y + sin * p.x + cos * p.y}; }
 };
-Frame turned(const Vec<2>& origin, double degrees);
+Placement turned(const Vec<2>& origin, double degrees);
 
 /// A gap in a wall; `at` is the distance of its middle from the wall's first end.
 struct Opening {
@@ -29,7 +29,7 @@ struct Opening {
 /// Segments so far and the frame in which the next ones are given.
 struct Sketch {
     std::vector<Primitive<2>> segments;
-    Frame frame;
+    Placement frame;
 
     void line(const Vec<2>& a, const Vec<2>& b) { segments.push_back({frame.at(a), frame.at(b)}); }
     void path(std::span<const Vec<2>> points, bool closed);

@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -eu
 viewer=$1 out=${2:-.}
-"$viewer" bottleneck --headless --set error_bound=0.1 --set star_shaped=off --panels "step 20; step 45; end" \
+"$viewer" bottleneck --headless --set star_shaped=off --panels "step 7; step 14; end" \
     --set palette=print --size 174mm --shot "$out/bottleneck-off.pdf" --shot "$out/bottleneck-off.png"
-"$viewer" bottleneck --headless --set error_bound=0.1 --set show_penalties=on --panels "step 20; step 45; end" \
+"$viewer" bottleneck --headless --set show_penalties=on --panels "step 7; step 14; end" \
     --set palette=print --size 174mm --shot "$out/bottleneck-on.pdf" --shot "$out/bottleneck-on.png"
