@@ -51,6 +51,55 @@ TEST(Traversal, OrderIsThatOfThePapersStructure) {
     }
 }
 
+/// The gem's layers are the rings of a breadth-first search over cells in view.
+TEST(Traversal, LayersPopCellsBreadthFirst) {
+    Random random(19);
+    for (int i = 0; i < 200; ++i) {
+        const Scene<2> scene = test::random_scene(random, random.below(100));
+        Settings settings = test::random_settings(random);
+        settings.outside_view = OutsideView::unseen;
+        settings.budget = {};
+        const CellComplex<2> cells = build_cells(scene, settings);
+        const View<2> view = make_view(test::random_view(random));
+        const Frame<2> frame = make_frame<2>(scene.primitives, cells, view, settings);
+        State<2> state;
+        const Timeline timeline = record_all(find_method<2>(method_table<2>(), "layers"), frame, state);
+
+        std::vector<std::uint32_t> queue = seed_cells(frame);
+        std::vector<std::uint8_t> seen(cells.cell_count());
+        for (const std::uint32_t seed : queue) seen[seed] = 1;
+        for (std::size_t next = 0; next < queue.size(); ++next)
+            for (const HalfFacet& half : cells.facets_of(queue[next])) {
+                if (half.neighbour == none || seen[half.neighbour]) continue;
+                seen[half.neighbour] = 1;
+                if (cell_in_view(cells, view, half.neighbour)) queue.push_back(half.neighbour);
+            }
+        ASSERT_EQ(popped_cells(timeline), queue) << "scene " << i;
+    }
+}
+
+TEST(Traversal, CentroidOrderIsByDistanceAndCullsTheView) {
+    Random random(20);
+    for (int i = 0; i < 100; ++i) {
+        const Scene<2> scene = test::random_scene(random, random.below(100));
+        const Settings settings;
+        const CellComplex<2> cells = build_cells(scene, settings);
+        const View<2> view = make_view(test::random_view(random));
+        State<2> state;
+        record_all(find_method<2>(method_table<2>(), "centroid"),
+                   make_frame<2>(scene.primitives, cells, view, settings), state);
+        ASSERT_EQ(state.touched.size(), scene.primitives.size());
+        double last = 0;
+        for (const std::uint32_t entry : state.touched) {
+            const Primitive<2>& p = scene.primitives[entry & ~State<2>::culled_bit];
+            const double distance = glm::length((p[0] + p[1]) / 2.0 - view.eye);
+            ASSERT_GE(distance, last - 1e-12);
+            last = distance;
+            ASSERT_EQ((entry & State<2>::culled_bit) == 0, in_view(view, p));
+        }
+    }
+}
+
 TEST(Traversal, RecordingChangesNothing) {
     Random random(12);
     for (int i = 0; i < 400; ++i) {

@@ -31,9 +31,9 @@ void begin_frame(State<D>& state, const Frame<D>& frame) {
     state.front_is_stale = false;
     state.touched.clear();
     state.order.clear();
-    state.front_size = state.next_stamp = state.touched_count = state.rendered_count = state.spent = 0;
-    state.step = state.offset = 0;
-    state.partial_cell = state.seed = none;
+    static_cast<Counters&>(state) = {};
+    state.step = 0;
+    state.seed = none;
 }
 
 template <int D>

@@ -46,8 +46,19 @@ struct CellMark {
     bool operator==(const CellMark&) const = default;
 };
 
+/// The counters of a state: what a step changes besides marks and primitives.
+struct Counters {
+    std::uint32_t front_size = 0;       ///< cells in the front
+    std::uint32_t next_stamp = 0;       ///< what the next cell put into the front gets
+    std::uint32_t touched_count = 0;    ///< primitives met
+    std::uint32_t rendered_count = 0;   ///< of those the ones not culled
+    std::uint32_t spent = 0;            ///< against the budget
+    std::uint32_t partial_cell = none;  ///< cell that the budget left partly rendered, or its neighbours pending
+    std::uint32_t offset = 0;           ///< where to go on in it; for orders of primitives, in the order
+};
+
 template <int D>
-struct State {
+struct State : Counters {
     /// A mark in 16 bytes. Marks of another frame count as clean: starting a frame costs nothing however large the
     /// scene is.
     struct PackedMark {
@@ -60,23 +71,16 @@ struct State {
     std::vector<PackedMark> marks;
     Front front;
     bool front_is_stale = false;  ///< marks were put back by an undo: rebuild the front before using it
-    std::uint32_t front_size = 0;
-    std::uint32_t next_stamp = 0;
 
     /// Primitives in the order they were met in projected cells, each once. The first `touched_count` count; those
     /// behind are kept for redo. `culled_bit` marks the ones outside the view, which are not rendered.
     static constexpr std::uint32_t culled_bit = 0x80000000u;
     std::vector<std::uint32_t> touched;
-    std::uint32_t touched_count = 0;
-    std::uint32_t rendered_count = 0;
-    std::uint32_t spent = 0;                     ///< against the budget
     std::vector<std::uint32_t> primitive_frame;  ///< frame in which a primitive was last met
 
-    std::uint32_t step = 0;             ///< steps taken
-    std::uint32_t partial_cell = none;  ///< cell that the budget left partly rendered, or its neighbours pending
-    std::uint32_t offset = 0;           ///< where to go on in it; for orders of primitives, in the order
-    std::vector<std::uint32_t> order;   ///< methods that order primitives, not cells: the whole order
-    std::uint32_t seed = none;          ///< the seed cell (the first of several)
+    std::uint32_t step = 0;            ///< steps taken
+    std::vector<std::uint32_t> order;  ///< methods that order primitives, not cells: the whole order
+    std::uint32_t seed = none;         ///< the seed cell (the first of several)
 
     CellMark mark(std::uint32_t cell) const {
         const PackedMark& m = marks[cell];

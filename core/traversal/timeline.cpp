@@ -29,14 +29,8 @@ void set_cell_state(State<D>& state, std::uint32_t cell, CellState to) {
 }
 
 template <int D>
-void set_counters(State<D>& state, const StepRecord& record) {
-    state.front_size = record.front_size;
-    state.next_stamp = record.next_stamp;
-    state.touched_count = record.touched_count;
-    state.rendered_count = record.rendered_count;
-    state.spent = record.spent;
-    state.partial_cell = record.partial_cell;
-    state.offset = record.offset;
+void set_counters(State<D>& state, const Counters& counters) {
+    static_cast<Counters&>(state) = counters;
     state.front_is_stale = true;
 }
 
@@ -63,7 +57,7 @@ void undo_step(const Frame<D>& frame, State<D>& state, Timeline& timeline) {
         return;
     }
     // At the start only the seeds are in the front, stamped from 0.
-    StepRecord start;
+    Counters start;
     start.front_size = start.next_stamp = timeline.seed_count;
     set_counters(state, start);
 }

@@ -34,19 +34,12 @@ struct FacetRecord {
 };
 static_assert(sizeof(FacetRecord) <= 32);
 
-/// Counters are those after the step.
-struct StepRecord {
+/// One per step, with the counters after it.
+struct StepRecord : Counters {
     std::uint32_t cell = none;  ///< popped; none for methods that order primitives
     std::uint32_t first_facet = 0;
     double runner_up_key = 0;
     std::uint32_t runner_up = none;  ///< next in the front when the cell was popped; none: it was alone
-    std::uint32_t front_size = 0;
-    std::uint32_t next_stamp = 0;
-    std::uint32_t touched_count = 0;
-    std::uint32_t rendered_count = 0;
-    std::uint32_t spent = 0;
-    std::uint32_t partial_cell = none;
-    std::uint32_t offset = 0;
 };
 
 struct Timeline {
@@ -95,14 +88,7 @@ struct Recorder {
     }
     template <int D>
     void finished(const State<D>& state) {
-        StepRecord& record = timeline.steps.back();
-        record.front_size = state.front_size;
-        record.next_stamp = state.next_stamp;
-        record.touched_count = state.touched_count;
-        record.rendered_count = state.rendered_count;
-        record.spent = state.spent;
-        record.partial_cell = state.partial_cell;
-        record.offset = state.offset;
+        static_cast<Counters&>(timeline.steps.back()) = state;
     }
 };
 
