@@ -71,18 +71,23 @@ SettingRow choice(std::string_view name, Invalidates invalidates, std::string_vi
             }};
 }
 
-enum class Ends { closed, low_open, high_open };
+struct Range {
+    double low, high;
+    bool low_open = false, high_open = false;
 
-template <auto member, double low, double high, Ends ends = Ends::closed>
-SettingRow real(std::string_view name, Invalidates invalidates, std::string_view values, std::string_view source,
-                std::string_view help) {
-    return {name, help, source, invalidates, values, Field<member>::get, [](Settings& s, std::string_view value) {
+    bool contains(double v) const { return (low_open ? v > low : v >= low) && (high_open ? v < high : v <= high); }
+    std::string text() const {
+        return (low_open ? "(" : "[") + number_text(low) + ", " + number_text(high) + (high_open ? ")" : "]");
+    }
+};
+
+template <auto member>
+SettingRow real(std::string_view name, const Range& range, Invalidates invalidates, std::string_view values,
+                std::string_view source, std::string_view help) {
+    return {name, help, source, invalidates, values, Field<member>::get, [range](Settings& s, std::string_view value) {
                 const auto number = parse_number(value);
-                if (!number || *number > high || *number < low || (ends == Ends::low_open && *number == low) ||
-                    (ends == Ends::high_open && *number == high))
-                    throw InputError("'" + std::string(value) + "' is not a number in " +
-                                     (ends == Ends::low_open ? "(" : "[") + number_text(low) + ", " +
-                                     number_text(high) + (ends == Ends::high_open ? ")" : "]"));
+                if (!number || !range.contains(*number))
+                    throw InputError("'" + std::string(value) + "' is not a number in " + range.text());
                 s.*member = *number;
             }};
 }
@@ -109,13 +114,12 @@ const std::vector<SettingRow>& rows() {
 
         choice<&S::tessellation>("tessellation", Invalidates::tessellation, "TVCG 4.3",
                                  "cells: Delaunay of the leaf centres, or the leaves of the tree"),
-        real<&S::error_bound, 0.0, 1.0, Ends::low_open>(
-            "error_bound", Invalidates::tessellation, "(0, 1]", "TVCG 4.3, note 4",
-            "leaves are split down to this share of the scene's longest side"),
+        real<&S::error_bound>("error_bound", {0, 1, true, false}, Invalidates::tessellation, "(0, 1]",
+                              "TVCG 4.3, note 4", "leaves are split down to this share of the scene's longest side"),
         choice<&S::border>("border", Invalidates::tessellation, "docs/algorithm.md, border",
                            "corners of an inflated box close the gap between hull and scene border (Delaunay)"),
-        real<&S::jitter, 0.0, 0.5, Ends::high_open>("jitter", Invalidates::tessellation, "[0, 0.5)", "TVCG 4.3",
-                                                    "random shift of a leaf's centre, in sides of the leaf"),
+        real<&S::jitter>("jitter", {0, 0.5, false, true}, Invalidates::tessellation, "[0, 0.5)", "TVCG 4.3",
+                         "random shift of a leaf's centre, in sides of the leaf"),
         whole<&S::seed, 0, 0xffffffffffffffffull>("seed", Invalidates::tessellation, "[0, 2^64)", "TVCG 4.3",
                                                   "seed of the jitter"),
 
@@ -135,8 +139,8 @@ const std::vector<SettingRow>& rows() {
                                 "test whether the ray from the eye to a cell's centre crosses the shared facet"),
         choice<&S::penalty>("penalty", Invalidates::traversal, "TVCG fig. 5, line 3",
                             "what a cell that fails the star-shape test pays"),
-        real<&S::penalty_amount, 0.0, 1e6>("penalty_amount", Invalidates::traversal, "[0, 1e6]", "TVCG fig. 5, line 3",
-                                           "the factor or the summand of the penalty"),
+        real<&S::penalty_amount>("penalty_amount", {0, 1e6}, Invalidates::traversal, "[0, 1e6]", "TVCG fig. 5, line 3",
+                                 "the factor or the summand of the penalty"),
         choice<&S::solidity_scale>("solidity_scale", Invalidates::traversal, "TVCG 3.1",
                                    "|A| is divided by the largest |A|, or by the 95th percentile and cut at 1"),
         choice<&S::outside_view>("outside_view", Invalidates::traversal, "gem, add_neighbors_to_front",
@@ -174,8 +178,8 @@ const std::vector<SettingRow>& rows() {
         choice<&S::heat>("heat", Invalidates::picture, "docs/figures.md", "the number shown as a heat map"),
         choice<&S::legend>("legend", Invalidates::picture, "docs/figures.md", "where the legend stands"),
         choice<&S::caption>("caption", Invalidates::picture, "docs/figures.md", "a caption with the conditions"),
-        real<&S::zoom, 0.01, 1000.0>("zoom", Invalidates::picture, "[0.01, 1000]", "docs/figures.md",
-                                     "magnification; 1 shows the whole scene"),
+        real<&S::zoom>("zoom", {0.01, 1000}, Invalidates::picture, "[0.01, 1000]", "docs/figures.md",
+                       "magnification; 1 shows the whole scene"),
         choice<&S::zoom_at>("zoom_at", Invalidates::picture, "docs/figures.md",
                             "magnify what the display eye looks at, the cell projected last, or the selected cell"),
     };

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -22,7 +23,7 @@ struct SettingRow {
     std::string_view values;  ///< the words or the range
     std::string (*get)(const Settings&);
     /// Throws InputError naming the field, the value and what is allowed; then the settings are unchanged.
-    void (*set)(Settings&, std::string_view value);
+    std::function<void(Settings&, std::string_view value)> set;
 };
 
 std::span<const SettingRow> settings_table();

@@ -258,8 +258,10 @@ constexpr std::array table{
             [](Workbench& bench, Text) { bench.session.unfreeze(); }},
     Command{"bookmark", "LABEL", "name this step", "B", bookmark},
     Command{"note", "KIND ANCHOR [[DX,DY]] TEXT",
-            "text, arrow, ring or callout at X,Y, cell:ID, cell:last or primitive:ID, text shifted in points", "N", note},
-    Command{"explain", "[step N | cell ID | cell last]", "say why: this step, another, or where a cell stands", "E", explain},
+            "text, arrow, ring or callout at X,Y, cell:ID, cell:last or primitive:ID, text shifted in points", "N",
+            note},
+    Command{"explain", "[step N | cell ID | cell last]", "say why: this step, another, or where a cell stands", "E",
+            explain},
     Command{"front", "", "list the front", "", front},
     Command{"inversions", "", "list hidden cells projected before visible ones", "I", inversions},
     Command{"markers", "", "list penalties, inversions, budget ticks and bookmarks", "", markers},
@@ -303,12 +305,13 @@ std::span<const Command> command_table() { return table; }
 
 void run_commands(Workbench& bench, std::string_view text) {
     for (const std::string& part : split_commands(text)) {
-        const auto [id, argument] = split_word(part);
-        const auto found = std::find_if(table.begin(), table.end(), [&](const Command& c) { return c.id == id; });
+        const auto words = split_word(part);
+        const std::string &word = words[0], &argument = words[1];
+        const auto found = std::find_if(table.begin(), table.end(), [&](const Command& c) { return c.id == word; });
         if (found == table.end()) {
             std::string known;
             for (const Command& command : table) known += (known.empty() ? "" : ", ") + std::string(command.id);
-            throw InputError("command '" + id + "' does not exist; there are " + known);
+            throw InputError("command '" + word + "' does not exist; there are " + known);
         }
         try {
             found->run(bench, argument);
