@@ -31,7 +31,7 @@ struct Town {
 };
 
 const Town& town() {
-    static const Town made(60'000, 0.006);
+    static const Town made(80'000, 0.006);
     return made;
 }
 
