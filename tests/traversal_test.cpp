@@ -188,7 +188,7 @@ TEST(Traversal, ABudgetSelectsAPrefixOfTheSameOrder) {
             if (stop == Stop::budget) frame.budget += 1 + static_cast<std::uint32_t>(random.below(20));
         }
         ASSERT_EQ(state.touched, whole.touched);
-        ASSERT_EQ(state.step, whole.step);
+        ASSERT_EQ(state_hash(state), state_hash(whole)) << "scene " << i;  // nothing was done twice on the way
     }
 }
 
