@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include "core/geometry/trig.h"
 #include "core/space/builders.h"
 #include "core/traversal/methods.h"
 #include "tests/random_scene.h"
@@ -209,6 +210,27 @@ TEST(Traversal, EveryPrimitiveInViewIsRenderedOnceWithoutABudget) {
             if (!(entry & State<2>::culled_bit)) ++times[entry];
         for (std::size_t p = 0; p < times.size(); ++p)
             ASSERT_EQ(times[p], in_view(view, scene.primitives[p])) << "scene " << i << " primitive " << p;
+    }
+}
+
+/// The nearest cell may lie beside a narrow view; neighbours outside the view are not followed from there.
+TEST(Traversal, AnEyeOutsideStartsFromACellInItsView) {
+    Random random(27);
+    for (int i = 0; i < 200; ++i) {
+        const Scene<2> scene = test::random_scene(random, 150);
+        Settings settings;
+        settings.tessellation = Tessellation::tree;
+        settings.seeds = random.below(2) ? Seeds::one : Seeds::hull;
+        const CellComplex<2> cells = build_cells(scene, settings);
+        const double angle = random.uniform(0, 360);
+        const Vec<2> eye = Vec<2>(0.5) + Vec<2>(sincos_degrees(angle).cos, sincos_degrees(angle).sin) * 1.5;
+        const View<2> view = make_view(ViewSpec<2>{eye, {random.unit(), random.unit()}, random.uniform(3, 20)});
+        const Frame<2> frame = make_frame<2>(scene.primitives, cells, view, settings);
+        State<2> state;
+        record_all(find_method<2>(method_table<2>(), "published"), frame, state);
+        std::size_t in_sight = 0;
+        for (const Primitive<2>& p : scene.primitives) in_sight += in_view(view, p);
+        ASSERT_EQ(state.rendered_count, in_sight) << "scene " << i;
     }
 }
 
