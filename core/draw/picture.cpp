@@ -194,17 +194,9 @@ private:
     }
 
     void penalties() {
-        if (!session_.method().terms) return;
-        const Frame<2> frame = session_.frame();
-        for (std::uint32_t step = 1; step <= session_.position(); ++step) {
-            const std::uint32_t cell = session_.timeline().steps[step - 1].cell;
-            const auto records = session_.timeline().facets_of(step);
-            const auto facets = cells_.facets_of(cell);
-            for (std::size_t i = 0; i < records.size(); ++i)
-                if ((records[i].rule == Rule::enqueued || records[i].rule == Rule::reenqueued) &&
-                    session_.method().terms(frame, cell, session_.state().mark(cell).key, facets[i]).penalised())
-                    list_.add(ShapeKind::cross, index(Look::penalty), {facet_geometry(cells_, facets[i]).centroid}, 2);
-        }
+        for (std::uint32_t step = 1; step <= session_.position(); ++step)
+            for (const HalfFacet& half : session_.penalised_facets(step))
+                list_.add(ShapeKind::cross, index(Look::penalty), {facet_geometry(cells_, half).centroid}, 2);
     }
 
     void highlights() {

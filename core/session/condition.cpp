@@ -40,20 +40,6 @@ double count_rules(const Session<D>& s, std::initializer_list<Rule> rules) {
     return count;
 }
 
-template <int D>
-double penalties(const Session<D>& s) {
-    const std::uint32_t cell = last(s).cell;
-    if (cell == none) return 0;
-    const auto records = s.timeline().facets_of(s.position());
-    const auto facets = s.cells().facets_of(cell);
-    const Frame<D> frame = s.frame();
-    double count = 0;
-    for (std::size_t i = 0; i < records.size(); ++i)
-        if (records[i].rule == Rule::enqueued || records[i].rule == Rule::reenqueued)
-            count += s.method().terms(frame, cell, s.state().mark(cell).key, facets[i]).penalised();
-    return count;
-}
-
 /// 0: none; 1: mis-ranked; 2: unreached.
 template <int D>
 double inversion(const Session<D>& s) {
@@ -102,7 +88,8 @@ const std::vector<RecordField<D>>& fields() {
         {"reenqueued", "neighbours in the front that got a new key",
          [](S s) { return count_rules(s, {Rule::reenqueued}); }},
         {"unseen", "neighbours found outside the view", [](S s) { return count_rules(s, {Rule::marked_unseen}); }},
-        {"penalties", "neighbours whose new key carries a penalty", [](S s) { return penalties(s); }},
+        {"penalties", "neighbours whose new key carries a penalty",
+         [](S s) -> double { return s.penalised_facets(s.position()).size(); }},
         {"inversion", "1: mis-ranked, 2: unreached, 0: none", [](S s) { return inversion(s); }},
         {"coverage", "share of the visible set rendered so far",
          [](S s) { return coverage(s.reference(), s.visible_rendered()).value_or(no_value); }},

@@ -166,23 +166,29 @@ std::vector<Inversion> Session<D>::inversions() const {
 }
 
 template <int D>
+std::vector<HalfFacet> Session<D>::penalised_facets(std::uint32_t step) const {
+    std::vector<HalfFacet> found;
+    const std::uint32_t cell = timeline_.steps[step - 1].cell;
+    if (cell == none) return found;
+    const auto records = timeline_.facets_of(step);
+    const auto facets = cells_->facets_of(cell);
+    for (std::size_t i = 0; i < records.size(); ++i)
+        if ((records[i].rule == Rule::enqueued || records[i].rule == Rule::reenqueued) &&
+            method_.terms(frame_, cell, state_.mark(cell).key, facets[i]).penalised())
+            found.push_back(facets[i]);
+    return found;
+}
+
+template <int D>
 std::vector<Marker> Session<D>::markers() const {
     std::vector<Marker> markers;
     if (method_.terms) {
         // The keys of cells projected later are known where all is done.
         Session end = *this;
         end.seek(recorded());
-        for (std::uint32_t step = 1; step <= end.position(); ++step) {
-            const std::uint32_t cell = timeline_.steps[step - 1].cell;
-            const auto records = end.timeline_.facets_of(step);
-            const auto facets = cells_->facets_of(cell);
-            std::uint32_t penalised = 0;
-            for (std::size_t i = 0; i < records.size(); ++i)
-                if (records[i].rule == Rule::enqueued || records[i].rule == Rule::reenqueued)
-                    penalised += method_.terms(frame_, cell, end.state_.mark(cell).key, facets[i]).penalised();
-            if (penalised > 0)
+        for (std::uint32_t step = 1; step <= end.position(); ++step)
+            if (const std::size_t penalised = end.penalised_facets(step).size(); penalised > 0)
                 markers.push_back({step, Marker::Kind::penalty, std::to_string(penalised) + " penalised"});
-        }
     }
     for (const Inversion& inversion : inversions())
         markers.push_back(

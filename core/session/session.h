@@ -88,6 +88,9 @@ public:
     std::vector<Note<D>> notes;
     std::uint32_t selected_cell = none;
 
+    /// Facets of the cell of a step, 1 <= step <= position(), across which it gave a key that carries a penalty.
+    std::vector<HalfFacet> penalised_facets(std::uint32_t step) const;
+
     // Measured, made on first use.
     const Reference& reference() const;
     std::size_t visible_rendered() const;
