@@ -14,6 +14,12 @@ std::optional<double> parse_number(std::string_view text) {
     return value;
 }
 
+std::optional<std::uint32_t> parse_whole(std::string_view text) {
+    const auto number = parse_number(text);
+    if (!number || *number < 0 || *number > 4e9 || *number != std::floor(*number)) return std::nullopt;
+    return static_cast<std::uint32_t>(*number);
+}
+
 std::string number_text(double value) {
     char text[40];
     return {text, std::to_chars(text, text + sizeof text, value).ptr};

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,6 +11,9 @@ namespace sightline {
 
 /// The whole text as one finite number, or nothing.
 std::optional<double> parse_number(std::string_view text);
+
+/// The whole text as one whole number of at most 4e9, or nothing.
+std::optional<std::uint32_t> parse_whole(std::string_view text);
 
 /// The shortest text that reads back to the same double.
 std::string number_text(double value);

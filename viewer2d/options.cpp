@@ -91,10 +91,8 @@ std::optional<Options> parse_options(int argc, const char* const* argv, std::spa
     if (!fov.empty()) o.fov = number("--fov", fov, "");
     if (!font.empty()) o.font_pt = number("--font", font, "pt");
     if (!steps.empty()) {
-        const double value = number("--steps", steps, "");
-        if (value < 0 || value > 4e9 || value != static_cast<double>(static_cast<std::uint32_t>(value)))
-            throw InputError("--steps '" + steps + "': not a number of steps");
-        o.steps = static_cast<std::uint32_t>(value);
+        o.steps = parse_whole(steps);
+        if (!o.steps) throw InputError("--steps '" + steps + "': not a number of steps");
     }
     if (!o.state.empty() && !o.scene.empty()) throw InputError("--state names its own scene: leave out " + o.scene);
     return o;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "viewer2d/viewer2d.h"
 
-#include <chrono>
 #include <iostream>
 #include <new>
 
@@ -14,6 +13,7 @@
 #include "core/session/condition.h"
 #include "core/session/report.h"
 #include "core/session/state_file.h"
+#include "core/stopwatch.h"
 #include "shell/commands/commands.h"
 #include "viewer2d/options.h"
 
@@ -79,9 +79,9 @@ Session<2> open_scene(const Options& o, std::span<const Method<2>> methods) {
     const CatalogueRow* row = find_in_catalogue(name);
     Settings settings = start_settings(row);
     apply_options(settings, o);
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch reading;
     auto scene = std::make_shared<const Scene<2>>(load_scene(name, {.two_sided = settings.two_sided == Switch::on}));
-    const double read_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    const double read_ms = reading.milliseconds();
     for (const std::string& warning : scene->warnings) std::cerr << "warning: " << warning << "\n";
     if (scene->dropped.total() > 0)
         std::cerr << "warning: " << name << ": dropped " << scene->dropped.degenerate << " of zero length, "

@@ -13,13 +13,13 @@ namespace {
 std::string cell_name(std::uint32_t cell) { return "cell " + std::to_string(cell); }
 
 template <int D>
-FacetExplanation explain_facet(const Session<D>& session, const Frame<D>& frame, std::uint32_t cell, std::size_t index,
+FacetExplanation explain_facet(const Session<D>& session, std::uint32_t cell, std::size_t index,
                                const FacetRecord& record) {
     const HalfFacet& half = session.cells().facets_of(cell)[index];
     FacetExplanation e{cell, half.neighbour, half.facet(), record.rule, {record.key, record.stamp, record.state}, {}};
     if (session.method().terms &&
         (record.rule == Rule::enqueued || record.rule == Rule::reenqueued || record.rule == Rule::kept))
-        e.terms = session.method().terms(frame, cell, session.state().mark(cell).key, half);
+        e.terms = session.method().terms(session.frame(), cell, session.state().mark(cell).key, half);
     return e;
 }
 
@@ -127,9 +127,8 @@ StepExplanation explain_step(const Session<D>& session, std::uint32_t step) {
     e.stamp = mark.stamp;
     e.visible_share = session.reference().cell_share[record.cell];
     const auto records = session.timeline().facets_of(step);
-    const Frame<D> frame = session.frame();
     for (std::size_t i = 0; i < records.size(); ++i)
-        e.facets.push_back(explain_facet(session, frame, record.cell, i, records[i]));
+        e.facets.push_back(explain_facet(session, record.cell, i, records[i]));
     return e;
 }
 
@@ -187,12 +186,10 @@ CellExplanation explain_cell(const Session<D>& session, std::uint32_t cell) {
         if (session.timeline().steps[step - 1].cell == cell) e.projected_at = step;
     e.rank = rank_in_front(session, cell);
     const auto updates = updates_in_force(session);
-    const Frame<D> frame = session.frame();
     for (auto update = updates.find(cell); update != updates.end();) {
         const auto [step, index] = update->second;
         const std::uint32_t from = session.timeline().steps[step - 1].cell;
-        e.chain.push_back(
-            {step, explain_facet(session, frame, from, index, session.timeline().facets_of(step)[index])});
+        e.chain.push_back({step, explain_facet(session, from, index, session.timeline().facets_of(step)[index])});
         update = updates.find(from);
     }
     std::reverse(e.chain.begin(), e.chain.end());

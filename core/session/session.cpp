@@ -2,10 +2,10 @@
 #include "core/session/session.h"
 
 #include <algorithm>
-#include <chrono>
 
 #include "core/number.h"
 #include "core/space/builders.h"
+#include "core/stopwatch.h"
 
 namespace sightline {
 
@@ -16,9 +16,9 @@ template <typename Work>
 auto timed(double& milliseconds, Work work) {
     struct Clock {
         double& sum;
-        std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
-        ~Clock() { sum += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count(); }
-    } clock{milliseconds};
+        Stopwatch stopwatch;
+        ~Clock() { sum += stopwatch.milliseconds(); }
+    } clock{milliseconds, {}};
     return work();
 }
 
@@ -76,13 +76,10 @@ template <int D>
 template <typename Holds>
 Stop Session<D>::advance(std::uint32_t steps, Holds holds) {
     const bool limited_by_time = settings_.budget.kind == Budget::Kind::milliseconds && time_stop_ == none;
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch running;
     for (std::uint32_t made = 0; made < steps; ++made) {
         if (const Stop stop = step(); stop != Stop::none) return stop;
-        if (limited_by_time &&
-            std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count() >=
-                settings_.budget.value)
-            time_stop_ = state_.step;
+        if (limited_by_time && running.milliseconds() >= settings_.budget.value) time_stop_ = state_.step;
         if (holds(*this)) return Stop::breakpoint;
     }
     return Stop::steps;
@@ -99,12 +96,13 @@ Stop Session<D>::run_until(const std::function<bool(const Session&)>& holds) {
 }
 
 template <int D>
-void Session<D>::seek(std::uint32_t step) {
+Stop Session<D>::seek(std::uint32_t step) {
     while (state_.step > step) undo_step(frame_, state_, timeline_);
     while (state_.step < std::min<std::size_t>({step, timeline_.steps.size(), time_stop_}))
         redo_step(frame_, state_, timeline_);
     while (state_.step < step)
-        if (this->step() != Stop::none) break;
+        if (const Stop stop = this->step(); stop != Stop::none) return stop;
+    return Stop::steps;
 }
 
 template <int D>

@@ -68,8 +68,8 @@ public:
     Stop run(std::uint32_t steps = none);
     /// Forward, at least one step, until `holds(*this)` after a step (Stop::breakpoint).
     Stop run_until(const std::function<bool(const Session&)>& holds);
-    /// To a step, or as near as the budget and the front allow.
-    void seek(std::uint32_t step);
+    /// To a step (Stop::steps), or as near as the budget and the front allow (why not nearer).
+    Stop seek(std::uint32_t step);
     /// Where a budget in milliseconds ended the run; none before it ran. Sidecars give it back so that a replay ends
     /// at the same step.
     std::uint32_t time_stop() const { return time_stop_; }

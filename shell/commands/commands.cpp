@@ -20,10 +20,9 @@ namespace {
 using Text = const std::string&;
 
 std::uint32_t whole(Text text, const char* what) {
-    const auto number = parse_number(text);
-    if (!number || *number < 0 || *number > 4e9 || *number != static_cast<double>(static_cast<std::uint32_t>(*number)))
-        throw InputError("'" + text + "' is not " + what);
-    return static_cast<std::uint32_t>(*number);
+    const auto number = parse_whole(text);
+    if (!number) throw InputError("'" + text + "' is not " + what);
+    return *number;
 }
 
 std::uint32_t count(Text text) { return text.empty() ? 1 : whole(text, "a number of steps"); }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shell/commands/workbench.h"
 
-#include <chrono>
 #include <iostream>
 
 #include "core/draw/compose.h"
@@ -10,6 +9,7 @@
 #include "core/number.h"
 #include "core/session/condition.h"
 #include "core/session/state_file.h"
+#include "core/stopwatch.h"
 #include "shell/figure/figure.h"
 
 namespace sightline {
@@ -39,16 +39,19 @@ FigureSize figure_size(const FigureSpec& spec) {
 
 /// A place in the timeline, as --panels takes it.
 void go_to_place(Session<2>& session, const std::string& place) {
-    const auto number = [&](std::string_view digits) { return parse_number(digits); };
-    if (place == "start") return session.seek(0);
+    if (place == "start") {
+        session.seek(0);
+        return;
+    }
     if (place == "end") {
         session.run();
         return;
     }
     if (place.starts_with("step ")) {
-        const auto step = number(std::string_view(place).substr(5));
-        if (step && *step >= 0 && *step < 4e9 && *step == static_cast<std::uint32_t>(*step))
-            return session.seek(static_cast<std::uint32_t>(*step));
+        if (const auto step = parse_whole(std::string_view(place).substr(5))) {
+            session.seek(*step);
+            return;
+        }
     } else if (place.starts_with("until ")) {
         const Condition<2> condition(place.substr(6));
         session.seek(0);
@@ -63,16 +66,7 @@ void go_to_place(Session<2>& session, const std::string& place) {
 
 void run_to_end(Workbench& bench) { bench.last_stop = bench.session.run(); }
 
-void go_to_step(Workbench& bench, std::uint32_t step) {
-    bench.session.seek(step);
-    // Asking for one more step of a copy tells why the session stands where it does.
-    if (bench.session.position() == step) {
-        bench.last_stop = Stop::steps;
-    } else {
-        Session<2> copy = bench.session;
-        bench.last_stop = copy.step();
-    }
-}
+void go_to_step(Workbench& bench, std::uint32_t step) { bench.last_stop = bench.session.seek(step); }
 
 void set_figure_size(Workbench& bench, const std::string& size) {
     FigureSpec spec = bench.figure;
@@ -82,7 +76,7 @@ void set_figure_size(Workbench& bench, const std::string& size) {
 }
 
 void write_shot(Workbench& bench, const std::string& file) {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch drawing;
     std::vector<PanelSource> panels;
     if (bench.figure.panels.empty()) panels.push_back({bench.session, ""});
     for (const std::string& place : bench.figure.panels) {
@@ -93,8 +87,7 @@ void write_shot(Workbench& bench, const std::string& file) {
     }
     write_figure(make_figure(panels), figure_size(bench.figure), file);
     write_file(file + ".json", state_json(bench.session, bench.figure));
-    bench.session.times().draw +=
-        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    bench.session.times().draw += drawing.milliseconds();
     bench.say("wrote " + file + " and " + file + ".json");
 }
 
