@@ -43,7 +43,20 @@ void Session<D>::tessellate() {
     CellComplex<D> cells = timed(times_.tessellate, [&] { return tessellation(*scene_, settings_); });
     timed(times_.assign, [&] { assign_primitives(cells, scene_->primitives); });
     cells_ = std::make_shared<const CellComplex<D>>(std::move(cells));
-    if (selected_cell != none && selected_cell >= cells_->cell_count()) selected_cell = none;
+    drop_dangling();
+}
+
+/// Forgets what refers to cells or primitives that are no more.
+template <int D>
+void Session<D>::drop_dangling() {
+    const auto cells = cells_->cell_count();
+    const auto primitives = scene_->primitives.size();
+    if (selected_cell != none && selected_cell >= cells) selected_cell = none;
+    if (selected_primitive != none && selected_primitive >= primitives) selected_primitive = none;
+    std::erase_if(notes, [&](const Note<D>& note) {
+        return (note.anchor == Note<D>::Anchor::cell && note.index >= cells) ||
+               (note.anchor == Note<D>::Anchor::primitive && note.index >= primitives);
+    });
 }
 
 template <int D>
@@ -133,6 +146,16 @@ void Session<D>::set_view(const ViewSpec<D>& view) {
     const std::uint32_t step = state_.step;
     culling_view_ = view;
     view_ = made;
+    reference_.reset();
+    restart();
+    seek(step);
+}
+
+template <int D>
+void Session<D>::set_scene(std::shared_ptr<const Scene<D>> scene) {
+    const std::uint32_t step = state_.step;
+    scene_ = std::move(scene);
+    tessellate();
     reference_.reset();
     restart();
     seek(step);

@@ -22,6 +22,13 @@ struct Bookmark {
     bool operator==(const Bookmark&) const = default;
 };
 
+/// Where moving forward is asked to stop; the text is one that Condition takes.
+struct Breakpoint {
+    std::string condition;
+    bool on = true;
+    bool operator==(const Breakpoint&) const = default;
+};
+
 /// Something worth a mark on the timeline, found by looking at the recording.
 struct Marker {
     enum class Kind : std::uint8_t { penalty, mis_ranked, unreached, budget };
@@ -80,13 +87,19 @@ public:
     Invalidates change(const Settings& settings);
     /// Moves the culling view, or while frozen the display view only.
     void set_view(const ViewSpec<D>& view);
+    /// Another soup of primitives under the same views and settings, e.g. after an edit. What referred to a primitive or
+    /// a cell that no longer exists is dropped.
+    void set_scene(std::shared_ptr<const Scene<D>> scene);
+    const std::shared_ptr<const Scene<D>>& shared_scene() const { return scene_; }
     void freeze();
     void unfreeze() { frozen_ = false; }
 
     // What people put into it.
     std::vector<Bookmark> bookmarks;
     std::vector<Note<D>> notes;
+    std::vector<Breakpoint> breakpoints;
     std::uint32_t selected_cell = none;
+    std::uint32_t selected_primitive = none;
 
     /// Facets of the cell of a step, 1 <= step <= position(), across which it gave a key that carries a penalty.
     std::vector<HalfFacet> penalised_facets(std::uint32_t step) const;
@@ -101,6 +114,7 @@ public:
 private:
     void tessellate();
     void restart();
+    void drop_dangling();
     /// The one way forward: until the budget, the empty front, `steps` steps, or `holds` after a step.
     template <typename Holds>
     Stop advance(std::uint32_t steps, Holds holds);
