@@ -6,7 +6,7 @@
 #include "core/session/condition.h"
 #include "core/settings/settings_table.h"
 #include "core/traversal/methods.h"
-#include "shell/commands/commands.h"
+#include "shell/commands/command_table.h"
 #include "tests/scene_support.h"
 #include "tests/viewer2d_support.h"
 
@@ -45,7 +45,7 @@ TEST_F(Viewer2d, HelpIsComplete) {
         EXPECT_NE(result.out.find(row.help), std::string::npos) << row.name;
         EXPECT_NE(result.out.find(row.values), std::string::npos) << row.name;
     }
-    for (const Command& command : command_table()) EXPECT_NE(result.out.find(command.text), std::string::npos);
+    for (const Command<2>& command : command_table<2>()) EXPECT_NE(result.out.find(command.text), std::string::npos);
     for (const RecordField<2>& field : record_fields<2>()) EXPECT_NE(result.out.find(field.help), std::string::npos);
 }
 

@@ -8,7 +8,7 @@
 #include "core/number.h"
 #include "core/session/condition.h"
 #include "core/settings/settings_table.h"
-#include "shell/commands/commands.h"
+#include "shell/commands/command_table.h"
 
 namespace sightline {
 
@@ -33,7 +33,7 @@ std::string tables(std::span<const Method<2>> methods) {
         text += "  " + padded(std::string(row.name), 24) + std::string(row.help) + "\n" + std::string(26, ' ') +
                 std::string(row.values) + "; default " + row.get(defaults) + "; " + std::string(row.source) + "\n";
     text += "\nCommands (--do):\n";
-    for (const Command& c : command_table())
+    for (const Command<2>& c : command_table<2>())
         text += "  " + padded(std::string(c.id) + " " + std::string(c.arguments), 34) + std::string(c.text) + "\n";
     text += "\nFields of conditions (--until), values after a step:\n";
     for (const RecordField<2>& field : record_fields<2>())

@@ -14,7 +14,11 @@
 #include "core/session/report.h"
 #include "core/session/state_file.h"
 #include "core/stopwatch.h"
-#include "shell/commands/commands.h"
+#include "shell/bench/export.h"
+#include "shell/bench/moves.h"
+#include "shell/bench/open.h"
+#include "shell/commands/arguments.h"
+#include "shell/commands/command_table.h"
 #include "viewer2d/options.h"
 
 namespace sightline {
@@ -38,17 +42,6 @@ void print_catalogue() {
     }
 }
 
-/// The settings a catalogue row starts with; defaults for a file.
-Settings start_settings(const CatalogueRow* row) {
-    Settings settings;
-    if (!row) return settings;
-    settings.error_bound = row->error_bound;
-    settings.method = row->method;
-    settings.budget = parse_budget(row->budget);
-    for (const SettingOverride& s : row->settings) apply_setting(settings, std::string(s.field) + "=" + s.value);
-    return settings;
-}
-
 void apply_options(Settings& settings, const Options& o) {
     if (!o.preset.empty()) apply_preset(settings, o.preset);
     if (!o.method.empty()) settings.method = o.method;
@@ -63,44 +56,27 @@ ViewSpec<2> apply_options(ViewSpec<2> view, const Options& o, const Scene<2>& sc
     return view;
 }
 
-/// A bookmark of the catalogue is a condition: its step is where the condition first holds.
-void add_bookmarks(Session<2>& session, const CatalogueRow& row) {
-    Session<2> scout = session;
-    for (const CatalogueBookmark& bookmark : row.bookmarks) {
-        const Condition<2> condition(bookmark.condition);
-        scout.seek(0);
-        if (scout.run_until([&](const Session<2>& s) { return condition.holds(s); }) == Stop::breakpoint)
-            session.bookmarks.push_back({scout.position(), bookmark.label});
-    }
-}
+void warn(const std::string& line) { std::cerr << "warning: " << line << "\n"; }
 
-Session<2> open_scene(const Options& o, std::span<const Method<2>> methods) {
-    const std::string name = o.scene.empty() ? "bottleneck" : o.scene;
-    const CatalogueRow* row = find_in_catalogue(name);
-    Settings settings = start_settings(row);
+Session<2> open_session(const Options& o, std::span<const Method<2>> methods) {
+    const std::string name = o.scene.empty() ? first_scene : o.scene;
+    Settings settings = start_settings(name);
     apply_options(settings, o);
-    const Stopwatch reading;
-    auto scene = std::make_shared<const Scene<2>>(load_scene(name, {.two_sided = settings.two_sided == Switch::on}));
-    const double read_ms = reading.milliseconds();
-    for (const std::string& warning : scene->warnings) std::cerr << "warning: " << warning << "\n";
-    if (scene->dropped.total() > 0)
-        std::cerr << "warning: " << name << ": dropped " << scene->dropped.degenerate << " of zero length, "
-                  << scene->dropped.duplicate << " duplicates, " << scene->dropped.not_finite << " not finite\n";
-    const ViewSpec<2> view = apply_options(scene->start_view.value_or(ViewSpec<2>{{0, 0}, {1, 0}, 60}), o, *scene);
-    Session<2> session(scene, view, settings, methods);
-    session.times().read = read_ms;
-    if (row) add_bookmarks(session, *row);
+    Session<2> session = open_scene(name, settings, methods, warn);
+    const ViewSpec<2> view = apply_options(session.culling_view(), o, session.scene());
+    if (view != session.culling_view()) session.set_view(view);
+    add_bookmarks(session);
     return session;
 }
 
-Workbench open(const Options& o, std::span<const Method<2>> methods) {
+Workbench<2> open_bench(const Options& o, std::span<const Method<2>> methods) {
     // JSON on standard output stays alone there.
     std::ostream& out = o.stats == "-" || o.trace == "-" ? std::cerr : std::cout;
     const auto say = [&out](const std::string& line) { out << line << "\n"; };
-    if (o.state.empty()) return {open_scene(o, methods), {}, Stop::steps, false, say};
+    if (o.state.empty()) return {open_session(o, methods), {}, Stop::steps, false, say, methods};
     OpenedState opened = open_state(read_file(o.state), o.state, methods);
-    for (const std::string& warning : opened.warnings) std::cerr << "warning: " << warning << "\n";
-    for (const std::string& warning : opened.session.scene().warnings) std::cerr << "warning: " << warning << "\n";
+    for (const std::string& warning : opened.warnings) warn(warning);
+    for (const std::string& warning : opened.session.scene().warnings) warn(warning);
     Settings settings = opened.session.settings();
     apply_options(settings, o);
     if (difference(opened.session.settings(), settings) == Invalidates::scene)
@@ -108,25 +84,25 @@ Workbench open(const Options& o, std::span<const Method<2>> methods) {
     opened.session.change(settings);
     const ViewSpec<2> view = apply_options(opened.session.culling_view(), o, opened.session.scene());
     if (view != opened.session.culling_view()) opened.session.set_view(view);
-    return {std::move(opened.session), std::move(opened.figure), Stop::steps, false, say};
+    return {std::move(opened.session), std::move(opened.figure), Stop::steps, false, say, methods};
 }
 
-void move(Workbench& bench, const Options& o) {
+void move(Workbench<2>& bench, const Options& o) {
     const bool asked = o.steps || !o.until.empty() || !o.commands.empty();
     if (!asked && o.state.empty()) run_to_end(bench);
     if (!asked && !o.state.empty()) go_to_step(bench, bench.session.position());
     if (!o.commands.empty()) run_commands(bench, o.commands);
     if (!o.until.empty()) {
         const Condition<2> condition(o.until);
-        bench.session.seek(0);
-        bench.last_stop = bench.session.run_until([&](const Session<2>& s) { return condition.holds(s); });
+        go_to_step(bench, 0);
+        run_until(bench, condition);
     }
     if (o.steps) go_to_step(bench, *o.steps);
 }
 
 std::string value(const std::optional<double>& v) { return v ? short_number(*v) : "none (nothing is visible)"; }
 
-void print_summary(const Workbench& bench) {
+void print_summary(const Workbench<2>& bench) {
     const Session<2>& s = bench.session;
     const Reference& reference = s.reference();
     const auto inversions = s.inversions();
@@ -152,7 +128,7 @@ void print_summary(const Workbench& bench) {
 void obey(const Options& o, std::span<const Method<2>> methods) {
     if (!o.headless)
         std::cerr << "viewer2d: the window comes with a later version; doing the same as with --headless\n";
-    Workbench bench = open(o, methods);
+    Workbench<2> bench = open_bench(o, methods);
     if (!o.size.empty()) set_figure_size(bench, o.size);
     if (o.font_pt) bench.figure.font_pt = *o.font_pt;
     if (!o.panels.empty()) {

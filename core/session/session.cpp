@@ -79,6 +79,15 @@ Stop Session<D>::step() {
 }
 
 template <int D>
+bool Session<D>::finished() const {
+    if (state_.step >= time_stop_) return true;
+    if (state_.step < recorded()) return false;
+    if (state_.spent >= frame_.budget) return true;
+    return method_.orders_cells ? state_.front_size == 0 && state_.partial_cell == none
+                                : state_.offset >= state_.order.size();
+}
+
+template <int D>
 bool Session<D>::back() {
     if (state_.step == 0) return false;
     undo_step(frame_, state_, timeline_);

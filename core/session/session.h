@@ -62,6 +62,8 @@ public:
     const Timeline& timeline() const { return timeline_; }
     std::uint32_t position() const { return state_.step; }
     std::uint32_t recorded() const { return static_cast<std::uint32_t>(timeline_.steps.size()); }
+    /// Whether the run ends here: step() would say why.
+    bool finished() const;
     std::uint64_t hash() const { return state_hash(state_); }
     const Times& times() const { return times_; }
     Times& times() { return times_; }

@@ -68,7 +68,8 @@ SettingRow choice(std::string_view name, Invalidates invalidates, std::string_vi
                 if (found == words<E>.end())
                     throw InputError("'" + std::string(value) + "' is not one of " + std::string(word_list<E>.view()));
                 s.*member = static_cast<E>(found - words<E>.begin());
-            }};
+            },
+            words<E>};
 }
 
 struct Range {

@@ -24,6 +24,7 @@ struct SettingRow {
     std::string (*get)(const Settings&);
     /// Throws InputError naming the field, the value and what is allowed; then the settings are unchanged.
     std::function<void(Settings&, std::string_view value)> set;
+    std::span<const std::string_view> words = {};  ///< of a choice; empty for numbers and free text
 };
 
 std::span<const SettingRow> settings_table();

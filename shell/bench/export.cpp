@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shell/commands/workbench.h"
+#include "shell/bench/export.h"
 
 #include <iostream>
 
@@ -10,32 +10,10 @@
 #include "core/session/condition.h"
 #include "core/session/state_file.h"
 #include "core/stopwatch.h"
-#include "shell/figure/figure.h"
 
 namespace sightline {
 
 namespace {
-
-FigureSize figure_size(const FigureSpec& spec) {
-    FigureSize size;
-    size.font_pt = spec.font_pt;
-    const std::string_view text = spec.size;
-    if (text.ends_with("mm")) {
-        const auto width = parse_number(text.substr(0, text.size() - 2));
-        if (width && *width > 0) {
-            size.width_mm = *width;
-            return size;
-        }
-    } else if (const std::size_t x = text.find('x'); x != std::string_view::npos) {
-        const auto width = parse_number(text.substr(0, x)), height = parse_number(text.substr(x + 1));
-        if (width && height && *width >= 1 && *height >= 1 && *width <= 1e6 && *height <= 1e6) {
-            size.width_px = static_cast<int>(*width);
-            size.height_px = static_cast<int>(*height);
-            return size;
-        }
-    }
-    throw InputError("size '" + spec.size + "': write a width such as 84mm, or pixels such as 1280x720");
-}
 
 /// A place in the timeline, as --panels takes it.
 void go_to_place(Session<2>& session, const std::string& place) {
@@ -64,18 +42,36 @@ void go_to_place(Session<2>& session, const std::string& place) {
 
 }  // namespace
 
-void run_to_end(Workbench& bench) { bench.last_stop = bench.session.run(); }
+FigureSize figure_size(const FigureSpec& spec) {
+    FigureSize size;
+    size.font_pt = spec.font_pt;
+    const std::string_view text = spec.size;
+    if (text.ends_with("mm")) {
+        const auto width = parse_number(text.substr(0, text.size() - 2));
+        if (width && *width > 0) {
+            size.width_mm = *width;
+            return size;
+        }
+    } else if (const std::size_t x = text.find('x'); x != std::string_view::npos) {
+        const auto width = parse_number(text.substr(0, x)), height = parse_number(text.substr(x + 1));
+        if (width && height && *width >= 1 && *height >= 1 && *width <= 1e6 && *height <= 1e6) {
+            size.width_px = static_cast<int>(*width);
+            size.height_px = static_cast<int>(*height);
+            return size;
+        }
+    }
+    throw InputError("size '" + spec.size + "': write a width such as 84mm, or pixels such as 1280x720");
+}
 
-void go_to_step(Workbench& bench, std::uint32_t step) { bench.last_stop = bench.session.seek(step); }
-
-void set_figure_size(Workbench& bench, const std::string& size) {
+template <int D>
+void set_figure_size(Workbench<D>& bench, const std::string& size) {
     FigureSpec spec = bench.figure;
     spec.size = size;
     figure_size(spec);
     bench.figure = std::move(spec);
 }
 
-void write_shot(Workbench& bench, const std::string& file) {
+void write_shot(Workbench<2>& bench, const std::string& file) {
     const Stopwatch drawing;
     std::vector<PanelSource> panels;
     if (bench.figure.panels.empty()) panels.push_back({bench.session, ""});
@@ -99,14 +95,6 @@ void write_text(const std::string& file, const std::string& text) {
     }
 }
 
-Vec<2> parse_point(const std::string& text, const Scene<2>& scene) {
-    const std::size_t comma = text.find(',');
-    if (comma != std::string::npos) {
-        const std::string_view view = text;
-        const auto x = parse_number(view.substr(0, comma)), y = parse_number(view.substr(comma + 1));
-        if (x && y) return Vec<2>(*x, *y) - scene.origin;
-    }
-    throw InputError("point '" + text + "': write X,Y");
-}
+template void set_figure_size<2>(Workbench<2>&, const std::string&);
 
 }  // namespace sightline

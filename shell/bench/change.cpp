@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shell/bench/change.h"
+
+#include <algorithm>
+
+#include "shell/bench/open.h"
+
+namespace sightline {
+
+namespace {
+
+/// "step 37 of 212; order differs from step 12"
+template <int D>
+std::string what_became(const Workbench<D>& bench, const std::vector<StepRecord>& before, Invalidates what) {
+    const auto& now = bench.session.timeline().steps;
+    const std::size_t common = std::min(before.size(), now.size());
+    std::size_t same = 0;
+    while (same < common && before[same].cell == now[same].cell) ++same;
+    std::string line = "step " + std::to_string(bench.session.position()) + " of " + std::to_string(now.size()) + "; ";
+    if (what >= Invalidates::tessellation)
+        line += "new cells: " + std::to_string(bench.session.cells().cell_count());
+    else
+        line += same < common ? "order differs from step " + std::to_string(same + 1) : "same order so far";
+    return line;
+}
+
+}  // namespace
+
+template <int D>
+void traversal_changed(Workbench<D>& bench) {
+    ++bench.run;
+    bench.transport.playing = false;
+    bench.marked.clear();
+    bench.marked_by.clear();
+    if (bench.hovered_cell != none && bench.hovered_cell >= bench.session.cells().cell_count())
+        bench.hovered_cell = none;
+    if (!bench.record_ahead) return;
+    const std::uint32_t position = bench.session.position();
+    bench.session.run();
+    bench.session.seek(position);
+}
+
+template <int D>
+void change_settings(Workbench<D>& bench, const Settings& settings, const std::string& gesture) {
+    const Invalidates what = difference(bench.session.settings(), settings);
+    find_method<D>(bench.methods, settings.method);
+    if (settings == bench.session.settings()) return;
+    std::shared_ptr<const Scene<D>> scene = bench.session.shared_scene();
+    if (what == Invalidates::scene) scene = reread(scene, settings);
+    remember(bench, gesture);
+    const std::vector<StepRecord> before = bench.session.timeline().steps;
+    if (scene != bench.session.shared_scene()) bench.session.set_scene(scene);
+    bench.session.change(settings);
+    if (what < Invalidates::traversal) return;
+    traversal_changed(bench);
+    bench.say(what_became(bench, before, what));
+}
+
+template <int D>
+void change_view(Workbench<D>& bench, const ViewSpec<D>& view, const std::string& gesture) {
+    make_view(view);  // throws before anything is remembered
+    remember(bench, gesture);
+    bench.session.set_view(view);
+    if (!bench.session.frozen()) traversal_changed(bench);
+}
+
+template <int D>
+void change_scene(Workbench<D>& bench, std::shared_ptr<const Scene<D>> scene, const std::string& gesture) {
+    remember(bench, gesture);
+    bench.session.set_scene(std::move(scene));
+    traversal_changed(bench);
+}
+
+template <int D>
+void replace_session(Workbench<D>& bench, Session<D> session) {
+    bench.session = std::move(session);
+    bench.history = {};
+    bench.hovered_cell = none;
+    bench.last_stop = Stop::steps;
+    bench.desk.timeline_from = 0;
+    bench.desk.timeline_to = 1;
+    traversal_changed(bench);
+}
+
+template void traversal_changed<2>(Workbench<2>&);
+template void change_settings<2>(Workbench<2>&, const Settings&, const std::string&);
+template void change_view<2>(Workbench<2>&, const ViewSpec<2>&, const std::string&);
+template void change_scene<2>(Workbench<2>&, std::shared_ptr<const Scene<2>>, const std::string&);
+template void replace_session<2>(Workbench<2>&, Session<2>);
+
+}  // namespace sightline

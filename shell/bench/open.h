@@ -1,0 +1,35 @@
+// Scenes and state files onto the bench.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "shell/bench/workbench.h"
+
+namespace sightline {
+
+/// The scene that a bare start shows.
+inline constexpr const char* first_scene = "bottleneck";
+
+/// What a scene starts with: the catalogue's settings, or the defaults for a file.
+Settings start_settings(const std::string& name);
+
+/// Loads a scene by any name that load_scene takes and stays at step 0 of its start view. `warn` gets a line for each
+/// thing that was left out or looks odd. Throws InputError.
+Session<2> open_scene(const std::string& name, const Settings& settings, std::span<const Method<2>> methods,
+                      const std::function<void(const std::string&)>& warn);
+
+/// The bookmarks of the session's catalogue row: conditions there, steps here.
+void add_bookmarks(Session<2>& session);
+
+/// Puts a scene (by any name) or a state file (by its name) on the bench. Throws InputError; then nothing has changed.
+void open(Workbench<2>& bench, const std::string& name);
+
+/// The same for the text of a state file; `name` begins error lines.
+void open_state_text(Workbench<2>& bench, const std::string& text, const std::string& name);
+
+/// The scene read again as these settings ask; the same one where they do not matter to it.
+std::shared_ptr<const Scene<2>> reread(const std::shared_ptr<const Scene<2>>& scene, const Settings& settings);
+
+}  // namespace sightline

@@ -1,0 +1,46 @@
+// What commands, panels and the window work on: a session with what a person does to it. Plain data; the functions that
+// change it stand beside it in this folder.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/session/figure_spec.h"
+#include "core/session/session.h"
+#include "shell/bench/desk.h"
+#include "shell/bench/history.h"
+#include "shell/bench/transport.h"
+
+namespace sightline {
+
+/// The clipboard of the window; both empty without one.
+struct Clipboard {
+    std::function<std::string()> get;
+    std::function<void(const std::string&)> set;
+};
+
+template <int D>
+struct Workbench {
+    Session<D> session;
+    FigureSpec figure;
+    Stop last_stop = Stop::none;  ///< why the last move ended
+    bool quit = false;
+    std::function<void(const std::string&)> say;  ///< one line for the person
+    std::span<const Method<D>> methods = method_table<D>();
+
+    bool record_ahead = false;  ///< keep the whole run recorded, for a timeline that shows where it leads
+    Transport transport;
+    History<D> history;
+    std::vector<std::uint32_t> marked;  ///< steps that `mark` found
+    std::string marked_by;              ///< its condition
+    std::uint32_t hovered_cell = none;
+    Desk desk;
+    Clipboard clipboard;
+
+    /// Counts the traversals: what was derived from the recording is made again when this has changed.
+    std::uint64_t run = 0;
+};
+
+}  // namespace sightline

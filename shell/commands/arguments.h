@@ -1,0 +1,40 @@
+// Arguments of commands, from the words that people type.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "shell/bench/workbench.h"
+
+namespace sightline {
+
+/// What a command gets after its id.
+using Text = const std::string&;
+
+/// "first rest" -> {first, rest}
+std::array<std::string, 2> split_word(Text text);
+
+/// Throws InputError "'text' is not WHAT".
+std::uint32_t whole_argument(Text text, const char* what);
+double number_argument(Text text, const char* what);
+
+/// One of the words of an enum. Throws InputError that lists them.
+std::size_t word_argument(Text text, std::span<const std::string_view> words);
+
+/// A number, "last" (the cell of the last step) or "selected". Throws InputError when there is no such cell.
+template <int D>
+std::uint32_t cell_argument(const Workbench<D>& bench, Text text);
+
+template <int D>
+std::uint32_t primitive_argument(const Workbench<D>& bench, Text text);
+
+/// A point of the scene's file, as people write it ("X,Y"), in the coordinates of the session.
+template <int D>
+Vec<D> parse_point(Text text, const Scene<D>& scene);
+
+/// The same point as people write it.
+template <int D>
+std::string point_text(const Vec<D>& point, const Scene<D>& scene);
+
+}  // namespace sightline

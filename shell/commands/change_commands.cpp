@@ -1,0 +1,61 @@
+// Commands that change settings, and undo.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include "core/error.h"
+#include "shell/bench/change.h"
+#include "shell/commands/arguments.h"
+#include "shell/commands/groups.h"
+
+namespace sightline {
+
+namespace {
+
+template <int D>
+void set(Workbench<D>& bench, Text text) {
+    Settings settings = bench.session.settings();
+    apply_setting(settings, text);
+    change_settings(bench, settings);
+}
+
+template <int D>
+void cycle(Workbench<D>& bench, Text text) {
+    const SettingRow& row = setting_row(text);
+    if (row.words.empty()) throw InputError("'" + text + "' has no words to go through");
+    const auto now = std::find(row.words.begin(), row.words.end(), row.get(bench.session.settings()));
+    const std::string next(now + 1 == row.words.end() ? row.words.front() : *(now + 1));
+    set(bench, text + "=" + next);
+    bench.say(text + "=" + next);
+}
+
+template <int D>
+void preset(Workbench<D>& bench, Text text) {
+    Settings settings = bench.session.settings();
+    apply_preset(settings, text);
+    change_settings(bench, settings);
+}
+
+}  // namespace
+
+template <int D>
+std::span<const Command<D>> change_commands() {
+    static constexpr std::array table{
+        Command<D>{"set", "FIELD=VALUE", "change a setting", "", set<D>},
+        Command<D>{"cycle", "FIELD", "the next word of a setting",
+                   "H=heat L=label K=penalty N=show_normals X=show_penalties M=show_chain", cycle<D>},
+        Command<D>{"preset", "ID", "change a set of settings", "", preset<D>},
+        Command<D>{"method", "ID", "change the method", "",
+                   [](Workbench<D>& bench, Text text) { set(bench, "method=" + text); }},
+        Command<D>{"budget", "B", "change the budget: 500, 5%, 16ms or unlimited", "",
+                   [](Workbench<D>& bench, Text text) { set(bench, "budget=" + text); }},
+        Command<D>{"undo", "", "take back a change of view, settings, scene or notes; never steps", "Ctrl+Z",
+                   [](Workbench<D>& bench, Text) { bench.say(undo(bench) ? "undone" : "nothing to undo"); }},
+        Command<D>{"redo", "", "make an undone change again", "Ctrl+Y Ctrl+Shift+Z",
+                   [](Workbench<D>& bench, Text) { bench.say(redo(bench) ? "done again" : "nothing to redo"); }},
+    };
+    return table;
+}
+
+template std::span<const Command<2>> change_commands<2>();
+
+}  // namespace sightline

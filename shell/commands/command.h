@@ -1,0 +1,23 @@
+// What a command is.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "shell/bench/workbench.h"
+
+namespace sightline {
+
+template <int D>
+struct Command {
+    std::string_view id;
+    std::string_view arguments;  ///< as help shows them
+    std::string_view text;       ///< what it does, one line
+    /// Keys of the window, separated by spaces: KEY runs it without an argument, KEY=ARGUMENT with one, and KEY=? opens
+    /// the line to type the argument into. KEY is e.g. Right, Ctrl+Shift+Z, F1, PageDown, Space, ].
+    std::string_view keys;
+    void (*run)(Workbench<D>&, const std::string& argument);
+};
+
+}  // namespace sightline

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shell/commands/command_table.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/error.h"
+#include "shell/commands/arguments.h"
+#include "shell/commands/groups.h"
+
+namespace sightline {
+
+namespace {
+
+std::vector<std::string> split_commands(std::string_view text) {
+    std::vector<std::string> parts(1);
+    bool quoted = false;
+    for (const char c : text) {
+        if (c == '"') {
+            quoted = !quoted;
+        } else if (c == ';' && !quoted) {
+            parts.emplace_back();
+        } else {
+            parts.back() += c;
+        }
+    }
+    if (quoted) throw InputError("commands: a quote is not closed");
+    for (std::string& part : parts) {
+        const std::size_t begin = part.find_first_not_of(" \t\n"), end = part.find_last_not_of(" \t\n");
+        part = begin == std::string::npos ? "" : part.substr(begin, end - begin + 1);
+    }
+    std::erase(parts, "");
+    return parts;
+}
+
+}  // namespace
+
+template <int D>
+std::span<const CommandGroup<D>> command_groups() {
+    static const std::array groups{
+        CommandGroup<D>{"Move", move_commands<D>()},     CommandGroup<D>{"View", view_commands<D>()},
+        CommandGroup<D>{"Change", change_commands<D>()}, CommandGroup<D>{"Mark", mark_commands<D>()},
+        CommandGroup<D>{"Say", say_commands<D>()},       CommandGroup<D>{"File", file_commands<D>()},
+        CommandGroup<D>{"Window", desk_commands<D>()},
+    };
+    return groups;
+}
+
+template <int D>
+std::span<const Command<D>> command_table() {
+    static const std::vector<Command<D>> table = [] {
+        std::vector<Command<D>> all;
+        for (const CommandGroup<D>& group : command_groups<D>())
+            all.insert(all.end(), group.commands.begin(), group.commands.end());
+        return all;
+    }();
+    return table;
+}
+
+template <int D>
+const Command<D>* find_command(std::string_view id) {
+    const auto table = command_table<D>();
+    const auto found = std::find_if(table.begin(), table.end(), [&](const Command<D>& c) { return c.id == id; });
+    return found == table.end() ? nullptr : &*found;
+}
+
+template <int D>
+void run_commands(Workbench<D>& bench, std::string_view text) {
+    for (const std::string& part : split_commands(text)) {
+        const auto words = split_word(part);
+        const std::string &word = words[0], &argument = words[1];
+        const Command<D>* found = find_command<D>(word);
+        if (!found) {
+            std::string known;
+            for (const Command<D>& command : command_table<D>())
+                known += (known.empty() ? "" : ", ") + std::string(command.id);
+            throw InputError("command '" + word + "' does not exist; there are " + known);
+        }
+        try {
+            found->run(bench, argument);
+        } catch (const InputError& error) {
+            throw InputError("command '" + part + "': " + error.what());
+        }
+        if (bench.quit) return;
+    }
+}
+
+template std::span<const CommandGroup<2>> command_groups<2>();
+template std::span<const Command<2>> command_table<2>();
+template const Command<2>* find_command<2>(std::string_view);
+template void run_commands<2>(Workbench<2>&, std::string_view);
+
+}  // namespace sightline

@@ -1,0 +1,36 @@
+// The command table: everything a person can do. Keys, menus, the help sheet, --do and scripts run these same entries.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "shell/commands/command.h"
+
+namespace sightline {
+
+/// Commands of one subject: a menu, a paragraph of help. Each group is a file of this folder, NAME_commands.cpp.
+template <int D>
+struct CommandGroup {
+    std::string_view title;
+    std::span<const Command<D>> commands;
+};
+
+template <int D>
+std::span<const CommandGroup<D>> command_groups();
+
+/// All groups in one list.
+template <int D>
+std::span<const Command<D>> command_table();
+
+/// nullptr when there is no command of this id.
+template <int D>
+const Command<D>* find_command(std::string_view id);
+
+/// Runs "COMMAND; COMMAND; …" until the end or quit. A ';' inside double quotes does not separate. Throws InputError
+/// that names the command; those before it have been carried out.
+template <int D>
+void run_commands(Workbench<D>& bench, std::string_view text);
+
+}  // namespace sightline

@@ -1,0 +1,82 @@
+// Commands that arrange the window. Without one they are kept, and do nothing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include "core/error.h"
+#include "core/number.h"
+#include "shell/commands/arguments.h"
+#include "shell/commands/groups.h"
+#include "shell/panels/panel.h"
+
+namespace sightline {
+
+namespace {
+
+/// Shows the panel in its column, or hides the column when it is there already.
+template <int D>
+void show(Workbench<D>& bench, Text text) {
+    Desk& desk = bench.desk;
+    if (text == "timeline" || text == "legend") {
+        bool& on = text == "legend" ? desk.legend : desk.timeline;
+        on = !on;
+        return;
+    }
+    const Panel<D>* panel = find_panel<D>(text);
+    if (!panel) {
+        std::string known = "timeline, legend";
+        for (const Panel<D>& p : panel_table<D>()) known += ", " + std::string(p.id);
+        throw InputError("there is no panel '" + text + "', only " + known);
+    }
+    std::string& column = panel->column == Column::left ? desk.left : desk.right;
+    column = column == text ? "" : text;
+}
+
+template <int D>
+void scale(Workbench<D>& bench, Text text) {
+    double& scale = bench.desk.scale;
+    const double asked = text == "up"     ? scale * 1.125
+                         : text == "down" ? scale / 1.125
+                                          : number_argument(text, "up, down or a number");
+    if (!(asked > 0)) throw InputError("'" + text + "' is not a scale above 0");
+    scale = std::clamp(asked, smallest_scale, largest_scale);
+}
+
+template <int D>
+void axis(Workbench<D>& bench, Text text) {
+    constexpr auto words = std::to_array<std::string_view>({"steps", "primitives"});
+    bench.desk.axis = static_cast<TimelineAxis>(word_argument(text, words));
+}
+
+template <bool Desk::*flag, int D>
+void flip(Workbench<D>& bench, Text) {
+    bench.desk.*flag = !(bench.desk.*flag);
+}
+
+}  // namespace
+
+template <int D>
+std::span<const Command<D>> desk_commands() {
+    static constexpr std::array table{
+        Command<D>{"scenes", "", "choose a scene", "O", flip<&Desk::chooser, D>},
+        Command<D>{"show", "PANEL", "show or hide a panel, the timeline or the legend",
+                   "1=why 2=code 3=front 4=inversions 5=breakpoints 6=notes 7=settings Tab=timeline", show<D>},
+        Command<D>{"tool", "select | segment | text | arrow | ring | callout", "what the mouse does on the picture",
+                   "V=select G=segment T=text A=arrow R=ring C=callout",
+                   [](Workbench<D>& bench, Text text) {
+                       bench.desk.tool = static_cast<Tool>(word_argument(text, tool_words));
+                   }},
+        Command<D>{"axis", "steps | primitives", "what the timeline counts", "", axis<D>},
+        Command<D>{"projector", "", "panels away, large text, the formula as a banner", "P F11",
+                   flip<&Desk::projector, D>},
+        Command<D>{"fullscreen", "", "the whole screen, or a window again", "Alt+Enter", flip<&Desk::fullscreen, D>},
+        Command<D>{"scale", "up | down | N", "everything larger or smaller", "Ctrl+Plus=up Ctrl+Minus=down Ctrl+0=1",
+                   scale<D>},
+        Command<D>{"console", "", "a line to type any command into", ": Ctrl+P", flip<&Desk::console, D>},
+        Command<D>{"help", "", "all keys", "F1", flip<&Desk::help, D>},
+    };
+    return table;
+}
+
+template std::span<const Command<2>> desk_commands<2>();
+
+}  // namespace sightline

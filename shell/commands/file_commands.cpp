@@ -1,0 +1,64 @@
+// Commands that read and write files.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/error.h"
+#include "core/session/report.h"
+#include "core/session/state_file.h"
+#include "shell/bench/export.h"
+#include "shell/bench/open.h"
+#include "shell/commands/arguments.h"
+#include "shell/commands/groups.h"
+
+namespace sightline {
+
+namespace {
+
+std::string need_file(Text text) {
+    if (text.empty()) throw InputError("a file name is missing");
+    return text;
+}
+
+template <int D>
+void copy(Workbench<D>& bench, Text) {
+    if (!bench.clipboard.set) throw InputError("there is no clipboard without a window");
+    bench.clipboard.set(state_json(bench.session, bench.figure));
+    bench.say("the whole state is on the clipboard, as text");
+}
+
+template <int D>
+void paste(Workbench<D>& bench, Text) {
+    if (!bench.clipboard.get) throw InputError("there is no clipboard without a window");
+    open_state_text(bench, bench.clipboard.get(), "clipboard");
+    bench.say("the state of the clipboard is open");
+}
+
+}  // namespace
+
+template <int D>
+std::span<const Command<D>> file_commands() {
+    static constexpr std::array table{
+        Command<D>{"open", "SCENE | FILE", "open a scene by any name, or a state file", "Ctrl+O=?",
+                   [](Workbench<D>& bench, Text text) { open(bench, need_file(text)); }},
+        Command<D>{"size", "84mm | WxH", "size of figures", "",
+                   [](Workbench<D>& bench, Text text) { set_figure_size(bench, text); }},
+        Command<D>{"shot", "FILE", "write a figure (.png, .svg, .pdf) and its sidecar", "Ctrl+E=?",
+                   [](Workbench<D>& bench, Text text) { write_shot(bench, need_file(text)); }},
+        Command<D>{"save", "FILE", "write a state file", "Ctrl+S=?",
+                   [](Workbench<D>& bench, Text text) {
+                       write_text(need_file(text), state_json(bench.session, bench.figure));
+                   }},
+        Command<D>{"trace", "FILE", "write the records of the steps so far", "",
+                   [](Workbench<D>& bench, Text text) { write_text(need_file(text), trace_json(bench.session)); }},
+        Command<D>{"stats", "FILE", "write the statistics", "",
+                   [](Workbench<D>& bench, Text text) {
+                       write_text(need_file(text), stats_json(bench.session, bench.last_stop));
+                   }},
+        Command<D>{"copy", "", "the whole state to the clipboard, as text", "Ctrl+C", copy<D>},
+        Command<D>{"paste", "", "open the state that the clipboard holds", "Ctrl+V", paste<D>},
+        Command<D>{"quit", "", "end here", "Ctrl+Q", [](Workbench<D>& bench, Text) { bench.quit = true; }},
+    };
+    return table;
+}
+
+template std::span<const Command<2>> file_commands<2>();
+
+}  // namespace sightline

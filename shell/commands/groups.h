@@ -1,0 +1,26 @@
+// The groups that the command table is made of, one per file.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+
+#include "shell/commands/command.h"
+
+namespace sightline {
+
+template <int D>
+std::span<const Command<D>> move_commands();
+template <int D>
+std::span<const Command<D>> view_commands();
+template <int D>
+std::span<const Command<D>> change_commands();
+template <int D>
+std::span<const Command<D>> mark_commands();
+template <int D>
+std::span<const Command<D>> say_commands();
+template <int D>
+std::span<const Command<D>> file_commands();
+template <int D>
+std::span<const Command<D>> desk_commands();
+
+}  // namespace sightline

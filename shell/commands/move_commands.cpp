@@ -1,0 +1,106 @@
+// Commands that move along the run.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/error.h"
+#include "core/number.h"
+#include "shell/bench/moves.h"
+#include "shell/commands/arguments.h"
+#include "shell/commands/groups.h"
+
+namespace sightline {
+
+namespace {
+
+std::uint32_t count(Text text) { return text.empty() ? 1 : whole_argument(text, "a number of steps"); }
+
+template <int D>
+void step(Workbench<D>& bench, Text text) {
+    step_forward(bench, count(text));
+}
+
+template <int D>
+void back(Workbench<D>& bench, Text text) {
+    step_back(bench, count(text));
+}
+
+template <int D>
+void seek(Workbench<D>& bench, Text text) {
+    if (text == "start") return go_to_step(bench, 0);
+    if (text == "end") return run_to_end(bench);
+    if (text.starts_with('@')) {
+        for (const Bookmark& bookmark : bench.session.bookmarks)
+            if (bookmark.label == text.substr(1)) return go_to_step(bench, bookmark.step);
+        throw InputError("there is no bookmark '" + text.substr(1) + "'");
+    }
+    go_to_step(bench, whole_argument(text, "a step, start, end or @BOOKMARK"));
+}
+
+/// Until the cell is projected, or back to where it was.
+template <int D>
+void reach(Workbench<D>& bench, Text text) {
+    const std::uint32_t cell = cell_argument(bench, text);
+    const std::uint32_t step = step_of_cell(bench, cell);
+    if (step != none) return go_to_step(bench, step);
+    bench.say("cell " + std::to_string(cell) + " is never projected in this run; still at step " +
+              std::to_string(bench.session.position()));
+}
+
+template <int D>
+void run_on(Workbench<D>& bench, Text) {
+    run_to_breakpoint(bench);
+    if (bench.last_stop != Stop::breakpoint)
+        bench.say("no breakpoint holds before the end of the run, at step " + std::to_string(bench.session.position()));
+}
+
+template <int D>
+void start_playing(Workbench<D>& bench, Text text) {
+    if (text.empty()) return play(bench);
+    if (!text.ends_with('s')) throw InputError("'" + text + "' is not a time such as 20s");
+    const double seconds = number_argument(text.substr(0, text.size() - 1), "a time such as 20s");
+    if (!(seconds > 0)) throw InputError("'" + text + "' is not a time such as 20s");
+    play_whole_run_in(bench, seconds);
+}
+
+template <int D>
+void toggle_playing(Workbench<D>& bench, Text) {
+    bench.transport.playing ? pause(bench) : play(bench);
+}
+
+template <int D>
+void speed(Workbench<D>& bench, Text text) {
+    double& speed = bench.transport.steps_per_second;
+    const double asked = text == "half"     ? speed / 2
+                         : text == "double" ? speed * 2
+                                            : number_argument(text, "half, double or steps per second");
+    if (!(asked > 0)) throw InputError("'" + text + "' is not a speed above 0");
+    speed = std::clamp(asked, slowest, fastest);
+    bench.say("speed: " + short_number(speed) + " steps a second");
+}
+
+}  // namespace
+
+template <int D>
+std::span<const Command<D>> move_commands() {
+    static constexpr std::array table{
+        Command<D>{"step", "[N]", "N steps forward (1)", "Right PageDown Shift+Right=10", step<D>},
+        Command<D>{"back", "[N]", "N steps back (1)", "Left PageUp Shift+Left=10", back<D>},
+        Command<D>{"seek", "N | start | end | @LABEL", "to a step, an end or a bookmark", "Home=start", seek<D>},
+        Command<D>{"run", "", "forward to the budget or the end of the front", "End",
+                   [](Workbench<D>& bench, Text) { run_to_end(bench); }},
+        Command<D>{"until", "CONDITION", "forward until step:N, cell:ID or an expression holds", "U=?",
+                   [](Workbench<D>& bench, Text text) { run_until(bench, Condition<D>(text)); }},
+        Command<D>{"reach", "ID | selected", "to the step that projects a cell, forward or back", "Enter=selected",
+                   reach<D>},
+        Command<D>{"continue", "", "forward to the next breakpoint", "F5", run_on<D>},
+        Command<D>{"play", "[20s]", "play, at the chosen speed or so that the whole run takes this long", "Y=20s",
+                   start_playing<D>},
+        Command<D>{"pause", "", "stop playing", "", [](Workbench<D>& bench, Text) { pause(bench); }},
+        Command<D>{"toggle", "", "play or pause", "Space", toggle_playing<D>},
+        Command<D>{"speed", "half | double | N", "halve, double or set the steps per second", "[=half ]=double",
+                   speed<D>},
+    };
+    return table;
+}
+
+template std::span<const Command<2>> move_commands<2>();
+
+}  // namespace sightline

@@ -1,0 +1,98 @@
+// Commands that answer in words.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include "core/error.h"
+#include "core/number.h"
+#include "core/session/explain.h"
+#include "shell/bench/export.h"
+#include "shell/commands/arguments.h"
+#include "shell/commands/groups.h"
+#include "shell/panels/panel.h"
+
+namespace sightline {
+
+namespace {
+
+template <int D>
+void say_all(Workbench<D>& bench, const std::vector<std::string>& lines) {
+    for (const std::string& line : lines) bench.say(line);
+}
+
+template <int D>
+void explain(Workbench<D>& bench, Text text) {
+    const Session<D>& session = bench.session;
+    if (text.starts_with("cell"))
+        return say_all(bench,
+                       rows(explain_cell(session, cell_argument(bench, split_word(text)[1])), session.settings()));
+    std::uint32_t step = session.position();
+    if (text.starts_with("step")) step = whole_argument(split_word(text)[1], "a step");
+    if (!text.empty() && !text.starts_with("step"))
+        throw InputError("write explain, explain step N or explain cell ID");
+    if (step == 0) return bench.say("Step 0: the seed cell is in the front, nothing is projected yet.");
+    if (step > session.position())
+        throw InputError("step " + std::to_string(step) + " is not done yet; the session stands at step " +
+                         std::to_string(session.position()));
+    say_all(bench, rows(explain_step(session, step), session.settings()));
+}
+
+template <int D>
+void front(Workbench<D>& bench, Text) {
+    std::vector<Front::Entry> entries;
+    for (std::uint32_t cell = 0; cell < bench.session.cells().cell_count(); ++cell)
+        if (const CellMark mark = bench.session.state().mark(cell); mark.state == CellState::enqueued)
+            entries.push_back({mark.key, mark.stamp, cell});
+    std::sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) { return a.before(b); });
+    bench.say("Front: " + std::to_string(entries.size()) + " cells, first to last.");
+    for (const Front::Entry& entry : entries)
+        bench.say("  cell " + std::to_string(entry.cell) + ", key " + short_number(entry.key, 6) + ", stamp " +
+                  std::to_string(entry.stamp));
+}
+
+template <int D>
+void inversions(Workbench<D>& bench, Text) {
+    const auto found = bench.session.inversions();
+    bench.say("Inversions: " + std::to_string(found.size()) + ", most wasted primitives first.");
+    for (const Inversion& i : found)
+        bench.say("  step " + std::to_string(i.step) + ": hidden cell " + std::to_string(i.cell) + " before cell " +
+                  std::to_string(i.waiting) +
+                  (i.kind == Inversion::Kind::mis_ranked ? " (mis-ranked: it was in the front)"
+                                                         : " (unreached: it was still clean)") +
+                  ", " + std::to_string(i.wasted) + " wasted");
+}
+
+template <int D>
+void markers(Workbench<D>& bench, Text) {
+    constexpr std::array kinds{"penalty", "mis-ranked", "unreached", "budget"};
+    for (const Marker& marker : bench.session.markers())
+        bench.say("  step " + std::to_string(marker.step) + ": " + kinds[static_cast<std::size_t>(marker.kind)] + ", " +
+                  marker.label);
+    for (const Bookmark& bookmark : bench.session.bookmarks)
+        bench.say("  step " + std::to_string(bookmark.step) + ": bookmark '" + bookmark.label + "'");
+}
+
+/// What all panels say, for readers of the screen and for scripts.
+template <int D>
+void panels(Workbench<D>& bench, Text text) {
+    if (!text.empty()) return write_text(text, panels_text(bench));
+    bench.say(panels_text(bench));
+}
+
+}  // namespace
+
+template <int D>
+std::span<const Command<D>> say_commands() {
+    static constexpr std::array table{
+        Command<D>{"explain", "[step N | cell ID | cell last]", "say why: this step, another, or where a cell stands",
+                   "", explain<D>},
+        Command<D>{"front", "", "list the front", "", front<D>},
+        Command<D>{"inversions", "", "list hidden cells projected before visible ones", "", inversions<D>},
+        Command<D>{"markers", "", "list penalties, inversions, budget ticks and bookmarks", "", markers<D>},
+        Command<D>{"panels", "[FILE]", "what all panels of the window say, as text", "F12=panels.txt", panels<D>},
+    };
+    return table;
+}
+
+template std::span<const Command<2>> say_commands<2>();
+
+}  // namespace sightline

@@ -1,0 +1,62 @@
+// Commands that change where the traversal looks from, and how much of it the picture shows.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/error.h"
+#include "core/number.h"
+#include "shell/bench/change.h"
+#include "shell/commands/arguments.h"
+#include "shell/commands/groups.h"
+
+namespace sightline {
+
+namespace {
+
+template <int D>
+void eye(Workbench<D>& bench, Text text) {
+    ViewSpec<D> view = bench.session.display_view();
+    view.eye = parse_point(text, bench.session.scene());
+    change_view(bench, view);
+}
+
+template <int D>
+void look(Workbench<D>& bench, Text text) {
+    ViewSpec<D> view = bench.session.display_view();
+    view.look_at = parse_point(text, bench.session.scene());
+    change_view(bench, view);
+}
+
+template <int D>
+void fov(Workbench<D>& bench, Text text) {
+    ViewSpec<D> view = bench.session.display_view();
+    view.fov = number_argument(text, "an angle in degrees");
+    change_view(bench, view);
+}
+
+template <int D>
+void freeze(Workbench<D>& bench, Text) {
+    remember(bench);
+    bench.session.freeze();
+}
+
+template <int D>
+void unfreeze(Workbench<D>& bench, Text) {
+    remember(bench);
+    bench.session.unfreeze();
+}
+
+}  // namespace
+
+template <int D>
+std::span<const Command<D>> view_commands() {
+    static constexpr std::array table{
+        Command<D>{"eye", D == 2 ? "X,Y" : "X,Y,Z", "move the eye; while frozen, of the display view only", "", eye<D>},
+        Command<D>{"look", D == 2 ? "X,Y" : "X,Y,Z", "turn the view towards a point", "", look<D>},
+        Command<D>{"fov", "DEGREES", "open the view; 360 looks all round", "", fov<D>},
+        Command<D>{"freeze", "", "keep the culling view; eye, look and fov move the display view", "F", freeze<D>},
+        Command<D>{"unfreeze", "", "the display view is the culling view again", "Shift+F", unfreeze<D>},
+    };
+    return table;
+}
+
+template std::span<const Command<2>> view_commands<2>();
+
+}  // namespace sightline

@@ -1,0 +1,24 @@
+// Inversions, most wasted primitives first.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shell/panels/panel_table.h"
+
+namespace sightline {
+
+template <int D>
+std::vector<Row> inversion_rows(const Workbench<D>& bench) {
+    const auto found = bench.session.inversions();
+    std::vector<Row> rows{{std::to_string(found.size()) + " inversions in the recorded run", Tone::heading}};
+    for (const Inversion& i : found) {
+        Row row{"step " + std::to_string(i.step) + ": hidden cell " + std::to_string(i.cell) + " before cell " +
+                std::to_string(i.waiting) + ", " + std::to_string(i.wasted) + " wasted, " +
+                (i.kind == Inversion::Kind::mis_ranked ? "mis-ranked" : "unreached")};
+        row.cell = i.cell;
+        row.command = "seek " + std::to_string(i.step) + "; select " + std::to_string(i.waiting);
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+template std::vector<Row> inversion_rows<2>(const Workbench<2>&);
+
+}  // namespace sightline

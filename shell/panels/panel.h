@@ -1,0 +1,49 @@
+// Panels as data: what each says, line by line, with what a click on a line does. The window draws them, the command
+// `panels` writes them as text. Adding one is a file and a row of the table.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "shell/bench/workbench.h"
+
+namespace sightline {
+
+/// How a line is meant.
+enum class Tone : std::uint8_t { plain, heading, faint, good, bad, lit };
+
+struct Row {
+    std::string text;
+    Tone tone = Tone::plain;
+    std::string command;        ///< what a click runs; empty: nothing
+    std::uint32_t cell = none;  ///< outlined everywhere while the mouse is over the line
+    int indent = 0;
+    std::string tip;  ///< shown while the mouse rests on it
+};
+
+/// The column of the window that a panel stands in.
+enum class Column : std::uint8_t { left, right };
+
+template <int D>
+struct Panel {
+    std::string_view id;
+    std::string_view title;
+    std::string_view text;  ///< what it is for, one line
+    Column column = Column::right;
+    std::vector<Row> (*rows)(const Workbench<D>&);
+};
+
+template <int D>
+std::span<const Panel<D>> panel_table();
+
+/// nullptr when there is no panel of this id.
+template <int D>
+const Panel<D>* find_panel(std::string_view id);
+
+/// All panels as text, each under its title.
+template <int D>
+std::string panels_text(const Workbench<D>& bench);
+
+}  // namespace sightline

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shell/panels/panel_table.h"
+
+#include <algorithm>
+#include <array>
+
+namespace sightline {
+
+template <int D>
+std::span<const Panel<D>> panel_table() {
+    static constexpr std::array table{
+        Panel<D>{"run", "Run", "where the run stands, and under which conditions", Column::left, run_rows<D>},
+        Panel<D>{"settings", "Settings", "every setting with its source", Column::left, settings_rows<D>},
+        Panel<D>{"why", "Why", "why this cell now, and why the selected cell not yet", Column::right, why_rows<D>},
+        Panel<D>{"front", "Front", "the front, first to last", Column::right, front_rows<D>},
+        Panel<D>{"inversions", "Inversions", "hidden cells projected before visible ones", Column::right,
+                 inversion_rows<D>},
+        Panel<D>{"breakpoints", "Breakpoints", "where a run stops, and marks", Column::right, breakpoint_rows<D>},
+        Panel<D>{"notes", "Notes", "notes and bookmarks", Column::right, note_rows<D>},
+    };
+    return table;
+}
+
+template <int D>
+const Panel<D>* find_panel(std::string_view id) {
+    const auto table = panel_table<D>();
+    const auto found = std::find_if(table.begin(), table.end(), [&](const Panel<D>& p) { return p.id == id; });
+    return found == table.end() ? nullptr : &*found;
+}
+
+template <int D>
+std::string panels_text(const Workbench<D>& bench) {
+    std::string text;
+    for (const Panel<D>& panel : panel_table<D>()) {
+        text += "== " + std::string(panel.title) + " ==\n";
+        for (const Row& row : panel.rows(bench))
+            text += std::string(2 * static_cast<std::size_t>(row.indent), ' ') + row.text + "\n";
+        text += "\n";
+    }
+    return text;
+}
+
+template std::span<const Panel<2>> panel_table<2>();
+template const Panel<2>* find_panel<2>(std::string_view);
+template std::string panels_text<2>(const Workbench<2>&);
+
+}  // namespace sightline

@@ -1,0 +1,37 @@
+// Where the run stands, and under which conditions.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/number.h"
+#include "core/session/report.h"
+#include "shell/panels/panel_table.h"
+
+namespace sightline {
+
+template <int D>
+std::vector<Row> run_rows(const Workbench<D>& bench) {
+    const Session<D>& s = bench.session;
+    std::vector<Row> rows;
+    const auto add = [&](std::string text, Tone tone = Tone::plain) {
+        Row row;
+        row.text = std::move(text);
+        row.tone = tone;
+        rows.push_back(std::move(row));
+    };
+    add(s.scene().title.empty() ? s.scene().id : s.scene().title, Tone::heading);
+    if (!s.scene().lesson.empty()) add(s.scene().lesson, Tone::faint);
+    add("step " + std::to_string(s.position()) + " of " + std::to_string(s.recorded()) + ", " +
+        std::string(transport_words[static_cast<std::size_t>(transport_state(bench))]));
+    add(std::string(s.method().title) + " (" + std::string(s.method().id) + "), " +
+        (s.method().guarantee == Guarantee::approximate ? "approximate" : "conservative"));
+    add(std::to_string(s.state().rendered_count) + " rendered of " + std::to_string(s.scene().primitives.size()));
+    const auto share = coverage(s.reference(), s.visible_rendered());
+    const auto best = oracle(s.reference(), s.state().rendered_count);
+    add(std::to_string(s.visible_rendered()) + " of " + std::to_string(s.reference().count) + " visible, coverage " +
+        (share ? short_number(*share) : "none") + ", oracle " + (best ? short_number(*best) : "none"));
+    add("state " + hash_text(s.hash()), Tone::faint);
+    add(conditions(s), Tone::faint);
+    return rows;
+}
+
+template std::vector<Row> run_rows<2>(const Workbench<2>&);
+
+}  // namespace sightline
