@@ -144,6 +144,36 @@ TEST(Condition, StopsAtTheFirstStepWhereItHolds) {
     EXPECT_GT(stops, 30);
 }
 
+TEST(Condition, MatchesAreTheStepsThatARunWouldStopAt) {
+    Random random(35);
+    constexpr const char* texts[] = {
+        "hidden_now > 0", "rho > runner_up - 0.05", "inversion == 1", "step > 3", "0", "penalties > 0 && front > 4",
+        "coverage > 0.5"};
+    std::size_t found = 0, passed = 0;
+    for (int i = 0; i < 100; ++i) {
+        Session<2> session = test::random_start(random).session();
+        session.run(static_cast<std::uint32_t>(random.below(80)));
+        const Condition<2> condition(texts[random.below(std::size(texts))]);
+        std::vector<std::uint32_t> wanted;
+        Session<2> walker = session;
+        while (walker.back()) {
+        }
+        while (walker.position() < session.recorded()) {
+            walker.step();
+            if (condition.holds(walker)) wanted.push_back(walker.position());
+        }
+        session.seek(static_cast<std::uint32_t>(random.below(session.position() + 1)));
+        if (random.below(3) == 0) session.set_time_stop(session.position());
+        const std::uint32_t position = session.position();
+        ASSERT_EQ(matches(session, condition), wanted) << condition.text();
+        ASSERT_EQ(session.position(), position);
+        found += wanted.size();
+        passed += session.recorded() - wanted.size();
+    }
+    EXPECT_GT(found, 200u);
+    EXPECT_GT(passed, 200u);
+}
+
 /// A session at its second step, where step = 2.
 Session<2> at_second_step() {
     Random random(33);

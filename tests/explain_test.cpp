@@ -125,7 +125,7 @@ TEST(Explain, AStepsTermsAreTheKeysThatTheStateHas) {
 
 TEST(Explain, ACellsChainLeadsFromASeedToItsKey) {
     Random random(42);
-    std::size_t longest = 0, clean_reasons = 0;
+    std::size_t longest = 0, clean_reasons = 0, kept = 0;
     for (int i = 0; i < 200; ++i) {
         const test::Start start = test::random_cell_start(random);
         Session<2> session = start.session();
@@ -134,6 +134,16 @@ TEST(Explain, ACellsChainLeadsFromASeedToItsKey) {
         const auto marks = test::marks(session);
         const auto front = test::sorted_front(marks);
         const auto seeds = seed_cells(session.frame());
+        const auto entries = front_entries(session);
+        ASSERT_EQ(entries.size(), front.size());
+        for (std::size_t k = 0; k < front.size(); ++k) {
+            ASSERT_EQ(entries[k].cell, front[k].cell);
+            ASSERT_EQ(entries[k].key, front[k].key);
+            ASSERT_EQ(entries[k].stamp, front[k].stamp);
+        }
+        std::vector<StepExplanation> steps;
+        for (std::uint32_t step = 1; step <= session.position(); ++step) steps.push_back(explain_step(session, step));
+        const int digits = steps.empty() ? 3 : steps.back().digits();
         for (std::uint32_t cell = 0; cell < marks.size(); ++cell) {
             const CellExplanation e = explain_cell(session, cell);
             ASSERT_EQ(e.cell, cell);
@@ -172,11 +182,41 @@ TEST(Explain, ACellsChainLeadsFromASeedToItsKey) {
                     ASSERT_LT(e.chain[k - 1].step, link.step);
                 }
             }
-            for (const std::string& row : rows(e, session.settings()))
-                ASSERT_TRUE(!row.empty() && row.find('\n') == std::string::npos) << row;
+            // Reached: every key that any step computed for it.
+            std::size_t found = 0;
+            for (const StepExplanation& step : steps)
+                for (const FacetExplanation& facet : step.facets) {
+                    if (facet.neighbour != cell || !facet.terms) continue;
+                    ASSERT_LT(found, e.reached.size());
+                    ASSERT_EQ(e.reached[found].step, step.step);
+                    ASSERT_EQ(e.reached[found].update.facet, facet.facet);
+                    ASSERT_EQ(e.reached[found].update.rule, facet.rule);
+                    ASSERT_EQ(e.reached[found].update.terms, facet.terms);
+                    ASSERT_EQ(e.reached[found].update.before, facet.before);
+                    kept += facet.rule == Rule::kept;
+                    ++found;
+                }
+            ASSERT_EQ(e.reached.size(), found);
+            ASSERT_EQ(e.digits, digits);
+
+            const auto text = rows(e, session.settings());
+            for (const std::string& row : text) ASSERT_TRUE(!row.empty() && row.find('\n') == std::string::npos) << row;
+            const bool more = found > 1;
+            ASSERT_EQ(text.size(), 1 + !e.held_back_by.empty() + e.chain.size() + (more ? 1 + found : 0));
+            if (!e.chain.empty()) {
+                const std::string wanted = formula(*e.chain.back().update.terms, session.settings(), digits);
+                ASSERT_TRUE(text[e.chain.size() + !e.held_back_by.empty()].ends_with(wanted));
+            }
+            for (std::size_t k = 0; more && k < found; ++k) {
+                const std::string& row = text[text.size() - found + k];
+                ASSERT_EQ(row.find("    step " + std::to_string(e.reached[k].step) + ": cell "), 0u) << row;
+                const auto rule = rule_words[static_cast<std::size_t>(e.reached[k].update.rule)];
+                ASSERT_NE(row.find(rule), std::string::npos) << row;
+            }
         }
     }
     EXPECT_GT(longest, 5u);
+    EXPECT_GT(kept, 100u);
     EXPECT_GT(clean_reasons, 100u);
 }
 
@@ -192,7 +232,7 @@ TEST(Explain, SentencesTellTheTwoKeysApartOrSayTie) {
             ASSERT_EQ(text.find("Step " + std::to_string(e.step) + ": cell " + std::to_string(e.cell) + " "), 0u);
             ASSERT_EQ(text.back(), '.');
             const bool tie = e.runner_up != none && e.runner_up_key == e.key;
-            ASSERT_EQ(text.find(" tie") != std::string::npos, tie) << text;
+            ASSERT_EQ(text.find("tie, older stamp wins") != std::string::npos, tie) << text;
             ASSERT_EQ(text.find("alone in the front") != std::string::npos, e.runner_up == none) << text;
             if (e.runner_up != none) {
                 ASSERT_NE(text.find("cell " + std::to_string(e.runner_up) + " "), std::string::npos) << text;
@@ -210,6 +250,12 @@ TEST(Explain, SentencesTellTheTwoKeysApartOrSayTie) {
             const auto lines = rows(e, session.settings());
             ASSERT_EQ(lines.size(), e.facets.size() + 1);
             ASSERT_EQ(lines.front(), text);
+            ASSERT_EQ(e.digits(), e.runner_up == none ? 3 : separating_digits(e.key, e.runner_up_key));
+            for (std::size_t k = 0; k < e.facets.size(); ++k)
+                if (e.facets[k].terms) {
+                    const std::string wanted = formula(*e.facets[k].terms, session.settings(), e.digits());
+                    ASSERT_NE(lines[k + 1].find(wanted), std::string::npos) << lines[k + 1];
+                }
             ties += tie;
             alone += e.runner_up == none;
         }

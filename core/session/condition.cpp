@@ -4,7 +4,6 @@
 #include <muParser.h>
 
 #include <limits>
-#include <vector>
 
 #include "core/error.h"
 #include "core/scene/text.h"
@@ -172,7 +171,21 @@ bool Condition<D>::holds(const Session<D>& session) const {
     return result == result && result != 0;
 }
 
+template <int D>
+std::vector<std::uint32_t> matches(const Session<D>& session, const Condition<D>& condition) {
+    std::vector<std::uint32_t> steps;
+    Session<D> walker = session;
+    walker.set_time_stop(none);
+    walker.seek(0);
+    for (std::uint32_t step = 1; step <= session.recorded(); ++step) {
+        walker.seek(step);
+        if (condition.holds(walker)) steps.push_back(step);
+    }
+    return steps;
+}
+
 template std::span<const RecordField<2>> record_fields<2>();
 template class Condition<2>;
+template std::vector<std::uint32_t> matches<2>(const Session<2>&, const Condition<2>&);
 
 }  // namespace sightline

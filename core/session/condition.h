@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/session/session.h"
 
@@ -43,5 +44,9 @@ private:
 };
 
 extern template class Condition<2>;
+
+/// Every recorded step, rising, after which the condition holds, wherever the session stands.
+template <int D>
+std::vector<std::uint32_t> matches(const Session<D>& session, const Condition<D>& condition);
 
 }  // namespace sightline

@@ -2,7 +2,6 @@
 #include "core/session/explain.h"
 
 #include <algorithm>
-#include <map>
 
 #include "core/number.h"
 
@@ -36,20 +35,48 @@ std::string heaviest_term(const Terms& t) {
     return "nothing but its stamp: its key is 0";
 }
 
-/// For every cell the update that set the key in force at the position: step and index of the facet.
+/// Per cell the step, up to the position, that projected it; 0: none.
 template <int D>
-std::map<std::uint32_t, std::pair<std::uint32_t, std::size_t>> updates_in_force(const Session<D>& session) {
-    std::map<std::uint32_t, std::pair<std::uint32_t, std::size_t>> updates;
-    for (std::uint32_t step = 1; step <= session.position(); ++step) {
-        const std::uint32_t cell = session.timeline().steps[step - 1].cell;
-        if (cell == none) continue;
+std::vector<std::uint32_t> steps_of_projection(const Session<D>& session) {
+    std::vector<std::uint32_t> steps(session.cells().cell_count(), 0);
+    for (std::uint32_t step = 1; step <= session.position(); ++step)
+        if (const std::uint32_t cell = session.timeline().steps[step - 1].cell; cell != none) steps[cell] = step;
+    return steps;
+}
+
+/// A facet that a cell was reached through: the step, and the facet's place in the row of the cell of that step.
+struct Reach {
+    std::uint32_t step;
+    std::uint32_t index;
+    auto operator<=>(const Reach&) const = default;
+};
+
+/// Every facet across which a key was computed for the cell, in the order of steps. `projected_at` is
+/// steps_of_projection.
+template <int D>
+std::vector<Reach> reaches(const Session<D>& session, std::uint32_t cell,
+                           const std::vector<std::uint32_t>& projected_at) {
+    std::vector<Reach> found;
+    for (const HalfFacet& own : session.cells().facets_of(cell)) {
+        const std::uint32_t step = own.neighbour == none ? 0 : projected_at[own.neighbour];
+        if (step == 0) continue;
+        const auto facets = session.cells().facets_of(own.neighbour);
         const auto records = session.timeline().facets_of(step);
-        const auto facets = session.cells().facets_of(cell);
-        for (std::size_t i = 0; i < records.size(); ++i)
-            if (records[i].rule == Rule::enqueued || records[i].rule == Rule::reenqueued)
-                updates[facets[i].neighbour] = {step, i};
+        for (std::uint32_t i = 0; i < records.size(); ++i)
+            if (facets[i].facet() == own.facet() &&
+                (records[i].rule == Rule::enqueued || records[i].rule == Rule::reenqueued ||
+                 records[i].rule == Rule::kept))
+                found.push_back({step, i});
     }
-    return updates;
+    std::sort(found.begin(), found.end());
+    return found;
+}
+
+template <int D>
+ChainLink link(const Session<D>& session, const Reach& reach) {
+    const std::uint32_t from = session.timeline().steps[reach.step - 1].cell;
+    const FacetRecord& record = session.timeline().facets_of(reach.step)[reach.index];
+    return {reach.step, explain_facet(session, from, reach.index, record)};
 }
 
 template <int D>
@@ -67,21 +94,20 @@ std::uint32_t rank_in_front(const Session<D>& session, std::uint32_t cell) {
 template <int D>
 std::string what_keeps_it_out(const Session<D>& session, std::uint32_t cell) {
     if (session.state().mark(cell).state == CellState::unseen) return "it lies outside the view";
-    std::uint32_t best = none, best_rank = 0, unseen = 0, neighbours = 0;
+    std::optional<Front::Entry> best;
+    std::uint32_t unseen = 0, neighbours = 0;
     for (const HalfFacet& half : session.cells().facets_of(cell)) {
         if (half.neighbour == none) continue;
         ++neighbours;
-        unseen += session.state().mark(half.neighbour).state == CellState::unseen;
-        const std::uint32_t rank = rank_in_front(session, half.neighbour);
-        if (rank > 0 && (best == none || rank < best_rank)) {
-            best = half.neighbour;
-            best_rank = rank;
-        }
+        const CellMark mark = session.state().mark(half.neighbour);
+        unseen += mark.state == CellState::unseen;
+        const Front::Entry entry{mark.key, mark.stamp, half.neighbour};
+        if (mark.state == CellState::enqueued && (!best || entry.before(*best))) best = entry;
     }
     if (!session.method().orders_cells) return "the method orders primitives, not cells";
-    if (best != none)
-        return "no neighbour is projected yet; the first will be " + cell_name(best) + ", number " +
-               std::to_string(best_rank) + " in the front";
+    if (best)
+        return "no neighbour is projected yet; the first will be " + cell_name(best->cell) + ", number " +
+               std::to_string(rank_in_front(session, best->cell)) + " in the front";
     if (unseen == neighbours) return "all its neighbours lie outside the view";
     if (session.state().partial_cell != none)
         return "the budget ended before the neighbours of the last cell were added";
@@ -99,15 +125,23 @@ int separating_digits(double a, double b) {
     return 17;
 }
 
+std::string formula_sum(const Terms& t, int digits) {
+    return short_number(t.density, digits) + " + " + short_number(t.weight, digits) + " · " +
+           short_number(t.rho_a, digits) + " = " + short_number(t.unpenalised, digits);
+}
+
+std::string formula_penalty(const Terms& t, const Settings& settings, int digits) {
+    return (settings.penalty == Penalty::multiply ? "× " : "+ ") + short_number(settings.penalty_amount, digits) +
+           " (not star-shaped) = " + short_number(t.key, digits);
+}
+
 std::string formula(const Terms& t, const Settings& settings, int digits) {
-    const auto number = [&](double v) { return short_number(v, digits); };
-    std::string text =
-        "ρ = " + number(t.density) + " + " + number(t.weight) + " · " + number(t.rho_a) + " = " + number(t.unpenalised);
-    if (t.penalised())
-        text += std::string(settings.penalty == Penalty::multiply ? ", × " : ", + ") + number(settings.penalty_amount) +
-                " (not star-shaped) = " + number(t.key);
+    std::string text = "ρ = " + formula_sum(t, digits);
+    if (t.penalised()) text += ", " + formula_penalty(t, settings, digits);
     return text;
 }
+
+int StepExplanation::digits() const { return runner_up == none ? 3 : separating_digits(key, runner_up_key); }
 
 template <int D>
 StepExplanation explain_step(const Session<D>& session, std::uint32_t step) {
@@ -134,6 +168,7 @@ StepExplanation explain_step(const Session<D>& session, std::uint32_t step) {
 
 std::vector<std::string> rows(const StepExplanation& step, const Settings& settings) {
     std::vector<std::string> text{sentence(step)};
+    const int digits = step.digits();
     for (const FacetExplanation& facet : step.facets) {
         if (facet.neighbour == none) {
             text.push_back("  border: no neighbour");
@@ -141,12 +176,12 @@ std::vector<std::string> rows(const StepExplanation& step, const Settings& setti
         }
         std::string row =
             "  " + cell_name(facet.neighbour) + ": " + std::string(rule_words[static_cast<std::size_t>(facet.rule)]);
-        if (facet.terms) row += ", " + formula(*facet.terms, settings);
+        if (facet.terms) row += ", " + formula(*facet.terms, settings, digits);
         if (facet.rule == Rule::reenqueued || facet.rule == Rule::kept) {
             const double now = facet.rule == Rule::kept ? facet.before.key : facet.terms->key;
-            const int digits = separating_digits(facet.before.key, now);
-            row += " (key before " + short_number(facet.before.key, digits) +
-                   (facet.rule == Rule::kept ? ", stays)" : ", now " + short_number(now, digits) + ")");
+            const int apart = std::max(digits, separating_digits(facet.before.key, now));
+            row += " (key before " + short_number(facet.before.key, apart) +
+                   (facet.rule == Rule::kept ? ", stays)" : ", now " + short_number(now, apart) + ")");
         }
         text.push_back(row);
     }
@@ -158,12 +193,12 @@ std::string sentence(const StepExplanation& step) {
     if (step.cell == none) {
         text += "a batch of primitives in the method's order";
     } else {
-        const int digits = step.runner_up == none ? 3 : separating_digits(step.key, step.runner_up_key);
+        const int digits = step.digits();
         text += cell_name(step.cell) + " has the lowest key, " + short_number(step.key, digits);
         if (step.runner_up == none)
             text += ", and was alone in the front";
         else if (step.runner_up_key == step.key)
-            text += "; " + cell_name(step.runner_up) + " has the same: a tie, the older stamp wins";
+            text += "; " + cell_name(step.runner_up) + " has the same: tie, older stamp wins";
         else
             text +=
                 "; the runner-up is " + cell_name(step.runner_up) + " with " + short_number(step.runner_up_key, digits);
@@ -182,15 +217,24 @@ CellExplanation explain_cell(const Session<D>& session, std::uint32_t cell) {
     e.cell = cell;
     e.mark = session.state().mark(cell);
     e.visible_share = session.reference().cell_share[cell];
-    for (std::uint32_t step = 1; step <= session.position(); ++step)
-        if (session.timeline().steps[step - 1].cell == cell) e.projected_at = step;
     e.rank = rank_in_front(session, cell);
-    const auto updates = updates_in_force(session);
-    for (auto update = updates.find(cell); update != updates.end();) {
-        const auto [step, index] = update->second;
-        const std::uint32_t from = session.timeline().steps[step - 1].cell;
-        e.chain.push_back({step, explain_facet(session, from, index, session.timeline().facets_of(step)[index])});
-        update = updates.find(from);
+    if (session.position() > 0) {
+        const StepRecord& last = session.timeline().steps[session.position() - 1];
+        if (last.runner_up != none)
+            e.digits = separating_digits(session.state().mark(last.cell).key, last.runner_up_key);
+    }
+    const std::vector<std::uint32_t> projected_at = steps_of_projection(session);
+    e.projected_at = projected_at[cell];
+    std::vector<Reach> reached = reaches(session, cell, projected_at);
+    for (const Reach& reach : reached) e.reached.push_back(link(session, reach));
+    // Back to the seed: what a cell was last given by is what its key comes from.
+    for (;;) {
+        while (!reached.empty() &&
+               session.timeline().facets_of(reached.back().step)[reached.back().index].rule == Rule::kept)
+            reached.pop_back();
+        if (reached.empty()) break;
+        e.chain.push_back(link(session, reached.back()));
+        reached = reaches(session, e.chain.back().update.from, projected_at);
     }
     std::reverse(e.chain.begin(), e.chain.end());
     if (e.mark.state == CellState::enqueued)
@@ -206,19 +250,39 @@ std::vector<std::string> rows(const CellExplanation& cell, const Settings& setti
                        std::string(cell_state_words[static_cast<std::size_t>(cell.mark.state)]);
     if (cell.projected_at > 0) head += " in step " + std::to_string(cell.projected_at);
     if (cell.mark.state == CellState::projected || cell.mark.state == CellState::enqueued)
-        head += ", key " + short_number(cell.mark.key);
+        head += ", key " + short_number(cell.mark.key, cell.digits);
     if (cell.rank > 0) head += ", number " + std::to_string(cell.rank) + " in the front";
     head += cell.visible_share > 0 ? ", holds " + percent(cell.visible_share) + " of what is visible" : ", hidden";
     text.push_back(head + ".");
     if (!cell.held_back_by.empty())
         text.push_back((cell.rank > 0 ? "  held back by: " : "  not in the front: ") + cell.held_back_by + ".");
-    for (const ChainLink& link : cell.chain)
-        text.push_back("  step " + std::to_string(link.step) + ": " + cell_name(link.update.from) + " -> " +
-                       cell_name(link.update.neighbour) + ", " + formula(*link.update.terms, settings));
+    const auto add = [&](const ChainLink& link, const char* indent, const std::string& what) {
+        text.push_back(indent + ("step " + std::to_string(link.step)) + ": " + cell_name(link.update.from) + " -> " +
+                       cell_name(link.update.neighbour) + ", " + what +
+                       formula(*link.update.terms, settings, cell.digits));
+    };
+    for (const ChainLink& link : cell.chain) add(link, "  ", "");
+    if (cell.reached.size() > 1) {  // the chain ends with one of them
+        text.push_back("  reached through " + std::to_string(cell.reached.size()) + " facets:");
+        for (const ChainLink& link : cell.reached)
+            add(link, "    ", std::string(rule_words[static_cast<std::size_t>(link.update.rule)]) + ", ");
+    }
     return text;
+}
+
+template <int D>
+std::vector<Front::Entry> front_entries(const Session<D>& session) {
+    std::vector<Front::Entry> entries;
+    entries.reserve(session.state().front_size);
+    for (std::uint32_t cell = 0; cell < session.cells().cell_count(); ++cell)
+        if (const CellMark mark = session.state().mark(cell); mark.state == CellState::enqueued)
+            entries.push_back({mark.key, mark.stamp, cell});
+    std::sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) { return a.before(b); });
+    return entries;
 }
 
 template StepExplanation explain_step<2>(const Session<2>&, std::uint32_t);
 template CellExplanation explain_cell<2>(const Session<2>&, std::uint32_t);
+template std::vector<Front::Entry> front_entries<2>(const Session<2>&);
 
 }  // namespace sightline

@@ -30,6 +30,9 @@ struct StepExplanation {
     std::uint32_t rendered = 0, visible = 0;  ///< in this step; visible: of those the ones in V
     double visible_share = 0;                 ///< of the cell
     std::vector<FacetExplanation> facets;
+
+    /// Significant digits that show its numbers and tell the popped key from the runner-up's.
+    int digits() const;
 };
 
 /// `step` in [1, position()].
@@ -56,16 +59,31 @@ struct CellExplanation {
     std::uint32_t rank = 0;          ///< place in the front, from 1; 0: not in it
     double visible_share = 0;
     std::vector<ChainLink> chain;  ///< the updates in force, from the seed to the cell; empty for a seed
-    std::string held_back_by;      ///< for a cell not yet projected: the term, or what keeps it from the front
+    /// Every key computed for the cell so far, in the order of steps: one for each facet that it was reached through,
+    /// also where it kept the key that it had.
+    std::vector<ChainLink> reached;
+    std::string held_back_by;  ///< for a cell not yet projected: the term, or what keeps it from the front
+    int digits = 3;            ///< StepExplanation::digits() of the last step
 };
 
+/// Cost: steps + cells, and the reference where it is not made yet.
 template <int D>
 CellExplanation explain_cell(const Session<D>& session, std::uint32_t cell);
 
 std::vector<std::string> rows(const CellExplanation& cell, const Settings& settings);
 
+/// The front, first to last.
+template <int D>
+std::vector<Front::Entry> front_entries(const Session<D>& session);
+
 /// A line such as "ρ = 3/21 + 0.87 · 0.25 = 0.36, × 2 (not star-shaped) = 0.72".
 std::string formula(const Terms& terms, const Settings& settings, int digits = 3);
+
+/// Its first part, up to the penalty: "0.143 + 0.87 · 0.25 = 0.36".
+std::string formula_sum(const Terms& terms, int digits = 3);
+
+/// Its second part, of a penalised key: "× 2 (not star-shaped) = 0.72".
+std::string formula_penalty(const Terms& terms, const Settings& settings, int digits = 3);
 
 /// As few significant digits, but no fewer than 3, as tell two different keys apart.
 int separating_digits(double a, double b);

@@ -84,6 +84,11 @@ public:
     std::uint32_t time_stop() const { return time_stop_; }
     void set_time_stop(std::uint32_t step) { time_stop_ = step; }
 
+    /// A copy, for pictures and words only, that shows the last step done up to and including one of its substeps
+    /// (substep.h): nothing further is in its marks, its counters or its record of the step. The session itself from
+    /// the last substep on, and at step 0.
+    Session in_the_middle(std::uint32_t substep) const;
+
     // Changing it. Each keeps the step as far as the new traversal has it, and the selection.
     /// What was made again.
     Invalidates change(const Settings& settings);

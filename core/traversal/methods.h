@@ -27,6 +27,7 @@ struct Method {
     Stop (*record)(const Frame<D>&, State<D>&, Timeline&);
     /// The terms of the key of the cell behind `half`, a facet of `a`; nullptr for orders of primitives.
     Terms (*terms)(const Frame<D>&, std::uint32_t a, double rho_a, const HalfFacet& half);
+    bool updates_enqueued = false;  ///< a cell in the front that is reached again may get a new key
 };
 
 /// Runs `step(frame, state, sink)` until it stops or `steps` steps were made.
@@ -56,7 +57,8 @@ Method<D> cell_method(std::string_view id, std::string_view title, std::string_v
                 Recorder recorder{timeline};
                 return step_cells<D, Heuristic>(frame, state, recorder);
             },
-            Heuristic::template terms<D>};
+            Heuristic::template terms<D>,
+            Heuristic::updates_enqueued};
 }
 
 /// The row of an order of primitives (orders.h).

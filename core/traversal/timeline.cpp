@@ -10,9 +10,8 @@ namespace {
 /// Exchanges the neighbours' marks with those in the records.
 template <int D>
 void exchange(State<D>& state, const CellComplex<D>& cells, std::uint32_t cell, std::span<FacetRecord> records) {
-    if (records.empty()) return;  // the budget ended the step before the neighbours
     const auto facets = cells.facets_of(cell);
-    for (std::size_t i = 0; i < facets.size(); ++i) {
+    for (std::size_t i = 0; i < records.size(); ++i) {  // none where the budget ended the step before the neighbours
         FacetRecord& record = records[i];
         if (record.rule == Rule::border) continue;
         const CellMark here = state.mark(facets[i].neighbour);

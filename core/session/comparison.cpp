@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/comparison.h"
+
+#include <algorithm>
+
+#include "core/number.h"
+#include "core/session/explain.h"
+#include "core/session/lanes.h"
+
+namespace sightline {
+
+namespace {
+
+/// The primitives that a recorded step rendered, in order.
+template <int D>
+std::vector<std::uint32_t> rendered_in(const Session<D>& session, std::uint32_t step) {
+    const std::uint32_t first = session.timeline().touched_before(step);
+    const std::uint32_t end = session.timeline().steps[step - 1].touched_count;
+    std::vector<std::uint32_t> primitives;
+    for (std::uint32_t i = first; i < end; ++i)
+        if (const std::uint32_t entry = session.state().touched[i]; !(entry & State<D>::culled_bit))
+            primitives.push_back(entry);
+    return primitives;
+}
+
+/// A copy before a step, or at the end of the recording where it has no such step.
+template <int D>
+Session<D> before_step(const Session<D>& session, std::uint32_t step) {
+    Session<D> copy = session;
+    copy.set_time_stop(none);
+    copy.seek(std::min(step - 1, session.recorded()));
+    return copy;
+}
+
+/// What one side does in a step. `theirs` is the cell that the other side pops, none where cell ids do not compare.
+template <int D>
+std::string what_it_does(const Session<D>& session, const std::string& name, std::uint32_t step, std::uint32_t theirs,
+                         int digits) {
+    if (step > session.recorded())
+        return name + " is recorded for " + std::to_string(session.recorded()) +
+               (session.recorded() == 1 ? " step" : " steps") + " only";
+    const std::uint32_t cell = session.timeline().steps[step - 1].cell;
+    if (cell == none) {
+        const auto primitives = rendered_in(session, step);
+        return name + " renders " + std::to_string(primitives.size()) +
+               (primitives.size() == 1 ? " primitive" : " primitives") +
+               (primitives.empty() ? "" : ", first " + std::to_string(primitives.front()));
+    }
+    const Session<D> before = before_step(session, step);
+    std::string text = name + " projects cell " + std::to_string(cell) + " with key " +
+                       short_number(before.state().mark(cell).key, digits);
+    if (theirs == none || theirs == cell) return text;
+    const CellMark mark = before.state().mark(theirs);
+    text += " (its cell " + std::to_string(theirs) + ": " +
+            std::string(cell_state_words[static_cast<std::size_t>(mark.state)]);
+    if (mark.state == CellState::enqueued || mark.state == CellState::projected)
+        text += ", key " + short_number(mark.key, digits);
+    return text + ")";
+}
+
+/// The digits that tell the keys of a side's popped cell and of the other side's apart.
+template <int D>
+int digits_of(const Session<D>& session, std::uint32_t step, std::uint32_t theirs) {
+    if (step > session.recorded()) return 3;
+    const std::uint32_t cell = session.timeline().steps[step - 1].cell;
+    if (cell == none || theirs == none) return 3;
+    const Session<D> before = before_step(session, step);
+    const CellMark mark = before.state().mark(theirs);
+    return mark.state == CellState::enqueued ? separating_digits(before.state().mark(cell).key, mark.key) : 3;
+}
+
+}  // namespace
+
+template <int D>
+bool same_cells(const Session<D>& a, const Session<D>& b) {
+    const CellComplex<D>&x = a.cells(), &y = b.cells();
+    if (&x == &y) return true;  // a copy
+    return x.points == y.points && x.cell_point_begin == y.cell_point_begin && x.cell_points == y.cell_points &&
+           x.facet_point_begin == y.facet_point_begin && x.facet_points == y.facet_points &&
+           x.cell_facet_begin == y.cell_facet_begin &&
+           std::equal(x.half_facets.begin(), x.half_facets.end(), y.half_facets.begin(), y.half_facets.end(),
+                      [](const HalfFacet& f, const HalfFacet& g) {
+                          return f.neighbour == g.neighbour && f.facet_side == g.facet_side;
+                      });
+}
+
+template <int D>
+std::vector<Side> projected_sides(const Session<D>& a, const Session<D>& b) {
+    std::vector<Side> sides;
+    if (!same_cells(a, b)) return sides;
+    sides.reserve(a.cells().cell_count());
+    for (std::uint32_t cell = 0; cell < a.cells().cell_count(); ++cell) {
+        const bool left = a.state().mark(cell).state == CellState::projected;
+        const bool right = b.state().mark(cell).state == CellState::projected;
+        sides.push_back(left && right ? Side::both : left ? Side::left : right ? Side::right : Side::neither);
+    }
+    return sides;
+}
+
+template <int D>
+std::optional<std::uint32_t> first_difference(const Session<D>& a, const Session<D>& b) {
+    const bool by_cells = a.method().orders_cells && b.method().orders_cells && same_cells(a, b);
+    const std::uint32_t common = std::min(a.recorded(), b.recorded());
+    for (std::uint32_t step = 1; step <= common; ++step) {
+        const bool same = by_cells ? a.timeline().steps[step - 1].cell == b.timeline().steps[step - 1].cell
+                                   : rendered_in(a, step) == rendered_in(b, step);
+        if (!same) return step;
+    }
+    if (a.recorded() != b.recorded()) return common + 1;
+    return std::nullopt;
+}
+
+template <int D>
+void follow(const Session<D>& lead, Session<D>& other, Align align) {
+    if (align == Align::step) {
+        other.seek(lead.position());
+        return;
+    }
+    const std::uint32_t wanted = lead.state().rendered_count;
+    other.seek(step_of_rendered(other, wanted));
+    while (other.state().rendered_count < wanted)
+        if (other.step() != Stop::none) return;
+}
+
+template <int D>
+std::string difference_sentence(const Session<D>& a, const Session<D>& b, std::uint32_t step) {
+    const bool comparable = same_cells(a, b);
+    const auto popped = [&](const Session<D>& session) {
+        return comparable && step <= session.recorded() ? session.timeline().steps[step - 1].cell : none;
+    };
+    const std::uint32_t left = popped(a), right = popped(b);
+    const int digits = std::max(digits_of(a, step, right), digits_of(b, step, left));
+    return "Step " + std::to_string(step) + ": " + what_it_does(a, "left", step, right, digits) + "; " +
+           what_it_does(b, "right", step, left, digits) + ".";
+}
+
+#define SIGHTLINE_INSTANTIATE(D)                                                                     \
+    template bool same_cells<D>(const Session<D>&, const Session<D>&);                               \
+    template std::vector<Side> projected_sides<D>(const Session<D>&, const Session<D>&);             \
+    template std::optional<std::uint32_t> first_difference<D>(const Session<D>&, const Session<D>&); \
+    template void follow<D>(const Session<D>&, Session<D>&, Align);                                  \
+    template std::string difference_sentence<D>(const Session<D>&, const Session<D>&, std::uint32_t);
+SIGHTLINE_INSTANTIATE(2)
+#undef SIGHTLINE_INSTANTIATE
+
+}  // namespace sightline
