@@ -1,0 +1,48 @@
+// A picture that OpenGL draws off screen, and its pixels.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "core/draw/draw_list.h"
+#include "shell/gl/handles.h"
+
+namespace sightline {
+
+/// Pixels by rows, the top row first.
+struct Pixels {
+    int width = 0, height = 0;
+    std::vector<Colour> colours;
+
+    const Colour& at(int x, int y) const {
+        return colours[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
+    }
+};
+
+/// An RGBA8 framebuffer of width x height pixels.
+class GlTarget {
+public:
+    /// samples > 1: drawn with up to that many samples a pixel. Throws WorkError when the driver cannot make it.
+    GlTarget(int width, int height, int samples = 1);
+
+    int width() const { return width_; }
+    int height() const { return height_; }
+    /// Drawing goes here until another framebuffer is bound; sets the viewport to all of it.
+    void bind() const;
+    /// The picture as a texture, after resolve().
+    GLuint texture() const { return texture_.name(); }
+    /// Brings what was drawn into the texture; does nothing for one sample. Binds the default framebuffer.
+    void resolve() const;
+    /// Resolves, then reads everything back.
+    Pixels read() const;
+
+private:
+    int width_, height_;
+    GlTexture texture_;
+    GlFramebuffer single_;  ///< with the texture
+    GlRenderbuffer samples_;
+    GlFramebuffer multiple_;
+    bool multisampled_;
+};
+
+}  // namespace sightline
