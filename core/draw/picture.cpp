@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/common.hpp>
 
 #include "core/draw/cell_number.h"
 #include "core/draw/notes.h"
 #include "core/draw/palette.h"
+#include "core/draw/shown_world.h"
 #include "core/number.h"
 #include "core/session/explain.h"
 #include "core/traversal/facet_geometry.h"
@@ -19,35 +19,6 @@ namespace {
 constexpr int heat_steps = 32;
 
 std::uint16_t index(Look look) { return static_cast<std::uint16_t>(look); }
-
-/// The cell that the last step projected, if it did.
-std::uint32_t last_cell(const Session<2>& session) {
-    return session.position() > 0 ? session.timeline().steps[session.position() - 1].cell : none;
-}
-
-Box<2> shown_world(const Session<2>& session) {
-    Box<2> box = bounds<2>(session.scene().primitives);
-    const ViewSpec<2>& view = session.display_view();
-    box.add(view.eye);
-    const double side = box.longest_side();
-    // Nothing but the eye: any size will do that does not vanish beside its coordinates.
-    const Vec<2> margin((side > 0 ? side : std::max({1.0, std::abs(view.eye.x), std::abs(view.eye.y)})) * 0.05);
-    box.min -= margin;
-    box.max += margin;
-    const double zoom = session.settings().zoom;
-    if (zoom == 1) return box;
-    const Vec<2> half = box.extent() * (0.5 / zoom);
-    // The eye stands off the middle, so that more of what it looks at is shown.
-    Vec<2> centre = view.eye + make_view(view).forward() * half * 0.6;
-    std::uint32_t cell = none;
-    if (session.settings().zoom_at == ZoomAt::last) cell = last_cell(session);
-    if (session.settings().zoom_at == ZoomAt::selected) cell = session.selected_cell;
-    if (cell != none)
-        centre = session.cells().centres[cell];
-    else if (zoom > 1)
-        centre = glm::clamp(centre, box.min + half, box.max - half);  // no room is lost beside the scene
-    return {centre - half, centre + half};
-}
 
 Colour between(const std::vector<Colour>& stops, double share) {
     const double at = share * static_cast<double>(stops.size() - 1);
