@@ -31,14 +31,15 @@ Colour between(const std::vector<Colour>& stops, double share) {
 /// Builds one picture, layer by layer from the back to the front.
 class Painter {
 public:
-    Painter(const Session<2>& session, const std::optional<std::array<double, 2>>& heat_range)
+    Painter(const Session<2>& session, const PictureOptions& options)
         : session_(session), set_(session.settings()), cells_(session.cells()), colours_(colours(set_.palette)) {
-        list_.world = shown_world(session);
+        list_.world = shown_world(session, options.aspect);
         list_.styles = colours_.looks;
-        if (set_.heat != CellNumber::none && heat_range) heat_map(*heat_range);
-        if (set_.heat == CellNumber::none && set_.show_states == Switch::on) states();
+        const bool by_state = set_.heat == CellNumber::none && set_.show_states == Switch::on;
+        if (set_.heat != CellNumber::none && options.heat_range) heat_map(*options.heat_range);
+        if (by_state) options.sides.empty() ? states() : sides(options.sides);
         if (set_.show_tessellation == Switch::on) tessellation();
-        if (set_.heat == CellNumber::none && set_.show_states == Switch::on) projected_borders();
+        if (by_state && options.sides.empty()) projected_borders();
         if (set_.show_primitives == Switch::on) primitives();
         if (set_.show_view == Switch::on) view();
         if (set_.show_normals == Switch::on) normals();
@@ -64,6 +65,14 @@ private:
             if (state == CellState::enqueued) cell_shape(cell, index(Look::enqueued));
             if (state == CellState::projected) cell_shape(cell, index(Look::projected));
             if (state == CellState::unseen) cell_shape(cell, index(Look::unseen));
+        }
+    }
+
+    void sides(std::span<const Side> of_cells) {
+        for (std::uint32_t cell = 0; cell < of_cells.size(); ++cell) {
+            if (of_cells[cell] == Side::both) cell_shape(cell, index(Look::both));
+            if (of_cells[cell] == Side::left) cell_shape(cell, index(Look::only_left));
+            if (of_cells[cell] == Side::right) cell_shape(cell, index(Look::only_right));
         }
     }
 
@@ -173,6 +182,9 @@ private:
     void highlights() {
         if (const std::uint32_t last = last_cell(session_); last != none) cell_shape(last, index(Look::last));
         if (session_.selected_cell != none) cell_shape(session_.selected_cell, index(Look::selected));
+        if (session_.selected_primitive == none) return;
+        const Primitive<2>& segment = session_.scene().primitives[session_.selected_primitive];
+        list_.add(ShapeKind::polyline, index(Look::selected_primitive), {segment[0], segment[1]});
     }
 
     void chain() {
@@ -213,8 +225,8 @@ private:
 
 }  // namespace
 
-DrawList make_picture(const Session<2>& session, const std::optional<std::array<double, 2>>& heat_range) {
-    return Painter(session, heat_range).take();
+DrawList make_picture(const Session<2>& session, const PictureOptions& options) {
+    return Painter(session, options).take();
 }
 
 }  // namespace sightline
