@@ -105,7 +105,7 @@ TEST(FigurePaint, FarPointsAreCutAndShapesOutsideSkipped) {
     list.add(ShapeKind::polygon, 0, {{0, 0}, {1, 1}});   // too few points
     list.add(ShapeKind::polyline, 7, {{0, 0}, {1, 1}});  // no such style
     list.shapes.push_back({ShapeKind::polygon, 0, 1000000, 3, 0});
-    list.labels.push_back({{5, 5}, {0, 0}, "outside", Align::centre, 1, {0, 0, 0}, transparent, {}});
+    list.labels.push_back({{5, 5}, {0, 0}, "outside", TextAlign::centre, 1, {0, 0, 0}, transparent, {}});
     const Painted p = painted(figure_of(list));
     EXPECT_EQ(p.inside().size(), drawn);
     for (const Note& note : p.inside())
@@ -133,7 +133,7 @@ TEST(FigurePaint, LabelsStayInsideTheirPanelAndCalloutsHoldTheirNumber) {
     list.world = {Vec<2>(0), Vec<2>(1)};
     for (const double x : {0.0, 0.5, 1.0})
         for (const double y : {0.0, 0.5, 1.0})
-            for (const Align align : {Align::left, Align::centre, Align::right})
+            for (const TextAlign align : {TextAlign::left, TextAlign::centre, TextAlign::right})
                 for (const bool disc : {false, true}) {
                     Label label{{x, y}, {3, -2}, "ρ 128", align, 1, {0, 0, 0}, transparent, {}};
                     if (disc) label.disc = Colour{200, 0, 0};
@@ -156,7 +156,7 @@ TEST(FigurePaint, LabelsStayInsideTheirPanelAndCalloutsHoldTheirNumber) {
     }
     EXPECT_EQ(texts, 54);
     // In the middle nothing has to move: x right, y up.
-    list.labels = {{{0.5, 0.5}, {3, -2}, "x", Align::left, 1, {0, 0, 0}, transparent, {}}};
+    list.labels = {{{0.5, 0.5}, {3, -2}, "x", TextAlign::left, 1, {0, 0, 0}, transparent, {}}};
     const Painted q = painted(figure_of(list));
     const Vec<2> at = to_page(q.layout.panels[0], q.layout.scale, {0.5, 0.5});
     EXPECT_NEAR(q.inside()[0].run.left(), at.x + 3, 1e-9);

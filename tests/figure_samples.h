@@ -28,8 +28,8 @@ inline DrawList sample_list() {
     list.add(ShapeKind::cross, 7, {{0.9, 0.8}}, 3);
     list.add(ShapeKind::polygon, 8, {{0.1, 0.1}, {3, 0.2}, {3, 2}});
     list.labels.push_back(
-        {{0.5, 0.5}, {0, 4}, "\u03c1 = 0.37 & <\u03b6>", Align::left, 1, {0, 0, 0}, {255, 255, 255}, {}});
-    list.labels.push_back({{0.2, 0.3}, {0, 0}, "12", Align::centre, 0.9, {255, 255, 255}, transparent, Colour{}});
+        {{0.5, 0.5}, {0, 4}, "\u03c1 = 0.37 & <\u03b6>", TextAlign::left, 1, {0, 0, 0}, {255, 255, 255}, {}});
+    list.labels.push_back({{0.2, 0.3}, {0, 0}, "12", TextAlign::centre, 0.9, {255, 255, 255}, transparent, Colour{}});
     return list;
 }
 

@@ -95,6 +95,9 @@ TEST(StateFile, OpensWhatWasSaved) {
         start.scene = std::make_shared<const Scene<2>>(scene);
         start.settings.palette = static_cast<Palette>(random.below(3));
         start.settings.zoom = random.uniform(0.5, 20);
+        start.settings.zoom_at = static_cast<ZoomAt>(random.below(4));
+        start.settings.zoom_x = random.uniform(-1e7, 1e7);
+        start.settings.zoom_y = -start.settings.zoom_x / 3;
         if (random.below(4) == 0)
             start.settings.budget = {Budget::Kind::share, static_cast<double>(random.below(100)) / 100};
         if (random.below(4) == 0) start.settings.budget = parse_budget("0ms");

@@ -216,10 +216,11 @@ TEST_F(Viewer2dBorder, TheEyeIsGivenInTheCoordinatesOfTheFile) {
 }
 
 TEST_F(Viewer2dBorder, ExtremeSettingsEnd) {
-    for (const char* set : {"error_bound=1e-300", "error_bound=1", "penalty_amount=1e6", "penalty_amount=0",
-                            "reference_size=1", "reference_size=16777216", "zoom=1000", "zoom=0.01"}) {
+    for (const char* set :
+         {"error_bound=1e-300", "error_bound=1", "penalty_amount=1e6", "penalty_amount=0", "reference_size=1",
+          "reference_size=16777216", "zoom=1000", "zoom=0.01", "zoom_x=1e308", "zoom_x=-1.7e308", "zoom_y=1e20"}) {
         SCOPED_TRACE(set);
-        good({"bottleneck", "--set", set, "--shot", "a.svg", "--stats", "s.json"});
+        good({"bottleneck", "--set", "zoom_at=point", "--set", set, "--shot", "a.svg", "--stats", "s.json"});
     }
 }
 

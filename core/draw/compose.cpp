@@ -4,6 +4,8 @@
 #include <algorithm>
 
 #include "core/draw/cell_number.h"
+#include "core/draw/legend.h"
+#include "core/draw/notes.h"
 #include "core/draw/palette.h"
 #include "core/draw/picture.h"
 #include "core/number.h"
@@ -12,76 +14,6 @@
 namespace sightline {
 
 namespace {
-
-std::uint16_t index(Look look) { return static_cast<std::uint16_t>(look); }
-
-struct LegendEntry {
-    Look look;
-    ShapeKind swatch;
-    const char* text;
-};
-
-constexpr std::array legend_entries{
-    LegendEntry{Look::projected, ShapeKind::polygon, "projected"},
-    LegendEntry{Look::enqueued, ShapeKind::polygon, "in the front (enqueued)"},
-    LegendEntry{Look::unseen, ShapeKind::polygon, "outside the view (unseen)"},
-    LegendEntry{Look::clean, ShapeKind::polygon, "not touched (clean)"},
-    LegendEntry{Look::last, ShapeKind::polygon, "projected last"},
-    LegendEntry{Look::selected, ShapeKind::polygon, "selected cell"},
-    LegendEntry{Look::rendered, ShapeKind::polyline, "visible, rendered"},
-    LegendEntry{Look::missed, ShapeKind::polyline, "visible, not rendered"},
-    LegendEntry{Look::wasted, ShapeKind::polyline, "rendered but hidden"},
-    LegendEntry{Look::other, ShapeKind::polyline, "hidden, not rendered"},
-    LegendEntry{Look::eye, ShapeKind::disc, "eye"},
-    LegendEntry{Look::view, ShapeKind::polyline, "border of the view"},
-    LegendEntry{Look::seed, ShapeKind::polygon, "seed cell"},
-    LegendEntry{Look::display_view, ShapeKind::polyline, "display view (frozen)"},
-    LegendEntry{Look::eye_ray, ShapeKind::polyline, "eye ray v"},
-    LegendEntry{Look::normal, ShapeKind::arrow, "facet normal n"},
-    LegendEntry{Look::penalty, ShapeKind::cross, "penalty: not star-shaped"},
-    LegendEntry{Look::chain, ShapeKind::arrow, "chain of updates"},
-};
-
-/// Whether some of the shape may lie in the picture: a legend says nothing about what a magnification leaves out.
-bool is_shown(const DrawList& list, const Shape& shape) {
-    Box<2> box;
-    for (std::uint32_t i = 0; i < shape.point_count; ++i) box.add(list.points[shape.first_point + i]);
-    const Box<2>& world = list.world;
-    return box.min.x <= world.max.x && box.min.y <= world.max.y && box.max.x >= world.min.x && box.max.y >= world.min.y;
-}
-
-std::vector<LegendRow> legend(std::span<const Figure::Panel> panels, const Settings& settings,
-                              std::span<const Note<2>> notes) {
-    std::vector<std::uint8_t> used(index(Look::count));
-    for (const Figure::Panel& panel : panels)
-        for (const Shape& shape : panel.list.shapes)
-            if (shape.style < used.size() && is_shown(panel.list, shape)) used[shape.style] = 1;
-    const bool states = settings.heat == CellNumber::none && settings.show_states == Switch::on;
-    used[index(Look::clean)] = states && settings.show_tessellation == Switch::on;
-    std::vector<LegendRow> rows;
-    for (const LegendEntry& entry : legend_entries)
-        if (used[index(entry.look)]) {
-            Style style = colours(settings.palette).looks[index(entry.look)];
-            // An area without a border of its own would not show as a swatch when it is as light as the page.
-            if (entry.swatch == ShapeKind::polygon && style.stroke.a == 0)
-                style.stroke = colours(settings.palette).looks[index(Look::tessellation)].stroke;
-            std::string text = entry.text;
-            if (settings.show_visibility == Switch::off) {
-                if (entry.look == Look::rendered) text = "rendered";
-                if (entry.look == Look::other) text = "not rendered";
-            }
-            rows.push_back({entry.swatch, style, std::move(text)});
-        }
-    const auto add_text = [&](std::string text) {
-        LegendRow row;
-        row.text = std::move(text);
-        rows.push_back(std::move(row));
-    };
-    if (settings.label != CellNumber::none) add_text("number: " + std::string(number_title(settings.label)));
-    for (const Note<2>& note : notes)
-        if (note.kind == Note<2>::Kind::callout) add_text(std::to_string(note.number) + ": " + note.text);
-    return rows;
-}
 
 char panel_letter(std::size_t i) { return static_cast<char>('a' + std::min<std::size_t>(i, 25)); }
 
@@ -100,34 +32,64 @@ std::string caption(std::span<const PanelSource> panels) {
     return text;
 }
 
+/// What all panels or frames stand on together.
+struct Common {
+    std::optional<std::array<double, 2>> heat_range;
+    std::vector<LegendRow> legend;
+    std::optional<ColourBar> bar;
+};
+
+/// Draws each source; the first one's settings say what the numbers, the legend and the colours are.
+Common draw(std::span<const PanelSource> sources, std::vector<DrawList>& lists) {
+    Common common;
+    const Settings& settings = sources.front().session.settings();
+    auto& range = common.heat_range;
+    if (settings.heat != CellNumber::none)
+        for (const PanelSource& source : sources)
+            if (const auto own = number_range(source.session, settings.heat)) {
+                if (!range) range = own;
+                range = {std::min((*range)[0], (*own)[0]), std::max((*range)[1], (*own)[1])};
+            }
+    std::vector<Note<2>> notes;
+    for (const PanelSource& source : sources) {
+        lists.push_back(make_picture(source.session, {range, 0, source.sides}));
+        for (const Note<2>& note : current_notes(source.session))
+            if (lists.back().world.contains(anchor_point(source.session, note))) notes.push_back(note);
+    }
+    std::vector<const DrawList*> all;
+    for (const DrawList& list : lists) all.push_back(&list);
+    common.legend = legend_rows(all, settings, notes);
+    if (range)
+        common.bar = ColourBar{std::string(number_title(settings.heat)), short_number((*range)[0]),
+                               short_number((*range)[1]), colours(settings.palette).heat};
+    return common;
+}
+
+/// A figure without its panels.
+Figure empty_figure(const Common& common, const Settings& settings) {
+    Figure figure;
+    figure.legend_place = settings.legend == Legend::inside    ? LegendPlace::inside
+                          : settings.legend == Legend::outside ? LegendPlace::outside
+                                                               : LegendPlace::off;
+    figure.legend = common.legend;
+    figure.bar = common.bar;
+    figure.background = colours(settings.palette).background;
+    figure.ink = colours(settings.palette).ink;
+    return figure;
+}
+
 }  // namespace
 
 Figure make_figure(std::span<const PanelSource> panels) {
     const Settings& settings = panels.front().session.settings();
-    const Colours& palette = colours(settings.palette);
-    std::optional<std::array<double, 2>> range;
-    if (settings.heat != CellNumber::none)
-        for (const PanelSource& panel : panels)
-            if (const auto own = number_range(panel.session, settings.heat)) {
-                if (!range) range = own;
-                range = {std::min((*range)[0], (*own)[0]), std::max((*range)[1], (*own)[1])};
-            }
-    Figure figure;
+    std::vector<DrawList> lists;
+    Figure figure = empty_figure(draw(panels, lists), settings);
     for (std::size_t i = 0; i < panels.size(); ++i) {
         std::string title;
         if (panels.size() > 1) title = "(" + std::string(1, panel_letter(i)) + ") " + panels[i].title;
-        figure.panels.push_back({make_picture(panels[i].session, range), title});
+        figure.panels.push_back({std::move(lists[i]), title});
     }
-    figure.legend_place = settings.legend == Legend::inside    ? LegendPlace::inside
-                          : settings.legend == Legend::outside ? LegendPlace::outside
-                                                               : LegendPlace::off;
-    figure.legend = legend(figure.panels, settings, panels.front().session.notes);
-    if (range)
-        figure.bar = ColourBar{std::string(number_title(settings.heat)), short_number((*range)[0]),
-                               short_number((*range)[1]), palette.heat};
     if (settings.caption == Switch::on) figure.caption = caption(panels);
-    figure.background = palette.background;
-    figure.ink = palette.ink;
     return figure;
 }
 

@@ -4,15 +4,18 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 #include "core/draw/draw_list.h"
+#include "core/session/comparison.h"
 #include "core/session/session.h"
 
 namespace sightline {
 
 struct PanelSource {
     Session<2> session;
-    std::string title;  ///< e.g. "step 12"; panels of one figure get (a), (b), … before it
+    std::string title;          ///< e.g. "step 12"; panels of one figure get (a), (b), … before it
+    std::vector<Side> sides{};  ///< as PictureOptions::sides
 };
 
 /// One figure of all panels with one legend and one scale; palette, legend and caption as in the first panel.

@@ -51,14 +51,14 @@ struct Shape {
     double size_pt = 0;
 };
 
-enum class Align : std::uint8_t { left, centre, right };
+enum class TextAlign : std::uint8_t { left, centre, right };
 
 /// A text at a scene point. The baseline box is aligned horizontally and centred vertically on at + offset.
 struct Label {
     Vec<2> at{};         ///< scene units
     Vec<2> offset_pt{};  ///< from `at`, x right, y up, in points of the final size
     std::string text;    ///< UTF-8, one line
-    Align align = Align::centre;
+    TextAlign align = TextAlign::centre;
     double scale = 1;  ///< times the figure's font size
     Colour colour{0, 0, 0};
     Colour halo = transparent;   ///< drawn 1 pt around the glyphs, for contrast

@@ -3,15 +3,24 @@
 
 namespace sightline {
 
+Vec<2> anchor_point(const Session<2>& session, const Note<2>& note) {
+    if (note.anchor == Note<2>::Anchor::cell) return session.cells().centres[note.index];
+    if (note.anchor == Note<2>::Anchor::point) return note.point;
+    const Primitive<2>& segment = session.scene().primitives[note.index];
+    return (segment[0] + segment[1]) * 0.5;
+}
+
+std::vector<Note<2>> current_notes(const Session<2>& session) {
+    std::vector<Note<2>> notes = session.notes;
+    std::erase_if(notes, [&](const Note<2>& note) {
+        return session.position() < note.first_step || session.position() > note.last_step;
+    });
+    return notes;
+}
+
 void draw_notes(const Session<2>& session, const Colours& colours, std::uint16_t style, DrawList& list) {
-    for (const Note<2>& note : session.notes) {
-        if (session.position() < note.first_step || session.position() > note.last_step) continue;
-        Vec<2> at = note.point;
-        if (note.anchor == Note<2>::Anchor::cell) at = session.cells().centres[note.index];
-        if (note.anchor == Note<2>::Anchor::primitive) {
-            const Primitive<2>& segment = session.scene().primitives[note.index];
-            at = (segment[0] + segment[1]) * 0.5;
-        }
+    for (const Note<2>& note : current_notes(session)) {
+        const Vec<2> at = anchor_point(session, note);
         Label label;
         label.at = at;
         label.offset_pt = note.offset_pt;

@@ -8,7 +8,13 @@
 
 namespace sightline {
 
-/// Adds the notes whose step range holds the session's position.
+/// The point that a note is about.
+Vec<2> anchor_point(const Session<2>& session, const Note<2>& note);
+
+/// The notes whose step range holds the session's position.
+std::vector<Note<2>> current_notes(const Session<2>& session);
+
+/// Adds the current notes.
 void draw_notes(const Session<2>& session, const Colours& colours, std::uint16_t style, DrawList& list);
 
 }  // namespace sightline

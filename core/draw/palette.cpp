@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/draw/palette.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -32,7 +33,16 @@ Style mark(const char* name, Colour fill, Colour stroke, double width_pt) {
     return style;
 }
 
-/// Safe for colour-blind readers: after Okabe and Ito's set; the four states at L* of about 100, 82, 61 and 39.
+/// Relative luminance in [0, 1].
+double luminance(const Colour& colour) {
+    const auto linear = [](std::uint8_t part) {
+        const double v = part / 255.0;
+        return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+    };
+    return 0.2126 * linear(colour.r) + 0.7152 * linear(colour.g) + 0.0722 * linear(colour.b);
+}
+
+/// Safe for colour-blind readers: after Okabe and Ito's set; the four states at L* of about 100, 79, 58 and 36.
 Colours standard() {
     const Colour blue{0, 90, 170}, vermilion{200, 70, 0}, grey{120, 120, 120}, purple{140, 50, 120};
     return {white,
@@ -41,9 +51,12 @@ Colours standard() {
             vermilion,
             {
                 area("clean", white),
-                area("enqueued", {40, 90, 155}, Hatch::diagonal, {150, 190, 235}),
-                area("projected", {174, 210, 194}),
-                area("unseen", {146, 146, 146}, Hatch::dots, {205, 205, 205}),
+                area("enqueued", {36, 86, 150}, Hatch::diagonal, {150, 190, 235}),
+                area("projected", {166, 203, 187}),
+                area("unseen", {140, 140, 140}, Hatch::dots, {205, 205, 205}),
+                area("both", {166, 203, 187}),
+                area("only_left", {80, 145, 205}, Hatch::horizontal, {175, 210, 240}),
+                area("only_right", {110, 80, 0}, Hatch::back_diagonal, {215, 190, 120}),
                 line("tessellation", {105, 125, 145}, 0.5),
                 line("other", {125, 125, 125}, 0.7),
                 line("rendered", black, 1.6),
@@ -59,6 +72,7 @@ Colours standard() {
                 line("normal", {235, 110, 0}, 1.3),
                 line("penalty", vermilion, 1.1),
                 line("chain", vermilion, 1.3),
+                line("selected_primitive", vermilion, 3.4),
                 line("note", black, 0.8),
             },
             // Solid is dark: black lines stay legible on the many cells of low numbers.
@@ -77,6 +91,9 @@ Colours paper() {
                 area("enqueued", {25, 50, 170}, Hatch::diagonal, {90, 130, 255}),
                 mark("projected", {0, 75, 0}, green, 0.6),
                 area("unseen", {58, 58, 58}, Hatch::dots, {110, 110, 110}),
+                area("both", {0, 63, 0}),
+                area("only_left", {52, 97, 192}, Hatch::horizontal, {120, 160, 255}),
+                area("only_right", {62, 172, 152}, Hatch::back_diagonal, {20, 95, 85}),
                 line("tessellation", {50, 80, 200}, 0.5),
                 line("other", {215, 215, 215}, 0.7),
                 line("rendered", red, 1.6),
@@ -92,6 +109,7 @@ Colours paper() {
                 line("normal", white, 1.0),
                 line("penalty", {255, 220, 0}, 1.1),
                 line("chain", {255, 220, 0}, 1.3),
+                line("selected_primitive", {255, 220, 0}, 3.4),
                 line("note", white, 0.8),
             },
             {{0, 0, 90}, {60, 30, 170}, {190, 50, 120}, {240, 140, 50}, {255, 240, 120}}};
@@ -106,9 +124,12 @@ Colours print() {
             black,
             {
                 area("clean", white),
-                area("enqueued", {95, 95, 95}, Hatch::diagonal, {215, 215, 215}),
-                area("projected", {202, 202, 202}),
-                area("unseen", {150, 150, 150}, Hatch::cross, {205, 205, 205}),
+                area("enqueued", {86, 86, 86}, Hatch::diagonal, {215, 215, 215}),
+                area("projected", {195, 195, 195}),
+                area("unseen", {140, 140, 140}, Hatch::cross, {205, 205, 205}),
+                area("both", {195, 195, 195}),
+                area("only_left", {140, 140, 140}, Hatch::horizontal, {215, 215, 215}),
+                area("only_right", {86, 86, 86}, Hatch::back_diagonal, {200, 200, 200}),
                 line("tessellation", {110, 110, 110}, 0.5),
                 line("other", {120, 120, 120}, 0.7),
                 line("rendered", black, 1.8),
@@ -124,6 +145,7 @@ Colours print() {
                 line("normal", dark, 1.0),
                 line("penalty", black, 1.1),
                 line("chain", black, 1.4),
+                line("selected_primitive", black, 3.4),
                 line("note", black, 0.8),
             },
             {{250, 250, 250}, {205, 205, 205}, {155, 155, 155}, {110, 110, 110}, {75, 75, 75}}};
@@ -137,12 +159,13 @@ const Colours& colours(Palette palette) {
 }
 
 double lightness(const Colour& colour) {
-    const auto linear = [](std::uint8_t part) {
-        const double v = part / 255.0;
-        return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
-    };
-    const double y = 0.2126 * linear(colour.r) + 0.7152 * linear(colour.g) + 0.0722 * linear(colour.b);
+    const double y = luminance(colour);
     return y > 0.008856 ? 116 * std::cbrt(y) - 16 : 903.3 * y;
+}
+
+double contrast(const Colour& a, const Colour& b) {
+    const auto [low, high] = std::minmax({luminance(a), luminance(b)});
+    return (high + 0.05) / (low + 0.05);
 }
 
 }  // namespace sightline

@@ -15,6 +15,9 @@ enum class Look : std::uint16_t {
     enqueued,
     projected,
     unseen,
+    both,        ///< cells of two sessions beside each other: projected by both
+    only_left,   ///< by the left one only
+    only_right,  ///< by the right one only
     tessellation,
     other,     ///< primitives: not rendered and not visible
     rendered,  ///< visible and rendered
@@ -30,6 +33,7 @@ enum class Look : std::uint16_t {
     normal,
     penalty,
     chain,
+    selected_primitive,
     note,
     count,
 };
@@ -44,5 +48,8 @@ const Colours& colours(Palette palette);
 
 /// CIE lightness L* in [0, 100] of an opaque colour (sRGB, D65).
 double lightness(const Colour& colour);
+
+/// WCAG contrast of two opaque colours in [1, 21].
+double contrast(const Colour& a, const Colour& b);
 
 }  // namespace sightline

@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/common.hpp>
 
 #include "core/draw/cell_number.h"
 #include "core/draw/notes.h"
 #include "core/draw/palette.h"
+#include "core/draw/shown_world.h"
 #include "core/number.h"
 #include "core/session/explain.h"
 #include "core/traversal/facet_geometry.h"
@@ -20,35 +20,6 @@ constexpr int heat_steps = 32;
 
 std::uint16_t index(Look look) { return static_cast<std::uint16_t>(look); }
 
-/// The cell that the last step projected, if it did.
-std::uint32_t last_cell(const Session<2>& session) {
-    return session.position() > 0 ? session.timeline().steps[session.position() - 1].cell : none;
-}
-
-Box<2> shown_world(const Session<2>& session) {
-    Box<2> box = bounds<2>(session.scene().primitives);
-    const ViewSpec<2>& view = session.display_view();
-    box.add(view.eye);
-    const double side = box.longest_side();
-    // Nothing but the eye: any size will do that does not vanish beside its coordinates.
-    const Vec<2> margin((side > 0 ? side : std::max({1.0, std::abs(view.eye.x), std::abs(view.eye.y)})) * 0.05);
-    box.min -= margin;
-    box.max += margin;
-    const double zoom = session.settings().zoom;
-    if (zoom == 1) return box;
-    const Vec<2> half = box.extent() * (0.5 / zoom);
-    // The eye stands off the middle, so that more of what it looks at is shown.
-    Vec<2> centre = view.eye + make_view(view).forward() * half * 0.6;
-    std::uint32_t cell = none;
-    if (session.settings().zoom_at == ZoomAt::last) cell = last_cell(session);
-    if (session.settings().zoom_at == ZoomAt::selected) cell = session.selected_cell;
-    if (cell != none)
-        centre = session.cells().centres[cell];
-    else if (zoom > 1)
-        centre = glm::clamp(centre, box.min + half, box.max - half);  // no room is lost beside the scene
-    return {centre - half, centre + half};
-}
-
 Colour between(const std::vector<Colour>& stops, double share) {
     const double at = share * static_cast<double>(stops.size() - 1);
     const auto i = std::min(static_cast<std::size_t>(at), stops.size() - 2);
@@ -60,14 +31,15 @@ Colour between(const std::vector<Colour>& stops, double share) {
 /// Builds one picture, layer by layer from the back to the front.
 class Painter {
 public:
-    Painter(const Session<2>& session, const std::optional<std::array<double, 2>>& heat_range)
+    Painter(const Session<2>& session, const PictureOptions& options)
         : session_(session), set_(session.settings()), cells_(session.cells()), colours_(colours(set_.palette)) {
-        list_.world = shown_world(session);
+        list_.world = shown_world(session, options.aspect);
         list_.styles = colours_.looks;
-        if (set_.heat != CellNumber::none && heat_range) heat_map(*heat_range);
-        if (set_.heat == CellNumber::none && set_.show_states == Switch::on) states();
+        const bool by_state = set_.heat == CellNumber::none && set_.show_states == Switch::on;
+        if (set_.heat != CellNumber::none && options.heat_range) heat_map(*options.heat_range);
+        if (by_state) options.sides.empty() ? states() : sides(options.sides);
         if (set_.show_tessellation == Switch::on) tessellation();
-        if (set_.heat == CellNumber::none && set_.show_states == Switch::on) projected_borders();
+        if (by_state && options.sides.empty()) projected_borders();
         if (set_.show_primitives == Switch::on) primitives();
         if (set_.show_view == Switch::on) view();
         if (set_.show_normals == Switch::on) normals();
@@ -93,6 +65,14 @@ private:
             if (state == CellState::enqueued) cell_shape(cell, index(Look::enqueued));
             if (state == CellState::projected) cell_shape(cell, index(Look::projected));
             if (state == CellState::unseen) cell_shape(cell, index(Look::unseen));
+        }
+    }
+
+    void sides(std::span<const Side> of_cells) {
+        for (std::uint32_t cell = 0; cell < of_cells.size(); ++cell) {
+            if (of_cells[cell] == Side::both) cell_shape(cell, index(Look::both));
+            if (of_cells[cell] == Side::left) cell_shape(cell, index(Look::only_left));
+            if (of_cells[cell] == Side::right) cell_shape(cell, index(Look::only_right));
         }
     }
 
@@ -202,6 +182,9 @@ private:
     void highlights() {
         if (const std::uint32_t last = last_cell(session_); last != none) cell_shape(last, index(Look::last));
         if (session_.selected_cell != none) cell_shape(session_.selected_cell, index(Look::selected));
+        if (session_.selected_primitive == none) return;
+        const Primitive<2>& segment = session_.scene().primitives[session_.selected_primitive];
+        list_.add(ShapeKind::polyline, index(Look::selected_primitive), {segment[0], segment[1]});
     }
 
     void chain() {
@@ -242,8 +225,8 @@ private:
 
 }  // namespace
 
-DrawList make_picture(const Session<2>& session, const std::optional<std::array<double, 2>>& heat_range) {
-    return Painter(session, heat_range).take();
+DrawList make_picture(const Session<2>& session, const PictureOptions& options) {
+    return Painter(session, options).take();
 }
 
 }  // namespace sightline

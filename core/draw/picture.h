@@ -4,14 +4,24 @@
 
 #include <array>
 #include <optional>
+#include <span>
 
 #include "core/draw/draw_list.h"
+#include "core/session/comparison.h"
 #include "core/session/session.h"
 
 namespace sightline {
 
-/// The picture that the session's picture settings ask for. `heat_range`: what the lowest and the highest colour of
-/// the heat map stand for (number_range; panels of one figure share it).
-DrawList make_picture(const Session<2>& session, const std::optional<std::array<double, 2>>& heat_range);
+struct PictureOptions {
+    /// What the lowest and the highest colour of the heat map stand for (number_range; panels of one figure share it).
+    std::optional<std::array<double, 2>> heat_range{};
+    /// > 0: the world is widened, never cut, to this width / height, so that all of a window is drawn and labelled.
+    double aspect = 0;
+    /// Per cell, for two sessions beside each other: filled by who projected it instead of by state. Empty: by state.
+    std::span<const Side> sides{};
+};
+
+/// The picture that the session's picture settings ask for.
+DrawList make_picture(const Session<2>& session, const PictureOptions& options = {});
 
 }  // namespace sightline

@@ -27,7 +27,7 @@ enum class Seeds : std::uint8_t { one, hull };
 enum class CellNumber : std::uint8_t { none, solidity, count, order, zeta, share, id };
 enum class LabelWhere : std::uint8_t { front, all, selected };
 enum class Palette : std::uint8_t { standard, paper, print };
-enum class ZoomAt : std::uint8_t { view, last, selected };
+enum class ZoomAt : std::uint8_t { view, last, selected, point };
 enum class Legend : std::uint8_t { outside, inside, off };
 
 /// The words of each enum, in the order of its values.
@@ -65,7 +65,7 @@ inline constexpr auto words<LabelWhere> = std::to_array<std::string_view>({"fron
 template <>
 inline constexpr auto words<Palette> = std::to_array<std::string_view>({"default", "paper", "print"});
 template <>
-inline constexpr auto words<ZoomAt> = std::to_array<std::string_view>({"view", "last", "selected"});
+inline constexpr auto words<ZoomAt> = std::to_array<std::string_view>({"view", "last", "selected", "point"});
 template <>
 inline constexpr auto words<Legend> = std::to_array<std::string_view>({"outside", "inside", "off"});
 
@@ -115,6 +115,7 @@ struct Settings {
     Switch caption = Switch::on;
     double zoom = 1;
     ZoomAt zoom_at = ZoomAt::view;
+    double zoom_x = 0, zoom_y = 0;  ///< scene coordinates as the session has them
 
     bool operator==(const Settings&) const = default;
 };

@@ -93,6 +93,17 @@ SettingRow real(std::string_view name, const Range& range, Invalidates invalidat
             }};
 }
 
+constexpr const char* any_number = "a finite number";
+
+template <auto member>
+SettingRow finite(std::string_view name, Invalidates invalidates, std::string_view source, std::string_view help) {
+    return {name, help, source, invalidates, any_number, Field<member>::get, [](Settings& s, std::string_view value) {
+                const auto number = parse_number(value);
+                if (!number) throw InputError("'" + std::string(value) + "' is not " + any_number);
+                s.*member = *number;
+            }};
+}
+
 template <auto member, std::uint64_t low, std::uint64_t high>
 SettingRow whole(std::string_view name, Invalidates invalidates, std::string_view values, std::string_view source,
                  std::string_view help) {
@@ -182,7 +193,12 @@ const std::vector<SettingRow>& rows() {
         real<&S::zoom>("zoom", {0.01, 1000}, Invalidates::picture, "[0.01, 1000]", "docs/figures.md",
                        "magnification; 1 shows the whole scene"),
         choice<&S::zoom_at>("zoom_at", Invalidates::picture, "docs/figures.md",
-                            "magnify what the display eye looks at, the cell projected last, or the selected cell"),
+                            "the middle of the picture: what the display eye looks at, the cell projected last, the "
+                            "selected cell, or the point zoom_x, zoom_y"),
+        finite<&S::zoom_x>("zoom_x", Invalidates::picture, "docs/figures.md",
+                           "the middle of the picture with zoom_at=point, less the scene's origin"),
+        finite<&S::zoom_y>("zoom_y", Invalidates::picture, "docs/figures.md",
+                           "the middle of the picture with zoom_at=point, less the scene's origin"),
     };
     return table;
 }

@@ -27,8 +27,8 @@ std::optional<PlacedLabel> place_label(const Label& label, const Layout::Panel& 
     run.size = layout.font_pt * label.scale;
     run.width = text_width(font, run.text) * run.size;
     if (label.disc) placed.radius = std::max(0.72 * run.size, run.width / 2 + 0.25 * run.size);
-    if (label.align == Align::left) centre.x += run.width / 2;
-    if (label.align == Align::right) centre.x -= run.width / 2;
+    if (label.align == TextAlign::left) centre.x += run.width / 2;
+    if (label.align == TextAlign::right) centre.x -= run.width / 2;
     const double margin = label.halo.a > 0 ? 1 : 0.5;
     const Vec<2> half(std::max(run.width / 2 + margin, placed.radius), std::max(0.6 * run.size, placed.radius));
     const Rect& frame = panel.frame;
@@ -36,9 +36,9 @@ std::optional<PlacedLabel> place_label(const Label& label, const Layout::Panel& 
                   kept_inside(centre.y - half.y, 2 * half.y, frame.y, frame.h), 2 * half.x, 2 * half.y};
     placed.centre = {placed.box.x + half.x, placed.box.y + half.y};
     // The end that the alignment fixes stays where it is even if a viewer's font is wider.
-    run.align = label.disc ? Align::centre : label.align;
+    run.align = label.disc ? TextAlign::centre : label.align;
     run.x = placed.centre.x;
-    if (run.align != Align::centre) run.x += (run.align == Align::left ? -0.5 : 0.5) * run.width;
+    if (run.align != TextAlign::centre) run.x += (run.align == TextAlign::left ? -0.5 : 0.5) * run.width;
     run.baseline = placed.centre.y + font.cap_height * run.size / 2;
     return placed;
 }

@@ -168,9 +168,9 @@ std::optional<Draft> best_draft(const Content& c, const Font& font, double size,
 }
 
 std::vector<TextRun> place_text(const Slot& slot, std::size_t page, const Rect& box, double size, const Font& font,
-                                Align align = Align::left) {
+                                TextAlign align = TextAlign::left) {
     std::vector<TextRun> runs;
-    const double x = align == Align::left ? box.x : align == Align::centre ? box.x + box.w / 2 : box.right();
+    const double x = align == TextAlign::left ? box.x : align == TextAlign::centre ? box.x + box.w / 2 : box.right();
     const double pitch = line_pitch * size;
     // Letters stand in the middle of their line; fewer lines than there is room for stand at the bottom.
     const double first = box.bottom() - static_cast<double>(slot.pages[page].size()) * pitch;
@@ -200,7 +200,7 @@ void place_key(Layout& out, const Key& key, const Vec<2>& at, const Figure& figu
     const Rect ends{box.x, box.bottom() - line, box.w, line};
     for (const auto& runs :
          {place_text(key.bar->title, p, title, size, font), place_text(key.bar->low, p, ends, size, font),
-          place_text(key.bar->high, p, ends, size, font, Align::right)})
+          place_text(key.bar->high, p, ends, size, font, TextAlign::right)})
         bar.text.insert(bar.text.end(), runs.begin(), runs.end());
     out.bar = std::move(bar);
 }
@@ -232,7 +232,7 @@ std::vector<Layout> finish(const Content& c, const Draft& d, std::span<const Fig
         }
         const bool short_caption = d.caption.rows == 1;
         out.caption =
-            place_text(d.caption, p, out.caption_box, size, font, short_caption ? Align::centre : Align::left);
+            place_text(d.caption, p, out.caption_box, size, font, short_caption ? TextAlign::centre : TextAlign::left);
     }
     if (!d.key) return layouts;
     Vec<2> key_at(left + (d.grid.w > 0 ? d.grid.w + 1.5 * gap : 0), top);

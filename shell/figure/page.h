@@ -32,9 +32,11 @@ struct TextRun {
     std::string text;  ///< valid UTF-8 without control characters
     double x = 0, baseline = 0, size = 8;
     double width = 0;  ///< measured
-    Align align = Align::left;
+    TextAlign align = TextAlign::left;
 
-    double left() const { return align == Align::left ? x : align == Align::centre ? x - width / 2 : x - width; }
+    double left() const {
+        return align == TextAlign::left ? x : align == TextAlign::centre ? x - width / 2 : x - width;
+    }
 };
 
 /// Several runs of points, drawn as one.

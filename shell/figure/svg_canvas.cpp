@@ -184,7 +184,8 @@ void SvgCanvas::gradient(const Rect& rect, std::span<const Colour> stops) {
 
 void SvgCanvas::text(const TextRun& run, const Colour& colour, const Colour& halo) {
     std::string css = "font-size:" + num(run.size) + "px;" + paint_css("fill", colour);
-    if (run.align != Align::left) css += run.align == Align::centre ? "text-anchor:middle;" : "text-anchor:end;";
+    if (run.align != TextAlign::left)
+        css += run.align == TextAlign::centre ? "text-anchor:middle;" : "text-anchor:end;";
     if (halo.a > 0) css += paint_css("stroke", halo) + "stroke-width:2;stroke-linejoin:round;paint-order:stroke;";
     end_path();
     body_ += "<text" + attribute("class", class_of(css)) + attribute("x", num(run.x)) +

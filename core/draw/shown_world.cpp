@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/draw/shown_world.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+
+namespace sightline {
+
+namespace {
+
+/// The whole scene with the eye, and a margin.
+Box<2> whole_world(const Session<2>& session) {
+    Box<2> box = bounds<2>(session.scene().primitives);
+    const Vec<2>& eye = session.display_view().eye;
+    box.add(eye);
+    const double side = box.longest_side();
+    // Nothing but the eye: any size will do that does not vanish beside its coordinates.
+    const Vec<2> margin((side > 0 ? side : std::max({1.0, std::abs(eye.x), std::abs(eye.y)})) * 0.05);
+    return {box.min - margin, box.max + margin};
+}
+
+Box<2> zoomed_world(const Session<2>& session) {
+    const Box<2> box = whole_world(session);
+    const Settings& settings = session.settings();
+    const Vec<2> half = box.extent() * (0.5 / settings.zoom);
+    if (settings.zoom_at == ZoomAt::point) {
+        const Vec<2> centre(settings.zoom_x, settings.zoom_y);
+        return {centre - half, centre + half};
+    }
+    if (settings.zoom == 1) return box;
+    std::uint32_t cell = none;
+    if (settings.zoom_at == ZoomAt::last) cell = last_cell(session);
+    if (settings.zoom_at == ZoomAt::selected) cell = session.selected_cell;
+    // The eye stands off the middle, so that more of what it looks at is shown.
+    const ViewSpec<2>& view = session.display_view();
+    Vec<2> centre = view.eye + make_view(view).forward() * half * 0.6;
+    if (cell != none)
+        centre = session.cells().centres[cell];
+    else if (settings.zoom > 1)
+        centre = glm::clamp(centre, box.min + half, box.max - half);  // no room is lost beside the scene
+    return {centre - half, centre + half};
+}
+
+}  // namespace
+
+std::uint32_t last_cell(const Session<2>& session) {
+    return session.position() > 0 ? session.timeline().steps[session.position() - 1].cell : none;
+}
+
+Box<2> shown_world(const Session<2>& session, double aspect) {
+    Box<2> box = zoomed_world(session);
+    if (!(aspect > 0)) return box;
+    const Vec<2> extent = box.extent();
+    const Vec<2> more(std::max(0.0, extent.y * aspect - extent.x), std::max(0.0, extent.x / aspect - extent.y));
+    box.min -= more * 0.5;
+    box.max += more * 0.5;
+    return box;
+}
+
+}  // namespace sightline

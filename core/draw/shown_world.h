@@ -1,0 +1,16 @@
+// Which part of the scene a picture shows.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/session/session.h"
+
+namespace sightline {
+
+/// The cell that the session's last step projected; none at the start and for methods that order primitives.
+std::uint32_t last_cell(const Session<2>& session);
+
+/// What the picture settings zoom, zoom_at, zoom_x and zoom_y show. `aspect` > 0: widened, never cut, to this width /
+/// height, about the same middle.
+Box<2> shown_world(const Session<2>& session, double aspect = 0);
+
+}  // namespace sightline
