@@ -29,7 +29,12 @@ TEST_F(GlContextTest, CollectsAnErrorOnce) {
     EXPECT_TRUE(context->messages().empty());
 }
 
-TEST_F(GlContextTest, OffScreenIsNoDisplay) { EXPECT_FALSE(has_display()); }
+TEST_F(GlContextTest, OffScreenIsNoDisplay) {
+    EXPECT_FALSE(has_display());
+    EXPECT_THROW(GlContext(GlContext::Place::window, "window", 64, 64), WorkError);
+    context->make_current();  // the one that there is works on
+    EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+}
 
 TEST_F(GlContextTest, PicturesHaveTheTopRowFirst) {
     const GlTarget target(7, 5, 4);

@@ -224,7 +224,10 @@ TEST_F(GlRenderer, LeavesTheStateThatItSays) {
     renderer.set(list);
     const GlTarget target(100, 100);
     target.bind();
+    clear(white);
     glEnable(GL_DEPTH_TEST);
+    glEnable(GL_SCISSOR_TEST);  // as others may leave it
+    glScissor(0, 0, 1, 1);
     renderer.draw(plain_view(100, 100));
     for (const GLenum off : {GL_BLEND, GL_SCISSOR_TEST, GL_DEPTH_TEST, GL_STENCIL_TEST, GL_CULL_FACE})
         EXPECT_FALSE(glIsEnabled(off)) << off;
@@ -233,6 +236,7 @@ TEST_F(GlRenderer, LeavesTheStateThatItSays) {
         glGetIntegerv(bound, &name);
         EXPECT_EQ(name, 0) << bound;
     }
+    EXPECT_EQ(target.read().at(30, 60), red);
 }
 
 TEST_F(GlRenderer, AnotherListReplacesTheOldOneAndAnEmptyOneDrawsNothing) {

@@ -16,9 +16,9 @@ constexpr int width = 1280, height = 800;
 /// After half of the traversal, seen from the middle of a town, so that cells of all states are there.
 Session<2> town_session() {
     Scene<2> scene;
-    scene.primitives = city_blocks(5000, 1);
+    scene.primitives = city_blocks(6200, 1);
     Settings settings;
-    settings.error_bound = 0.0112;
+    settings.error_bound = 0.0125;
     const Box<2> box = bounds<2>(scene.primitives);
     Session<2> session(std::make_shared<const Scene<2>>(std::move(scene)), {box.centre(), box.max, 120}, settings);
     session.run();
