@@ -394,6 +394,34 @@ TEST(Picture, CellNumbersAreWhatTheySay) {
     }
 }
 
+TEST(Picture, LayeringNumbersAreThoseOfTheViewAndTheSceneNow) {
+    Random random(78);
+    for (int i = 0; i < 60; ++i) {
+        const test::Start start = test::random_cell_start(random);
+        Session<2> session = start.session();
+        const auto check = [&] {
+            const auto layers = layering_numbers(session.scene().primitives, make_view(session.culling_view()));
+            const auto numbers = cell_numbers(session, CellNumber::zeta);
+            for (std::uint32_t cell = 0; cell < session.cells().cell_count(); ++cell) {
+                std::optional<double> least;
+                for (const std::uint32_t p : session.cells().primitives_of(cell))
+                    if (layers[p] > 0) least = std::min<double>(least.value_or(layers[p]), layers[p]);
+                ASSERT_EQ(numbers[cell], least);
+            }
+        };
+        check();
+        session.set_view(test::random_view(random));
+        check();
+        session.seek(7);
+        session.set_scene(test::random_start(random).scene);
+        check();
+        Settings settings = session.settings();
+        settings.error_bound = 0.3;
+        session.change(settings);
+        check();
+    }
+}
+
 TEST(Picture, PanelsShareLegendAndScale) {
     Session<2> session = session_of(*find_in_catalogue("bottleneck"));
     for (const CellNumber heat : {CellNumber::none, CellNumber::order}) {
