@@ -11,6 +11,7 @@
 #include "core/draw/palette.h"
 #include "core/number.h"
 #include "core/scene/catalogue.h"
+#include "shell/figure/layout.h"
 #include "tests/session_support.h"
 
 namespace sightline {
@@ -472,6 +473,81 @@ TEST(Picture, PanelsShareLegendAndScale) {
         EXPECT_EQ(style_at_step_5(figure.panels[1].list), style_at_step_5(figure.panels[2].list));
         EXPECT_EQ(style_at_step_5(figure.panels[0].list), "none");
     }
+}
+
+TEST(Picture, NothingJumpsInAFilm) {
+    Session<2> session = session_of(*find_in_catalogue("bottleneck"));
+    Note<2> note;
+    note.kind = Note<2>::Kind::callout;
+    note.number = 1;
+    note.text = "in one frame";
+    note.point = {8, 4};
+    note.first_step = note.last_step = 12;
+    session.notes.push_back(note);
+    session.run();
+    for (const CellNumber heat : {CellNumber::none, CellNumber::order})
+        for (const ZoomAt at : {ZoomAt::view, ZoomAt::last}) {
+            Settings settings = session.settings();
+            settings.heat = heat;
+            settings.label_where = LabelWhere::all;
+            settings.zoom_at = at;
+            settings.zoom = at == ZoomAt::last ? 4 : 1;
+            session.change(settings);
+            std::vector<PanelSource> frames;
+            for (std::uint32_t step = 0; step <= 24; step += 3) {
+                frames.push_back({session, ""});
+                frames.back().session.seek(step);
+            }
+            const std::vector<Figure> film = make_film(frames);
+            ASSERT_EQ(film.size(), frames.size());
+            const auto text_of = [](const std::vector<LegendRow>& rows) {
+                std::string text;
+                for (const LegendRow& row : rows) text += row.style.name + ": " + row.text + "\n";
+                return text;
+            };
+            std::set<std::string> used;
+            for (std::size_t i = 0; i < film.size(); ++i) {
+                const Figure& figure = film[i];
+                ASSERT_EQ(figure.panels.size(), 1u);
+                const DrawList& list = figure.panels[0].list;
+                EXPECT_EQ(list.world.min, film[0].panels[0].list.world.min);
+                EXPECT_EQ(list.world.max, film[0].panels[0].list.world.max);
+                const Box<2> own = make_picture(frames[i].session).world;
+                EXPECT_TRUE(list.world.contains(own.min) && list.world.contains(own.max));
+                EXPECT_EQ(text_of(figure.legend), text_of(film[0].legend));
+                EXPECT_NE(text_of(figure.legend).find("1: in one frame"), std::string::npos);
+                EXPECT_NE(figure.caption.find(" Step " + std::to_string(3 * i) + ":"), std::string::npos);
+                // The picture is that of its own step, with the common scale.
+                EXPECT_EQ(to_text(list),
+                          to_text(make_picture(frames[i].session, {number_range(session, heat), list.world, 0, {}})));
+                ASSERT_EQ(figure.bar.has_value(), heat != CellNumber::none);
+                if (figure.bar) {
+                    EXPECT_EQ(figure.bar->high, film[0].bar->high);
+                    EXPECT_EQ(figure.bar->high, std::to_string(session.recorded()));
+                }
+                for (const LegendRow& row : make_figure(std::span(frames).subspan(i, 1)).legend)
+                    used.insert(row.style.name + ": " + row.text);
+            }
+            const std::vector<Layout> pages = lay_out(film, {}, find_font());
+            for (const Layout& page : pages) {
+                EXPECT_EQ(page.panels[0].frame.x, pages[0].panels[0].frame.x);
+                EXPECT_EQ(page.panels[0].frame.y, pages[0].panels[0].frame.y);
+                EXPECT_EQ(page.panels[0].frame.w, pages[0].panels[0].frame.w);
+                EXPECT_EQ(page.scale, pages[0].scale);
+                ASSERT_EQ(page.legend.size(), pages[0].legend.size());
+                for (std::size_t row = 0; row < page.legend.size(); ++row) {
+                    EXPECT_EQ(page.legend[row].box.x, pages[0].legend[row].box.x);
+                    EXPECT_EQ(page.legend[row].box.y, pages[0].legend[row].box.y);
+                }
+            }
+            // What any frame would list alone is listed.
+            for (const std::string& row : used)
+                if (at == ZoomAt::view) {
+                    EXPECT_NE(text_of(film[0].legend).find(row + "\n"), std::string::npos) << row;
+                }
+            EXPECT_TRUE(std::string(text_of(film[0].legend)).find("projected last") != std::string::npos)
+                << "step 0 has none, but other frames do";
+        }
 }
 
 TEST(Picture, NotesShowInTheirStepsAtTheirAnchors) {
