@@ -28,7 +28,7 @@ Session<2> town_session() {
 
 struct Town {
     Session<2> session = town_session();
-    DrawList list = make_picture(session, std::nullopt);
+    DrawList list = make_picture(session);
 };
 
 const Town& town() {
