@@ -384,5 +384,25 @@ TEST(Session, WithoutPrimitivesItStillSteps) {
         }
 }
 
+TEST(Session, MarkersDoNotDependOnWhereARunMustStop) {
+    Random random(28);
+    std::size_t penalties = 0;
+    for (int i = 0; i < 60; ++i) {
+        Session<2> session = test::random_cell_start(random).session();
+        session.run();
+        const auto all = session.markers();
+        session.seek(static_cast<std::uint32_t>(random.below(session.position() + 1)));
+        session.set_time_stop(session.position());
+        const auto again = session.markers();
+        ASSERT_EQ(again.size(), all.size());
+        for (std::size_t m = 0; m < all.size(); ++m) {
+            ASSERT_EQ(again[m].step, all[m].step);
+            ASSERT_EQ(again[m].label, all[m].label);
+            penalties += all[m].kind == Marker::Kind::penalty;
+        }
+    }
+    EXPECT_GT(penalties, 100u);
+}
+
 }  // namespace
 }  // namespace sightline

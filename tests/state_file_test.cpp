@@ -75,7 +75,9 @@ void expect_same(const Session<2>& a, const Session<2>& b) {
     ASSERT_EQ(a.frozen(), b.frozen());
     ASSERT_EQ(a.display_view(), b.display_view());
     ASSERT_EQ(a.selected_cell, b.selected_cell);
+    ASSERT_EQ(a.selected_primitive, b.selected_primitive);
     ASSERT_EQ(a.bookmarks, b.bookmarks);
+    ASSERT_EQ(a.breakpoints, b.breakpoints);
     expect_same_notes(a.notes, b.notes);
 }
 
@@ -109,6 +111,10 @@ TEST(StateFile, OpensWhatWasSaved) {
             session.bookmarks.push_back({static_cast<std::uint32_t>(random.below(50)), random_text(random)});
         if (random.below(2) && session.cells().cell_count() > 0)
             session.selected_cell = static_cast<std::uint32_t>(random.below(session.cells().cell_count()));
+        if (random.below(2) && !scene.primitives.empty())
+            session.selected_primitive = static_cast<std::uint32_t>(random.below(scene.primitives.size()));
+        for (const char* condition : {"rho > 0.8 && visible_share == 0", "step:7", "cell:3"})
+            if (random.below(3) == 0) session.breakpoints.push_back({condition, random.below(2) == 0});
         if (random.below(2)) {
             session.freeze();
             if (random.below(2)) session.set_view(test::random_view(random));
@@ -128,6 +134,41 @@ TEST(StateFile, OpensWhatWasSaved) {
         ASSERT_EQ(opened.figure.panels, figure.panels);
         // Saving it again gives the same file.
         ASSERT_EQ(state_json(opened.session, opened.figure), text);
+        ASSERT_FALSE(opened.other);
+    }
+}
+
+TEST(StateFile, OpensTwoSessionsBesideEachOther) {
+    Random random(64);
+    for (int i = 0; i < 100; ++i) {
+        const test::Start start = test::random_start(random);
+        test::Start beside = random.below(2) ? start : test::random_start(random);
+        beside.settings = test::random_settings(random);
+        // As readers make them: without duplicates.
+        const auto cleaned = [](const test::Start& s) {
+            Session<2> session = s.session();
+            session.set_scene(std::make_shared<const Scene<2>>(read_json(write_json(session.scene()), "made")));
+            return session;
+        };
+        Session<2> session = cleaned(start), other = cleaned(beside);
+        session.seek(static_cast<std::uint32_t>(random.below(30)));
+        other.seek(static_cast<std::uint32_t>(random.below(30)));
+        other.breakpoints.push_back({"step:3", false});
+        if (random.below(2)) other.selected_cell = 0;
+        if (other.cells().cell_count() == 0) other.selected_cell = none;
+        const Align align = random.below(2) ? Align::step : Align::rendered;
+        const std::string text = state_json(session, {}, &other, align);
+        const OpenedState opened = open_state(text, "file.json");
+        ASSERT_TRUE(opened.warnings.empty()) << opened.warnings.front();
+        ASSERT_TRUE(opened.other);
+        expect_same(opened.session, session);
+        expect_same(*opened.other, other);
+        if (HasFatalFailure()) FAIL() << "session " << i;
+        ASSERT_EQ(opened.align, align);
+        const bool same = scene_hash(session.scene()) == scene_hash(other.scene());
+        ASSERT_EQ(Json::parse(text)["other"].contains("scene"), !same);
+        ASSERT_EQ(opened.session.shared_scene() == opened.other->shared_scene(), same);
+        ASSERT_EQ(state_json(opened.session, opened.figure, &*opened.other, opened.align), text);
     }
 }
 
@@ -181,10 +222,15 @@ Json good_state() {
     session.notes.push_back({});
     session.notes.back().text = "here";
     session.bookmarks.push_back({4, "a place"});
+    session.breakpoints.push_back({"rho > 0.5", true});
     session.selected_cell = 3;
+    session.selected_primitive = 5;
     session.freeze();
     session.set_view({{1, 2}, {3, 4}, 50});
-    return Json::parse(state_json(session, {"84mm", 8, {"step 1", "end"}}));
+    Session<2> other = session;
+    settings.penalty = Penalty::none;
+    other.change(settings);
+    return Json::parse(state_json(session, {"84mm", 8, {"step 1", "end"}}, &other, Align::rendered));
 }
 
 TEST(StateFile, AChangedSceneIsRefused) {
@@ -272,6 +318,30 @@ TEST(StateFile, BadContentIsOneLineThatNamesTheFile) {
         {"/selected_cell", 99999999},
         {"/selected_cell", -1},
         {"/selected_cell", "x"},
+        {"/selected_primitive", 99999999},
+        {"/selected_primitive", -1},
+        {"/breakpoints", 7},
+        {"/breakpoints/0", "x"},
+        {"/breakpoints/0/condition", 7},
+        {"/breakpoints/0/condition", "rho >"},
+        {"/breakpoints/0/condition", "nothing > 2"},
+        {"/breakpoints/0/on", "yes"},
+        {"/align", "sideways"},
+        {"/align", 1},
+        {"/other", 7},
+        {"/other", Json::array()},
+        {"/other", nullptr},
+        {"/other/format", "sightline-scene"},
+        {"/other/version", 2},
+        {"/other/scene", 7},
+        {"/other/scene", Json::object()},
+        {"/other/settings/jitter", "0.6"},
+        {"/other/settings/method", "nothing"},
+        {"/other/view/eye", 7},
+        {"/other/step", -1},
+        {"/other/selected_primitive", 99999999},
+        {"/other/breakpoints/0/condition", "rho >"},
+        {"/other/notes/0/kind", "blob"},
         {"/figure", 7},
         {"/figure/size", 84},
         {"/figure/font_pt", "8"},
@@ -282,12 +352,35 @@ TEST(StateFile, BadContentIsOneLineThatNamesTheFile) {
         Json json = good;
         json[Json::json_pointer(damage.place)] = damage.value;
         SCOPED_TRACE(std::string(damage.place) + " = " + damage.value.dump());
-        test::expect_input_error([&] { open_state(json.dump(), "file.json"); }, "file.json: *");
+        const bool in_other = std::string_view(damage.place).starts_with("/other");
+        test::expect_input_error([&] { open_state(json.dump(), "file.json"); },
+                                 in_other ? "file.json: other: *" : "file.json: *");
     }
-    for (const char* place :
-         {"/format", "/version", "/scene", "/scene/id", "/settings", "/view", "/view/eye", "/view/look_at", "/view/fov",
-          "/step", "/notes/0/kind", "/notes/0/anchor", "/notes/0/text", "/notes/0/offset_pt", "/notes/0/point",
-          "/bookmarks/0/step", "/bookmarks/0/label", "/display_view/eye", "/figure/size"}) {
+    for (const char* place : {"/format",
+                              "/version",
+                              "/scene",
+                              "/scene/id",
+                              "/settings",
+                              "/view",
+                              "/view/eye",
+                              "/view/look_at",
+                              "/view/fov",
+                              "/step",
+                              "/notes/0/kind",
+                              "/notes/0/anchor",
+                              "/notes/0/text",
+                              "/notes/0/offset_pt",
+                              "/notes/0/point",
+                              "/bookmarks/0/step",
+                              "/bookmarks/0/label",
+                              "/display_view/eye",
+                              "/figure/size",
+                              "/breakpoints/0/condition",
+                              "/breakpoints/0/on",
+                              "/other/format",
+                              "/other/settings",
+                              "/other/view",
+                              "/other/step"}) {
         Json json = good;
         const Json::json_pointer at(place);
         if (std::string_view(place) == "/scene/id") json["scene"].erase("embedded");
@@ -321,6 +414,9 @@ TEST(StateFile, WarnsWhenTheTraversalIsAnother) {
     json["state_hash"] = "0000000000000000";
     auto opened = open_state(json.dump(), "f");
     ASSERT_EQ(opened.warnings, std::vector<std::string>{"f: step 9 differs from what was saved"});
+    json["other"]["state_hash"] = "0000000000000000";
+    ASSERT_EQ(open_state(json.dump(), "f").warnings.back(), "f: other: step 9 differs from what was saved");
+    json.erase("other");
     json["step"] = 4000000000u;
     opened = open_state(json.dump(), "f");
     ASSERT_EQ(opened.warnings.size(), 1u);
@@ -344,7 +440,7 @@ TEST(StateFile, WhateverComesOnlyInputErrorsEscape) {
             test::mutate(random, bytes, seeds[random.below(seeds.size())], false);
         try {
             const OpenedState opened = open_state(bytes, "file.json");
-            state_json(opened.session, opened.figure);
+            state_json(opened.session, opened.figure, opened.other ? &*opened.other : nullptr, opened.align);
             ++read;
         } catch (const InputError& error) {
             ++refused;

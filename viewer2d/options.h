@@ -25,6 +25,8 @@ struct Options {
     std::optional<double> font_pt;
     std::vector<std::string> shots;
     std::string state, trace, stats;
+
+    bool writes() const { return !shots.empty() || !trace.empty() || !stats.empty(); }
 };
 
 /// Nothing when help was asked for (and printed). Throws InputError for wrong usage.

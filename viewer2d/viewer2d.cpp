@@ -19,7 +19,9 @@
 #include "shell/bench/open.h"
 #include "shell/commands/arguments.h"
 #include "shell/commands/command_table.h"
+#include "shell/gl/context.h"
 #include "viewer2d/options.h"
+#include "viewer2d/window2d.h"
 
 namespace sightline {
 
@@ -87,8 +89,9 @@ Workbench<2> open_bench(const Options& o, std::span<const Method<2>> methods) {
     return {std::move(opened.session), std::move(opened.figure), Stop::steps, false, say, methods};
 }
 
-void move(Workbench<2>& bench, const Options& o) {
-    const bool asked = o.steps || !o.until.empty() || !o.commands.empty();
+/// Without a word about where to stand, a run without a window goes to its end; a window waits at the start.
+void move(Workbench<2>& bench, const Options& o, bool window) {
+    const bool asked = window || o.steps || !o.until.empty() || !o.commands.empty();
     if (!asked && o.state.empty()) run_to_end(bench);
     if (!asked && !o.state.empty()) go_to_step(bench, bench.session.position());
     if (!o.commands.empty()) run_commands(bench, o.commands);
@@ -126,8 +129,8 @@ void print_summary(const Workbench<2>& bench) {
 }
 
 void obey(const Options& o, std::span<const Method<2>> methods) {
-    if (!o.headless)
-        std::cerr << "viewer2d: the window comes with a later version; doing the same as with --headless\n";
+    const bool window = !o.headless && has_display();
+    if (!o.headless && !window) std::cerr << "viewer2d: no display found; doing the same as with --headless\n";
     Workbench<2> bench = open_bench(o, methods);
     if (!o.size.empty()) set_figure_size(bench, o.size);
     if (o.font_pt) bench.figure.font_pt = *o.font_pt;
@@ -142,11 +145,12 @@ void obey(const Options& o, std::span<const Method<2>> methods) {
             begin = end + 1;
         }
     }
-    move(bench, o);
-    print_summary(bench);
+    move(bench, o, window);
+    if (!window || o.writes()) print_summary(bench);
     for (const std::string& file : o.shots) write_shot(bench, file);
     if (!o.trace.empty()) write_text(o.trace, trace_json(bench.session));
     if (!o.stats.empty()) write_text(o.stats, stats_json(bench.session, bench.last_stop));
+    if (window && !bench.quit) run_window(bench);
 }
 
 int report(const char* what, int status) {

@@ -8,9 +8,6 @@ namespace sightline {
 std::vector<std::optional<double>> cell_numbers(const Session<2>& session, CellNumber what) {
     const CellComplex<2>& cells = session.cells();
     std::vector<std::optional<double>> numbers(cells.cell_count());
-    std::vector<std::uint32_t> layers;
-    if (what == CellNumber::zeta)
-        layers = layering_numbers(session.scene().primitives, make_view(session.culling_view()));
     for (std::uint32_t cell = 0; cell < cells.cell_count(); ++cell) {
         const CellMark mark = session.state().mark(cell);
         switch (what) {
@@ -28,8 +25,8 @@ std::vector<std::optional<double>> cell_numbers(const Session<2>& session, CellN
                 break;
             case CellNumber::zeta:
                 for (const std::uint32_t primitive : cells.primitives_of(cell))
-                    if (layers[primitive] > 0)
-                        numbers[cell] = std::min<double>(numbers[cell].value_or(layers[primitive]), layers[primitive]);
+                    if (const std::uint32_t zeta = session.layering()[primitive]; zeta > 0)
+                        numbers[cell] = std::min<double>(numbers[cell].value_or(zeta), zeta);
                 break;
             case CellNumber::order:
             case CellNumber::none:
@@ -43,10 +40,16 @@ std::vector<std::optional<double>> cell_numbers(const Session<2>& session, CellN
 }
 
 std::optional<std::array<double, 2>> number_range(const Session<2>& session, CellNumber what) {
-    Session<2> at_end = session;
-    at_end.seek(session.recorded());
+    std::vector<std::optional<double>> numbers;
+    if (what == CellNumber::solidity || what == CellNumber::order) {
+        Session<2> at_end = session;
+        at_end.seek(session.recorded());
+        numbers = cell_numbers(at_end, what);
+    } else {
+        numbers = cell_numbers(session, what);  // the same at each step
+    }
     std::optional<std::array<double, 2>> range;
-    for (const auto& number : cell_numbers(at_end, what)) {
+    for (const auto& number : numbers) {
         if (!number) continue;
         if (!range) range = {*number, *number};
         range = {std::min((*range)[0], *number), std::max((*range)[1], *number)};

@@ -8,6 +8,7 @@
 #include "core/draw/notes.h"
 #include "core/draw/palette.h"
 #include "core/draw/picture.h"
+#include "core/draw/shown_world.h"
 #include "core/number.h"
 #include "core/session/report.h"
 
@@ -39,8 +40,9 @@ struct Common {
     std::optional<ColourBar> bar;
 };
 
-/// Draws each source; the first one's settings say what the numbers, the legend and the colours are.
-Common draw(std::span<const PanelSource> sources, std::vector<DrawList>& lists) {
+/// Draws each source, all of them with that world if there is one; the first one's settings say what the numbers, the
+/// legend and the colours are.
+Common draw(std::span<const PanelSource> sources, const std::optional<Box<2>>& world, std::vector<DrawList>& lists) {
     Common common;
     const Settings& settings = sources.front().session.settings();
     auto& range = common.heat_range;
@@ -52,7 +54,7 @@ Common draw(std::span<const PanelSource> sources, std::vector<DrawList>& lists) 
             }
     std::vector<Note<2>> notes;
     for (const PanelSource& source : sources) {
-        lists.push_back(make_picture(source.session, {range, 0, source.sides}));
+        lists.push_back(make_picture(source.session, {range, world, 0, source.sides}));
         for (const Note<2>& note : current_notes(source.session))
             if (lists.back().world.contains(anchor_point(source.session, note))) notes.push_back(note);
     }
@@ -83,7 +85,7 @@ Figure empty_figure(const Common& common, const Settings& settings) {
 Figure make_figure(std::span<const PanelSource> panels) {
     const Settings& settings = panels.front().session.settings();
     std::vector<DrawList> lists;
-    Figure figure = empty_figure(draw(panels, lists), settings);
+    Figure figure = empty_figure(draw(panels, std::nullopt, lists), settings);
     for (std::size_t i = 0; i < panels.size(); ++i) {
         std::string title;
         if (panels.size() > 1) title = "(" + std::string(1, panel_letter(i)) + ") " + panels[i].title;
@@ -91,6 +93,24 @@ Figure make_figure(std::span<const PanelSource> panels) {
     }
     if (settings.caption == Switch::on) figure.caption = caption(panels);
     return figure;
+}
+
+std::vector<Figure> make_film(std::span<const PanelSource> frames) {
+    const Settings& settings = frames.front().session.settings();
+    Box<2> world;
+    for (const PanelSource& frame : frames) {
+        const Box<2> own = shown_world(frame.session);
+        world.add(own.min);
+        world.add(own.max);
+    }
+    std::vector<DrawList> lists;
+    const Figure common = empty_figure(draw(frames, world, lists), settings);
+    std::vector<Figure> film(frames.size(), common);
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        film[i].panels.push_back({std::move(lists[i]), frames[i].title});
+        if (settings.caption == Switch::on) film[i].caption = caption(frames.subspan(i, 1));
+    }
+    return film;
 }
 
 }  // namespace sightline

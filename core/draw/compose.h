@@ -21,4 +21,8 @@ struct PanelSource {
 /// One figure of all panels with one legend and one scale; palette, legend and caption as in the first panel.
 Figure make_figure(std::span<const PanelSource> panels);
 
+/// A film: a figure of one panel for each frame, all with the same legend, scale of the heat map and world, so that
+/// nothing jumps from one to the next (write_figure_pages). A frame's caption is about its own step.
+std::vector<Figure> make_film(std::span<const PanelSource> frames);
+
 }  // namespace sightline

@@ -33,7 +33,7 @@ class Painter {
 public:
     Painter(const Session<2>& session, const PictureOptions& options)
         : session_(session), set_(session.settings()), cells_(session.cells()), colours_(colours(set_.palette)) {
-        list_.world = shown_world(session, options.aspect);
+        list_.world = widened(options.world ? *options.world : shown_world(session), options.aspect);
         list_.styles = colours_.looks;
         const bool by_state = set_.heat == CellNumber::none && set_.show_states == Switch::on;
         if (set_.heat != CellNumber::none && options.heat_range) heat_map(*options.heat_range);

@@ -15,6 +15,8 @@ namespace sightline {
 struct PictureOptions {
     /// What the lowest and the highest colour of the heat map stand for (number_range; panels of one figure share it).
     std::optional<std::array<double, 2>> heat_range{};
+    /// The part of the scene to show; nothing: what the settings say (shown_world.h).
+    std::optional<Box<2>> world{};
     /// > 0: the world is widened, never cut, to this width / height, so that all of a window is drawn and labelled.
     double aspect = 0;
     /// Per cell, for two sessions beside each other: filled by who projected it instead of by state. Empty: by state.

@@ -20,7 +20,13 @@ Box<2> whole_world(const Session<2>& session) {
     return {box.min - margin, box.max + margin};
 }
 
-Box<2> zoomed_world(const Session<2>& session) {
+}  // namespace
+
+std::uint32_t last_cell(const Session<2>& session) {
+    return session.position() > 0 ? session.timeline().steps[session.position() - 1].cell : none;
+}
+
+Box<2> shown_world(const Session<2>& session) {
     const Box<2> box = whole_world(session);
     const Settings& settings = session.settings();
     const Vec<2> half = box.extent() * (0.5 / settings.zoom);
@@ -42,14 +48,7 @@ Box<2> zoomed_world(const Session<2>& session) {
     return {centre - half, centre + half};
 }
 
-}  // namespace
-
-std::uint32_t last_cell(const Session<2>& session) {
-    return session.position() > 0 ? session.timeline().steps[session.position() - 1].cell : none;
-}
-
-Box<2> shown_world(const Session<2>& session, double aspect) {
-    Box<2> box = zoomed_world(session);
+Box<2> widened(Box<2> box, double aspect) {
     if (!(aspect > 0)) return box;
     const Vec<2> extent = box.extent();
     const Vec<2> more(std::max(0.0, extent.y * aspect - extent.x), std::max(0.0, extent.x / aspect - extent.y));

@@ -9,8 +9,10 @@ namespace sightline {
 /// The cell that the session's last step projected; none at the start and for methods that order primitives.
 std::uint32_t last_cell(const Session<2>& session);
 
-/// What the picture settings zoom, zoom_at, zoom_x and zoom_y show. `aspect` > 0: widened, never cut, to this width /
-/// height, about the same middle.
-Box<2> shown_world(const Session<2>& session, double aspect = 0);
+/// What the picture settings zoom, zoom_at, zoom_x and zoom_y show.
+Box<2> shown_world(const Session<2>& session);
+
+/// `aspect` > 0: the box widened, never cut, to this width / height, about the same middle.
+Box<2> widened(Box<2> box, double aspect);
 
 }  // namespace sightline

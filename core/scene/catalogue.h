@@ -11,7 +11,7 @@
 
 namespace sightline {
 
-/// A setting that the scene's lesson needs and that differs from the default; both as on the command line.
+/// A setting that the scene's lesson starts with and that differs from the default; both as on the command line.
 struct SettingOverride {
     const char* field;
     const char* value;

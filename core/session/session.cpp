@@ -60,6 +60,12 @@ void Session<D>::drop_dangling() {
 }
 
 template <int D>
+void Session<D>::forget_measures() {
+    reference_.reset();
+    layering_.reset();
+}
+
+template <int D>
 void Session<D>::restart() {
     frame_ = make_frame<D>(scene_->primitives, *cells_, view_, settings_);
     method_.start(frame_, state_);
@@ -136,7 +142,7 @@ Invalidates Session<D>::change(const Settings& settings) {
     method_ = method;
     if (what >= Invalidates::tessellation) {
         tessellate();
-        reference_.reset();
+        forget_measures();
     }
     if (what >= Invalidates::traversal) {
         restart();
@@ -155,7 +161,7 @@ void Session<D>::set_view(const ViewSpec<D>& view) {
     const std::uint32_t step = state_.step;
     culling_view_ = view;
     view_ = made;
-    reference_.reset();
+    forget_measures();
     restart();
     seek(step);
 }
@@ -165,7 +171,7 @@ void Session<D>::set_scene(std::shared_ptr<const Scene<D>> scene) {
     const std::uint32_t step = state_.step;
     scene_ = std::move(scene);
     tessellate();
-    reference_.reset();
+    forget_measures();
     restart();
     seek(step);
 }
@@ -183,6 +189,13 @@ const Reference& Session<D>::reference() const {
             return std::make_shared<const Reference>(exact_reference(scene_->primitives, *cells_, view_));
         });
     return *reference_;
+}
+
+template <int D>
+const std::vector<std::uint32_t>& Session<D>::layering() const {
+    if (!layering_)
+        layering_ = std::make_shared<const std::vector<std::uint32_t>>(layering_numbers(scene_->primitives, view_));
+    return *layering_;
 }
 
 template <int D>
@@ -215,6 +228,7 @@ std::vector<Marker> Session<D>::markers() const {
     if (method_.terms) {
         // The keys of cells projected later are known where all is done.
         Session end = *this;
+        end.set_time_stop(none);
         end.seek(recorded());
         for (std::uint32_t step = 1; step <= end.position(); ++step)
             if (const std::size_t penalised = end.penalised_facets(step).size(); penalised > 0)

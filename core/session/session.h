@@ -113,6 +113,8 @@ public:
 
     // Measured, made on first use.
     const Reference& reference() const;
+    /// Layering number ζ of each primitive; 0: hit by no ray (visible_set.h).
+    const std::vector<std::uint32_t>& layering() const;
     std::size_t visible_rendered() const;
     std::vector<Inversion> inversions() const;
     /// Penalties, inversions and the ticks of 1, 2, 5 and 10 % budget, by step.
@@ -122,6 +124,7 @@ private:
     void tessellate();
     void restart();
     void drop_dangling();
+    void forget_measures();
     /// The one way forward: until the budget, the empty front, `steps` steps, or `holds` after a step.
     template <typename Holds>
     Stop advance(std::uint32_t steps, Holds holds);
@@ -139,6 +142,7 @@ private:
     Timeline timeline_;
     std::uint32_t time_stop_ = none;
     mutable std::shared_ptr<const Reference> reference_;
+    mutable std::shared_ptr<const std::vector<std::uint32_t>> layering_;
     mutable Times times_;
 };
 

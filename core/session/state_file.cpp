@@ -10,12 +10,15 @@
 #include "core/scene/load.h"
 #include "core/scene/read_json.h"
 #include "core/scene/text.h"
+#include "core/session/condition.h"
 
 namespace sightline {
 
 namespace {
 
 using OrderedJson = nlohmann::ordered_json;
+
+constexpr auto align_words = std::to_array<std::string_view>({"step", "rendered"});
 
 OrderedJson view_json(const ViewSpec<2>& view) {
     return {{"eye", {view.eye.x, view.eye.y}}, {"look_at", {view.look_at.x, view.look_at.y}}, {"fov", view.fov}};
@@ -117,14 +120,31 @@ Scene<2> read_scene(const Json& json, const std::string& name, bool two_sided) {
     return scene;
 }
 
-OpenedState read_state(const Json& json, const std::string& name, std::span<const Method<2>> methods) {
+/// An index into something of that size; none when it is missing.
+std::uint32_t read_selected(const Json& json, const char* key, std::size_t size) {
+    const std::uint32_t selected = read_count(json, key, none);
+    if (selected != none && selected >= size) throw InputError("\"" + std::string(key) + "\" does not exist");
+    return selected;
+}
+
+void read_breakpoints(const Json& json, Session<2>& session) {
+    for (const Json& breakpoint : list(json, "breakpoints")) {
+        session.breakpoints.push_back({breakpoint.at("condition").get<std::string>(), breakpoint.at("on").get<bool>()});
+        const Condition<2> must_be_one(session.breakpoints.back().condition);
+    }
+}
+
+/// `shared`: the scene of a state that has none of its own.
+OpenedState read_state(const Json& json, const std::string& name, std::span<const Method<2>> methods,
+                       std::shared_ptr<const Scene<2>> shared = nullptr) {
     if (json.at("format") != "sightline-state") throw InputError("\"format\" is not \"sightline-state\"");
     if (json.at("version") != 1) throw InputError("\"version\" is not 1, the only one known");
     Settings settings;
     for (const auto& [field, value] : json.at("settings").items())
         apply_setting(settings, field + "=" + value.get<std::string>());
-    auto scene = std::make_shared<const Scene<2>>(read_scene(json.at("scene"), name, settings.two_sided == Switch::on));
-    OpenedState opened{Session<2>(std::move(scene), read_view(json.at("view")), settings, methods), {}, {}};
+    if (!shared || json.contains("scene"))
+        shared = std::make_shared<const Scene<2>>(read_scene(json.at("scene"), name, settings.two_sided == Switch::on));
+    OpenedState opened{Session<2>(std::move(shared), read_view(json.at("view")), settings, methods), {}, {}};
     Session<2>& session = opened.session;
     if (json.contains("time_stop")) session.set_time_stop(read_count(json.at("time_stop")));
     const std::uint32_t step = read_count(json.at("step"));
@@ -153,54 +173,97 @@ OpenedState read_state(const Json& json, const std::string& name, std::span<cons
         opened.figure.font_pt = figure.at("font_pt").get<double>();
         opened.figure.panels = figure.at("panels").get<std::vector<std::string>>();
     }
-    session.selected_cell = read_count(json, "selected_cell", none);
-    if (session.selected_cell != none && session.selected_cell >= session.cells().cell_count())
-        throw InputError("\"selected_cell\" does not exist");
+    session.selected_cell = read_selected(json, "selected_cell", session.cells().cell_count());
+    session.selected_primitive = read_selected(json, "selected_primitive", session.scene().primitives.size());
+    read_breakpoints(json, session);
     return opened;
 }
 
-}  // namespace
+std::string why_not(const Json::exception& error) {
+    std::string why = error.what();  // "[json.exception.parse_error.101] parse error at line 1, column 2: …"
+    if (const std::size_t end = why.find("] "); end != std::string::npos) why.erase(0, end + 2);
+    return "not a state file: " + why;
+}
 
-std::string state_json(const Session<2>& session, const FigureSpec& figure) {
-    const Scene<2>& scene = session.scene();
-    OrderedJson scene_part{{"id", scene.id},
-                           {"seed", scene.seed},
-                           {"hash", hash_text(scene_hash(scene))},
-                           {"source", scene.source},
-                           {"dropped",
-                            {{"degenerate", scene.dropped.degenerate},
-                             {"duplicate", scene.dropped.duplicate},
-                             {"not_finite", scene.dropped.not_finite}}}};
+/// The state that stands beside the first one, if there is one.
+void read_other(const Json& json, const std::string& name, std::span<const Method<2>> methods, OpenedState& opened) {
+    if (json.contains("align")) opened.align = read_word<Align>(json.at("align"), align_words);
+    if (!json.contains("other")) return;
+    const std::string place = name + ": other";
+    try {
+        OpenedState other = read_state(json.at("other"), place, methods, opened.session.shared_scene());
+        opened.other = std::move(other.session);
+        opened.warnings.insert(opened.warnings.end(), other.warnings.begin(), other.warnings.end());
+    } catch (const Json::exception& error) {
+        throw InputError(place + ": " + why_not(error));
+    } catch (const InputError& error) {
+        const std::string why = error.what();
+        throw InputError(why.starts_with(place) ? why : place + ": " + why);
+    }
+}
+
+OrderedJson scene_part(const Scene<2>& scene) {
+    OrderedJson json{{"id", scene.id},
+                     {"seed", scene.seed},
+                     {"hash", hash_text(scene_hash(scene))},
+                     {"source", scene.source},
+                     {"dropped",
+                      {{"degenerate", scene.dropped.degenerate},
+                       {"duplicate", scene.dropped.duplicate},
+                       {"not_finite", scene.dropped.not_finite}}}};
     if (std::string embedded = write_json(scene); embedded.size() <= embed_limit_bytes)
-        scene_part["embedded"] = OrderedJson::parse(embedded);
+        json["embedded"] = OrderedJson::parse(embedded);
     else
-        scene_part["name"] = scene.name.empty() ? scene.id : scene.name;
+        json["name"] = scene.name.empty() ? scene.id : scene.name;
+    return json;
+}
+
+/// All but the scene and the figure, which two states may share.
+OrderedJson session_part(const Session<2>& session) {
     OrderedJson settings;
     for (const SettingRow& row : settings_table()) settings[std::string(row.name)] = row.get(session.settings());
-    OrderedJson json{{"format", "sightline-state"},
-                     {"version", 1},
-                     {"scene", std::move(scene_part)},
-                     {"settings", std::move(settings)},
+    OrderedJson json{{"settings", std::move(settings)},
                      {"view", view_json(session.culling_view())},
-                     {"figure", {{"size", figure.size}, {"font_pt", figure.font_pt}, {"panels", figure.panels}}},
                      {"step", session.position()},
                      {"state_hash", hash_text(session.hash())}};
     if (session.frozen()) json["display_view"] = view_json(session.display_view());
     if (session.time_stop() != none) json["time_stop"] = session.time_stop();
     if (session.selected_cell != none) json["selected_cell"] = session.selected_cell;
+    if (session.selected_primitive != none) json["selected_primitive"] = session.selected_primitive;
     for (const Bookmark& bookmark : session.bookmarks)
         json["bookmarks"].push_back({{"step", bookmark.step}, {"label", bookmark.label}});
+    for (const Breakpoint& breakpoint : session.breakpoints)
+        json["breakpoints"].push_back({{"condition", breakpoint.condition}, {"on", breakpoint.on}});
     for (const Note<2>& note : session.notes) json["notes"].push_back(note_json(note));
+    return json;
+}
+
+}  // namespace
+
+std::string state_json(const Session<2>& session, const FigureSpec& figure, const Session<2>* other, Align align) {
+    const OrderedJson head{{"format", "sightline-state"}, {"version", 1}};
+    OrderedJson json = head;
+    json["scene"] = scene_part(session.scene());
+    json["figure"] = {{"size", figure.size}, {"font_pt", figure.font_pt}, {"panels", figure.panels}};
+    json.update(session_part(session));
+    if (other) {
+        OrderedJson beside = head;
+        if (scene_hash(other->scene()) != scene_hash(session.scene())) beside["scene"] = scene_part(other->scene());
+        beside.update(session_part(*other));
+        json["align"] = align_words[static_cast<std::size_t>(align)];
+        json["other"] = std::move(beside);
+    }
     return json.dump(1, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 
 OpenedState open_state(std::string_view text, const std::string& name, std::span<const Method<2>> methods) {
     try {
-        return read_state(parse_json(text, name), name, methods);
+        const Json json = parse_json(text, name);
+        OpenedState opened = read_state(json, name, methods);
+        read_other(json, name, methods, opened);
+        return opened;
     } catch (const Json::exception& error) {
-        std::string why = error.what();  // "[json.exception.parse_error.101] parse error at line 1, column 2: …"
-        if (const std::size_t end = why.find("] "); end != std::string::npos) why.erase(0, end + 2);
-        throw input_error(name, "", "not a state file: " + why);
+        throw input_error(name, "", why_not(error));
     } catch (const InputError& error) {
         const std::string why = error.what();
         if (why.starts_with(name + ": ")) throw InputError(one_line(why, 4096));

@@ -1,11 +1,14 @@
-// A session as a file: scene, settings, view, step, notes. A figure's sidecar is one; opening it shows the same again.
+// A session as a file, or two beside each other: scene, settings, view, step, notes. A figure's sidecar is one; opening
+// it shows the same again.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "core/session/comparison.h"
 #include "core/session/figure_spec.h"
 #include "core/session/session.h"
 
@@ -14,16 +17,21 @@ namespace sightline {
 /// A scene whose JSON is at most this long travels inside the state file; a larger one by id, seed and hash.
 inline constexpr std::size_t embed_limit_bytes = 1'000'000;
 
-std::string state_json(const Session<2>& session, const FigureSpec& figure = {});
+/// `other`: a session that stands beside the first one, moved along as `align` says.
+std::string state_json(const Session<2>& session, const FigureSpec& figure = {}, const Session<2>* other = nullptr,
+                       Align align = Align::step);
 
 struct OpenedState {
     Session<2> session;
     FigureSpec figure;
     std::vector<std::string> warnings;  ///< e.g. that the traversal has changed since
+    std::optional<Session<2>> other{};  ///< shares the scene of `session` when it had the same
+    Align align = Align::step;
 };
 
 /// `name` begins every error line. Throws InputError when the text is no state file, when the scene it names cannot be
-/// found or is another one (by hash), or when a setting does not exist.
+/// found or is another one (by hash), when a setting does not exist, or when a
+/// breakpoint is no condition.
 OpenedState open_state(std::string_view text, const std::string& name,
                        std::span<const Method<2>> methods = method_table<2>());
 

@@ -22,6 +22,12 @@ struct Clipboard {
     std::function<void(const std::string&)> set;
 };
 
+/// Where something stands in the window, in its units, y down: for scripts and for readers of the screen.
+struct Place {
+    std::string name;
+    double x = 0, y = 0, w = 0, h = 0;
+};
+
 template <int D>
 struct Workbench {
     Session<D> session;
@@ -40,6 +46,7 @@ struct Workbench {
     std::uint32_t hovered_cell = none;
     Desk desk;
     Clipboard clipboard;
+    std::vector<Place> places;  ///< written anew by each frame of the window
 
     /// Counts the traversals: what was derived from the recording is made again when this has changed.
     std::uint64_t run = 0;

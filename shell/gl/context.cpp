@@ -80,7 +80,12 @@ GlContext::Video::Video(Place place) {
     const bool good = SDL_InitSubSystem(SDL_INIT_VIDEO) == 0;
     const std::string why = good ? "" : SDL_GetError();
     if (place == Place::off_screen) SDL_SetHintWithPriority(SDL_HINT_VIDEODRIVER, kept.c_str(), SDL_HINT_OVERRIDE);
-    if (!good) throw WorkError("no video to open a window or a context on: " + why);
+    if (!good) throw WorkError("SDL has no video to open a window or a context on: " + why + remedy);
+    // Without a display SDL falls back on drivers that show nothing.
+    if (place == Place::window && !is_window_system(SDL_GetCurrentVideoDriver())) {
+        SDL_QuitSubSystem(SDL_INIT_VIDEO);
+        throw WorkError("there is no display to open a window on (neither X11 nor Wayland answers)");
+    }
 }
 
 GlContext::Video::~Video() { SDL_QuitSubSystem(SDL_INIT_VIDEO); }

@@ -67,8 +67,7 @@ void ListRenderer::draw(const ListView& view) const {
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_STENCIL_TEST);
     glDisable(GL_CULL_FACE);
-    glEnable(GL_SCISSOR_TEST);
-    glScissor(view.x, view.y, view.w, view.h);
+    glDisable(GL_SCISSOR_TEST);  // triangles are clipped to the viewport anyway
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     glBindVertexArray(layout_.name());
 
@@ -76,7 +75,7 @@ void ListRenderer::draw(const ListView& view) const {
     const double scale = view.w / extent.x;
     const Vec<2> shift = (mesh_.origin - view.world.min) * scale;
     const double pitch = hatch_pitch_pt * view.px_per_pt;
-    // Hatches stay with the scene; a pattern repeats after some pitches, so far ones need no large numbers.
+    // Hatches stay with the scene; far from its middle they jump once in thousands of pitches, or floats would not do.
     const double period = 4096 * pitch;
     const Vec<2> anchor(std::remainder(shift.x, period) + view.x, std::remainder(shift.y, period) + view.y);
     for (const MeshRun& run : mesh_.runs) {
@@ -98,7 +97,6 @@ void ListRenderer::draw(const ListView& view) const {
     glBindVertexArray(0);
     glUseProgram(0);
     glDisable(GL_BLEND);
-    glDisable(GL_SCISSOR_TEST);
 }
 
 }  // namespace sightline

@@ -32,8 +32,12 @@ flat out vec4 ink;
 flat out vec4 hatch_ink;
 #endif
 #ifdef LINES
-out vec2 uv;
+noperspective out vec2 uv;
+#ifdef MARKS
 flat out vec4 line;      // length, half width, start, size
+#else
+flat out vec2 line;
+#endif
 #endif
 #if defined(FILLS) || defined(MARKS)
 flat out vec2 kind;      // Paint; of a fill the Hatch
@@ -81,7 +85,11 @@ void main() {
     at += along * (at_end ? reach : -reach) + vec2(-along.y, along.x) * side;
 #endif
     uv = vec2(u, side);
+#ifdef MARKS
     line = vec4(len, half_width, length_start.y * scale, size);
+#else
+    line = vec2(len, half_width);
+#endif
 #endif
     gl_Position = vec4(at / half_view - 1.0, 0.0, 1.0);
 }
@@ -93,8 +101,12 @@ flat in vec4 ink;
 flat in vec4 hatch_ink;
 #endif
 #ifdef LINES
-in vec2 uv;
+noperspective in vec2 uv;
+#ifdef MARKS
 flat in vec4 line;
+#else
+flat in vec2 line;
+#endif
 #endif
 #if defined(FILLS) || defined(MARKS)
 flat in vec2 kind;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include "core/number.h"
+
 namespace sightline {
 
 template <int D>
@@ -39,6 +41,11 @@ std::string panels_text(const Workbench<D>& bench) {
             text += std::string(2 * static_cast<std::size_t>(row.indent), ' ') + row.text + "\n";
         text += "\n";
     }
+    if (bench.places.empty()) return text;
+    text += "== Screen ==\n";
+    for (const Place& place : bench.places)
+        text += place.name + ": " + number_text(place.x) + " " + number_text(place.y) + " " + number_text(place.w) +
+                " " + number_text(place.h) + "\n";
     return text;
 }
 

@@ -1,0 +1,52 @@
+// The command table as menus.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shell/commands/command_table.h"
+#include "shell/window/keys.h"
+#include "shell/window/parts.h"
+
+namespace sightline {
+
+namespace {
+
+/// "Right, PageDown"
+std::string keys_of(std::string_view id, std::string_view keys) {
+    std::string text;
+    for (const KeyBinding& binding : key_bindings(id, keys))
+        if (binding.command == id) text += (text.empty() ? "" : ", ") + binding.key;
+    return text;
+}
+
+}  // namespace
+
+template <int D>
+float menu_bar(Ui& ui, Workbench<D>& bench) {
+    if (!ImGui::BeginMainMenuBar()) return 0;
+    const float height = ImGui::GetWindowHeight();
+    for (const CommandGroup<D>& group : command_groups<D>()) {
+        const std::string title(group.title);
+        const bool open = ImGui::BeginMenu(title.c_str());
+        note_place(bench, "menu " + title);
+        if (!open) continue;
+        for (const Command<D>& command : group.commands) {
+            const bool needs = !command.arguments.empty() && !command.arguments.starts_with('[');
+            const std::string label = std::string(command.text) + (needs ? " …" : "");
+            if (ImGui::MenuItem(label.c_str(), keys_of(command.id, command.keys).c_str())) {
+                if (needs) {
+                    bench.desk.console = true;
+                    bench.desk.console_text = std::string(command.id) + " ";
+                } else {
+                    ui.act(std::string(command.id));
+                }
+            }
+            if (needs && ImGui::IsItemHovered())
+                ImGui::SetTooltip("%s %s", std::string(command.id).c_str(), std::string(command.arguments).c_str());
+        }
+        ImGui::EndMenu();
+    }
+    ImGui::EndMainMenuBar();
+    return height;
+}
+
+template float menu_bar<2>(Ui&, Workbench<2>&);
+
+}  // namespace sightline

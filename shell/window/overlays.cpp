@@ -1,0 +1,167 @@
+// What comes over the picture: scene chooser, help sheet, console.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+
+#include "shell/commands/command_table.h"
+#include "shell/window/keys.h"
+#include "shell/window/parts.h"
+#include "shell/window/theme.h"
+
+namespace sightline {
+
+namespace {
+
+constexpr ImGuiWindowFlags overlay_flags =
+    ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav;
+
+bool begin_overlay(const char* name, const Area& area) {
+    ImGui::SetNextWindowPos(area.min());
+    ImGui::SetNextWindowSize({area.w, area.h});
+    ImGui::SetNextWindowFocus();
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, colour(theme::paper));
+    const bool shown = ImGui::Begin(name, nullptr, overlay_flags & ~ImGuiWindowFlags_NoScrollbar);
+    ImGui::PopStyleColor();
+    return shown;
+}
+
+template <int D>
+void chooser(Ui& ui, Workbench<D>& bench, const Stage& stage, const Area& area) {
+    begin_overlay("scenes", area);
+    ImGui::PushFont(ui.fonts.bold);
+    ImGui::TextUnformatted("Choose a scene");
+    ImGui::PopFont();
+    ImGui::SameLine();
+    ImGui::TextDisabled("Esc leaves");
+    ImGui::BeginChild("list");
+    const float thumb_w = 150 * ui.unit, thumb_h = 100 * ui.unit, gap = 12 * ui.unit;
+    const float least = 420 * ui.unit;
+    const int columns = std::max(1, static_cast<int>(ImGui::GetContentRegionAvail().x / least));
+    const float w =
+        (ImGui::GetContentRegionAvail().x - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    for (std::size_t i = 0; i < stage.scenes.size(); ++i) {
+        const SceneChoice& choice = stage.scenes[i];
+        if (i % static_cast<std::size_t>(columns) != 0) ImGui::SameLine(0, gap);
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        const float h = thumb_h + 14 * ui.unit;
+        if (ImGui::InvisibleButton(choice.name.c_str(), {w, h})) {
+            bench.desk.chooser = false;
+            ui.act("open " + choice.name);
+        }
+        note_place(bench, "scene " + choice.name);
+        if (!ImGui::IsItemVisible()) continue;
+        if (ImGui::IsItemHovered()) list.AddRectFilled(at, {at.x + w, at.y + h}, colour(theme::hover), 3 * ui.unit);
+        const float pad = 7 * ui.unit;
+        const ImVec2 min{at.x + pad, at.y + pad}, max{min.x + thumb_w, min.y + thumb_h};
+        const GLuint texture = stage.thumbnail ? stage.thumbnail(choice, static_cast<int>(thumb_w * ui.framebuffer),
+                                                                 static_cast<int>(thumb_h * ui.framebuffer))
+                                               : 0;
+        list.AddRectFilled(min, max, IM_COL32_WHITE);
+        if (texture != 0)
+            list.AddImage(reinterpret_cast<ImTextureID>(std::uintptr_t{texture}), min, max, {0, 1}, {1, 0});
+        list.AddRect(min, max, colour(theme::line));
+        const float x = max.x + pad, room = at.x + w - pad - x;
+        list.AddText(ui.fonts.bold, ImGui::GetFontSize(), {x, min.y}, colour(theme::ink), choice.title.c_str());
+        list.PushClipRect({x, min.y}, {x + room, at.y + h - pad}, true);
+        list.AddText(ui.fonts.text, ImGui::GetFontSize() * 0.9f, {x, min.y + 1.3f * ImGui::GetFontSize()},
+                     colour(theme::faint), choice.sentence.c_str(), nullptr, room);
+        list.PopClipRect();
+    }
+    ImGui::EndChild();
+    ImGui::End();
+}
+
+template <int D>
+void help(Ui& ui, const Area& area) {
+    begin_overlay("help", area);
+    ImGui::PushFont(ui.fonts.bold);
+    ImGui::TextUnformatted("Keys");
+    ImGui::PopFont();
+    ImGui::SameLine();
+    ImGui::TextDisabled(
+        "Esc leaves; : types any command; the mouse: click selects, double-click runs to a cell, "
+        "drag pans, the wheel zooms");
+    const auto groups = command_groups<D>();
+    if (ImGui::BeginTable("keys", area.w > 900 * ui.unit ? 3 : 2)) {
+        for (const CommandGroup<D>& group : groups) {
+            ImGui::TableNextColumn();
+            ImGui::PushFont(ui.fonts.bold);
+            ImGui::TextUnformatted(std::string(group.title).c_str());
+            ImGui::PopFont();
+            for (const Command<D>& command : group.commands)
+                for (const KeyBinding& binding : key_bindings(command.id, command.keys)) {
+                    const float x = ImGui::GetCursorPosX();
+                    ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(colour(theme::accent)), "%s",
+                                       binding.key.c_str());
+                    ImGui::SameLine(x + 8.5f * ImGui::GetFontSize());
+                    ImGui::TextUnformatted((binding.command + (binding.asks ? " …" : "")).c_str());
+                    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", std::string(command.text).c_str());
+                }
+            ImGui::Dummy({1, 6 * ui.unit});
+        }
+        ImGui::EndTable();
+    }
+    ImGui::End();
+}
+
+/// Commands that begin like what is typed.
+template <int D>
+void suggestions(const std::string& typed) {
+    int shown = 0;
+    const std::string_view word = std::string_view(typed).substr(0, typed.find(' '));
+    for (const Command<D>& command : command_table<D>()) {
+        const bool fits = typed.find(' ') == std::string::npos ? command.id.starts_with(word) : command.id == word;
+        if (!fits || ++shown > 6) continue;
+        ImGui::TextUnformatted((std::string(command.id) + " " + std::string(command.arguments)).c_str());
+        ImGui::SameLine(22 * ImGui::GetFontSize());
+        ImGui::TextDisabled("%s", std::string(command.text).c_str());
+    }
+}
+
+template <int D>
+void console(Ui& ui, Workbench<D>& bench, const Area& area) {
+    const float h = std::min(area.h, 15 * ImGui::GetTextLineHeightWithSpacing());
+    begin_overlay("console", {area.x, area.y + area.h - h, area.w, h});
+    const float line = ImGui::GetFrameHeightWithSpacing();
+    ImGui::BeginChild("said", {0, -line - 6 * ImGui::GetTextLineHeightWithSpacing()});
+    for (const Message& message : ui.messages) {
+        ImGui::PushStyleColor(ImGuiCol_Text, colour(message.bad ? theme::bad : theme::faint));
+        ImGui::TextWrapped("%s", message.text.c_str());
+        ImGui::PopStyleColor();
+    }
+    if (ImGui::GetScrollY() >= ImGui::GetScrollMaxY() - line) ImGui::SetScrollHereY(1);
+    ImGui::EndChild();
+    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+    ImGui::SetNextItemWidth(-1);
+    const auto to_end = [](ImGuiInputTextCallbackData* data) {
+        if (data->SelectionStart != data->SelectionEnd)
+            data->CursorPos = data->SelectionStart = data->SelectionEnd = data->BufTextLen;
+        return 0;
+    };
+    if (ImGui::InputTextWithHint("##line", "a command, e.g. until rho > 0.5 && visible_share == 0",
+                                 &bench.desk.console_text,
+                                 ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackAlways, to_end)) {
+        const std::string commands = bench.desk.console_text;
+        bench.desk.console_text.clear();
+        bench.desk.console = false;
+        ui.act(commands);
+    }
+    suggestions<D>(bench.desk.console_text);
+    ImGui::End();
+}
+
+}  // namespace
+
+template <int D>
+void overlays(Ui& ui, Workbench<D>& bench, const Stage& stage, const Area& area) {
+    if (bench.desk.chooser) chooser(ui, bench, stage, area);
+    if (bench.desk.help) help<D>(ui, area);
+    if (bench.desk.console) console(ui, bench, area);
+}
+
+template void overlays<2>(Ui&, Workbench<2>&, const Stage&, const Area&);
+
+}  // namespace sightline

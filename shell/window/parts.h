@@ -1,0 +1,58 @@
+// The parts that the window is made of. Each draws itself into its area and runs commands.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "shell/bench/workbench.h"
+#include "shell/panels/panel.h"
+#include "shell/window/stage.h"
+#include "shell/window/ui.h"
+
+namespace sightline {
+
+/// The command table as menus. Returns its height.
+template <int D>
+float menu_bar(Ui& ui, Workbench<D>& bench);
+
+/// State, buttons, speed and position of the run.
+template <int D>
+void transport_bar(Ui& ui, Workbench<D>& bench, const Area& area);
+
+/// The last message, and what the keys do here.
+template <int D>
+void status_line(Ui& ui, Workbench<D>& bench, const Area& area);
+
+/// Tabs and rows of the panel that the desk shows on this side.
+template <int D>
+void panel_column(Ui& ui, Workbench<D>& bench, Column side, const Area& area);
+
+/// The rows of a panel as they are.
+void draw_rows(Ui& ui, const std::vector<Row>& rows, std::uint32_t& hovered_cell);
+
+/// The settings panel: a widget per row of the settings table, and the presets.
+template <int D>
+void settings_widgets(Ui& ui, Workbench<D>& bench);
+
+/// The lanes of the recorded run.
+template <int D>
+void timeline(Ui& ui, Workbench<D>& bench, const Area& area);
+
+/// Scene chooser, help sheet and console, where the desk shows them.
+template <int D>
+void overlays(Ui& ui, Workbench<D>& bench, const Stage& stage, const Area& area);
+
+/// The line under the picture in projector mode.
+template <int D>
+void projector_banner(Ui& ui, Workbench<D>& bench, const Area& area);
+float banner_height(const Ui& ui);
+
+/// Begins an ImGui window without decoration that covers the area; end it with ImGui::End.
+void begin_part(const char* name, const Area& area, ImGuiWindowFlags flags = 0);
+
+/// Notes where the last item stands, for the text dump and for scripts.
+template <int D>
+void note_place(Workbench<D>& bench, const std::string& name) {
+    const ImVec2 a = ImGui::GetItemRectMin(), b = ImGui::GetItemRectMax();
+    bench.places.push_back({name, a.x, a.y, b.x - a.x, b.y - a.y});
+}
+
+}  // namespace sightline

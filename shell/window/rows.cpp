@@ -1,0 +1,67 @@
+// Rows of a panel: wrapped text, a click runs the row's command, the mouse over a row outlines its cell.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shell/window/parts.h"
+#include "shell/window/theme.h"
+
+namespace sightline {
+
+namespace {
+
+Colour tone_colour(Tone tone) {
+    if (tone == Tone::faint) return theme::faint;
+    if (tone == Tone::good) return theme::good;
+    if (tone == Tone::bad) return theme::bad;
+    return theme::ink;
+}
+
+}  // namespace
+
+void begin_part(const char* name, const Area& area, ImGuiWindowFlags flags) {
+    ImGui::SetNextWindowPos(area.min());
+    ImGui::SetNextWindowSize({area.w, area.h});
+    ImGui::Begin(name, nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav | flags);
+}
+
+void draw_rows(Ui& ui, const std::vector<Row>& rows, std::uint32_t& hovered_cell) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float room = ImGui::GetContentRegionAvail().x, top = ImGui::GetWindowPos().y,
+                bottom = top + ImGui::GetWindowHeight();
+    std::string command;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const Row& row = rows[i];
+        const float indent = static_cast<float>(row.indent) * 1.1f * ImGui::GetFontSize();
+        ImFont* const font = row.tone == Tone::heading ? ui.fonts.bold : ui.fonts.text;
+        ImGui::PushFont(font);
+        if (row.tone == Tone::heading && i > 0) ImGui::Dummy({1, 4 * ui.unit});
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        const float wrap = std::max(room - indent, 40.0f);
+        const ImVec2 size = ImGui::CalcTextSize(row.text.c_str(), nullptr, false, wrap);
+        ImGui::PushID(static_cast<int>(i));
+        ImGui::InvisibleButton("row", {room, std::max(size.y, 1.0f)});
+        ImGui::PopID();
+        if (ImGui::IsItemClicked() && !row.command.empty()) command = row.command;
+        const bool hovered = ImGui::IsItemHovered();
+        if (at.y + size.y >= top && at.y <= bottom) {
+            const ImVec2 end{at.x + room, at.y + size.y};
+            const bool active = row.cell != none && row.cell == hovered_cell;
+            if (row.tone == Tone::lit) list.AddRectFilled(at, end, colour(theme::lit));
+            if (active || (hovered && !row.command.empty())) list.AddRectFilled(at, end, colour(theme::hover));
+            list.AddText(font, ImGui::GetFontSize(), {at.x + indent, at.y}, colour(tone_colour(row.tone)),
+                         row.text.c_str(), nullptr, wrap);
+        }
+        ImGui::PopFont();
+        if (hovered && row.cell != none) hovered_cell = row.cell;
+        if (hovered && !row.tip.empty()) {
+            ImGui::BeginTooltip();
+            ImGui::PushTextWrapPos(30 * ImGui::GetFontSize());
+            ImGui::TextUnformatted(row.tip.c_str());
+            ImGui::PopTextWrapPos();
+            ImGui::EndTooltip();
+        }
+    }
+    if (!command.empty()) ui.act(command);
+}
+
+}  // namespace sightline

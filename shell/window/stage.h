@@ -1,0 +1,34 @@
+// What a viewer puts into the shell's window: its picture, and the scenes that it can open.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <epoxy/gl.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "shell/window/ui.h"
+
+namespace sightline {
+
+/// A row of the scene chooser.
+struct SceneChoice {
+    std::string name;  ///< what the command `open` takes
+    std::string title, sentence;
+};
+
+struct Stage {
+    /// Brings the picture up to date with the bench and draws it with OpenGL under ImGui.
+    std::function<void(Ui&, const Area&)> draw;
+    /// Labels, legend, tooltip and the mouse, inside an ImGui window that covers the area.
+    std::function<void(Ui&, const Area&)> interact;
+    /// Ends a drag or another gesture without effect; false when there is none.
+    std::function<bool()> cancel;
+
+    std::vector<SceneChoice> scenes;
+    /// A picture of the scene as a texture of this size in pixels, made when first asked for; 0: none yet, ask again.
+    std::function<GLuint(const SceneChoice&, int width, int height)> thumbnail;
+};
+
+}  // namespace sightline

@@ -1,0 +1,48 @@
+// What every part of the window needs to draw itself.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <imgui.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/draw/draw_list.h"
+
+namespace sightline {
+
+/// A rectangle of the window, in ImGui's units (which may be several pixels), y down.
+struct Area {
+    float x = 0, y = 0, w = 0, h = 0;
+    bool contains(const ImVec2& p) const { return p.x >= x && p.x < x + w && p.y >= y && p.y < y + h; }
+    ImVec2 min() const { return {x, y}; }
+    ImVec2 max() const { return {x + w, y + h}; }
+};
+
+struct Fonts {
+    ImFont *text = nullptr, *bold = nullptr, *mono = nullptr;
+    ImFont* label = nullptr;   ///< numbers on cells
+    ImFont* banner = nullptr;  ///< the formula of the projector mode
+};
+
+/// A line that was said to the person.
+struct Message {
+    std::string text;
+    bool bad = false;
+};
+
+struct Ui {
+    float unit = 1;         ///< ImGui units per pixel of the layout at scale 1
+    float framebuffer = 1;  ///< framebuffer pixels per ImGui unit
+    Fonts fonts;
+    std::vector<Message> messages;  ///< oldest first
+    /// Counts what may have changed the bench; what is drawn from it is made again when this differs.
+    std::uint64_t revision = 1;
+    /// Runs commands; says what went wrong instead of throwing.
+    std::function<void(const std::string& commands)> act;
+};
+
+inline ImU32 colour(const Colour& c) { return IM_COL32(c.r, c.g, c.b, c.a); }
+
+}  // namespace sightline

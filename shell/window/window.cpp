@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shell/window/window.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+#include "core/stopwatch.h"
+#include "shell/bench/change.h"
+#include "shell/commands/command_table.h"
+#include "shell/window/imgui_backend.h"
+#include "shell/window/keys.h"
+#include "shell/window/parts.h"
+#include "shell/window/theme.h"
+
+namespace sightline {
+
+namespace {
+
+constexpr std::size_t most_messages = 500;
+constexpr float text_pixels = 15, label_pixels = 12;
+/// Of the projector mode, in a window 1080 pixels high.
+constexpr float projector_text_pixels = 24, projector_label_pixels = 22;
+
+std::string clipboard_text() {
+    char* const text = SDL_GetClipboardText();
+    std::string copy = text ? text : "";
+    SDL_free(text);
+    return copy;
+}
+
+/// How many times the usual 96 dots per inch the screen has, in quarters; 1 where it does not say.
+double screen_density(SDL_Window* window) {
+    float dpi = 96;
+    const int display = SDL_GetWindowDisplayIndex(window);
+    if (display < 0 || SDL_GetDisplayDPI(display, nullptr, &dpi, nullptr) != 0) return 1;
+    const double density = std::round(dpi / 96 * 4) / 4;
+    return density >= 1.5 && density <= 4 ? density : 1;  // below, monitors are read from afar or say nonsense
+}
+
+}  // namespace
+
+template <int D>
+Window<D>::Gui::Gui(const GlContext& context) {
+    IMGUI_CHECKVERSION();
+    ImGui::CreateContext();
+    ImGui::GetIO().IniFilename = nullptr;
+    ImGui::GetIO().ConfigInputTextCursorBlink = false;  // a standing picture needs no frames
+    ImGui_ImplSDL2_InitForOpenGL(context.window(), context.handle());
+    ImGui_ImplOpenGL3_Init("#version 330 core");
+}
+
+template <int D>
+Window<D>::Gui::~Gui() {
+    ImGui_ImplOpenGL3_Shutdown();
+    ImGui_ImplSDL2_Shutdown();
+    ImGui::DestroyContext();
+}
+
+template <int D>
+Window<D>::Window(Workbench<D>& bench, const WindowOptions& options)
+    : bench_(bench),
+      context_(options.place, "Sightline", options.width, options.height),
+      gui_(context_),
+      options_(options) {
+    ui_.act = [this](const std::string& commands) { act(commands); };
+    bench_.say = [this](const std::string& text) {
+        if (ui_.messages.size() == most_messages) ui_.messages.erase(ui_.messages.begin());
+        ui_.messages.push_back({text, false});
+    };
+    bench_.clipboard = {clipboard_text, [](const std::string& text) { SDL_SetClipboardText(text.c_str()); }};
+    bench_.record_ahead = true;
+    traversal_changed(bench_);
+    if (options_.scale == 0) options_.scale = screen_density(context_.window());
+    if (options_.place == GlContext::Place::window) SDL_GL_SetSwapInterval(1);
+    SDL_SetWindowMinimumSize(context_.window(), 640, 400);
+}
+
+template <int D>
+Window<D>::~Window() = default;
+
+template <int D>
+void Window<D>::act(const std::string& commands) {
+    ++ui_.revision;
+    try {
+        run_commands(bench_, commands);
+    } catch (const std::exception& error) {
+        ui_.messages.push_back({error.what(), true});
+    }
+}
+
+template <int D>
+void Window<D>::escape() {
+    Desk& desk = bench_.desk;
+    if (desk.help || desk.chooser || desk.console) {
+        desk.help = desk.chooser = desk.console = false;
+        return;
+    }
+    if (stage.cancel && stage.cancel()) {
+        ++ui_.revision;
+        return;
+    }
+    if (bench_.transport.playing)
+        act("pause");
+    else if (desk.tool != Tool::select)
+        act("tool select");
+    else if (desk.projector)
+        act("projector");
+    else
+        act("select none");
+}
+
+template <int D>
+void Window<D>::press(const std::string& key) {
+    if (key == "Escape") return escape();
+    for (const Command<D>& command : command_table<D>())
+        for (const KeyBinding& binding : key_bindings(command.id, command.keys)) {
+            if (binding.key != key) continue;
+            if (!binding.asks) return act(binding.command);
+            bench_.desk.console = true;
+            bench_.desk.console_text = binding.command + " ";
+            return;
+        }
+}
+
+template <int D>
+void Window<D>::handle(const SDL_Event& event) {
+    lively_frames_ = 3;
+    const bool typing = ImGui::GetIO().WantTextInput;
+    ImGui_ImplSDL2_ProcessEvent(&event);
+    if (event.type == SDL_QUIT) bench_.quit = true;
+    if (event.type == SDL_WINDOWEVENT && event.window.event == SDL_WINDOWEVENT_CLOSE) bench_.quit = true;
+    if (event.type == SDL_DROPFILE) {
+        act("open " + std::string(event.drop.file));
+        SDL_free(event.drop.file);
+    }
+    const std::string key = key_name(event);
+    // While text is typed, keys are letters; only Escape leaves.
+    if (!key.empty() && (!typing || key == "Escape")) press(key);
+}
+
+/// Fonts and sizes follow the window and the desk.
+template <int D>
+void Window<D>::fit_theme() {
+    int w = 0, h = 0, pixels_w = 0, pixels_h = 0;
+    SDL_GetWindowSize(context_.window(), &w, &h);
+    SDL_GL_GetDrawableSize(context_.window(), &pixels_w, &pixels_h);
+    ui_.framebuffer = w > 0 ? static_cast<float>(pixels_w) / static_cast<float>(w) : 1;
+    const float density = ui_.framebuffer > 1 ? 1 : static_cast<float>(options_.scale);
+    ui_.unit = density * static_cast<float>(bench_.desk.scale);
+    const float height = std::max(1.0f, static_cast<float>(h) / (1080 * density));
+    const float text = bench_.desk.projector ? projector_text_pixels * height : text_pixels;
+    const float label = bench_.desk.projector ? projector_label_pixels * height : label_pixels;
+    if (ui_.unit == theme_unit_ && text == theme_text_ && ui_.framebuffer == theme_framebuffer_) return;
+    ui_.fonts = load_theme(text * ui_.unit, label * ui_.unit, ui_.unit, ui_.framebuffer);
+    theme_unit_ = ui_.unit;
+    theme_text_ = text;
+    theme_framebuffer_ = ui_.framebuffer;
+    ++ui_.revision;
+}
+
+template <int D>
+void Window<D>::lay_out() {
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    const Desk& desk = bench_.desk;
+    const float unit = ui_.unit, line = ImGui::GetTextLineHeightWithSpacing();
+    bench_.places.clear();
+    Area middle{0, 0, size.x, size.y};
+    if (desk.projector) {
+        const float banner = banner_height(ui_);
+        middle.h -= banner;
+        projector_banner(ui_, bench_, {0, middle.h, size.x, banner});
+    } else {
+        middle.y = menu_bar(ui_, bench_);
+        const float bar = line + 22 * unit, status = line + 6 * unit;
+        transport_bar(ui_, bench_, {0, middle.y, size.x, bar});
+        middle.y += bar;
+        middle.h = size.y - middle.y - status;
+        status_line(ui_, bench_, {0, size.y - status, size.x, status});
+        const float widest = size.x * 0.4f;
+        if (desk.timeline) {
+            const float h = std::min(static_cast<float>(desk.timeline_height) * unit, middle.h * 0.5f);
+            middle.h -= h;
+            timeline(ui_, bench_, {0, middle.y + middle.h, size.x, h});
+        }
+        const auto column = [&](Column side, const std::string& shown, double width) {
+            const float w = shown.empty() ? 0 : std::min(static_cast<float>(width) * unit, widest);
+            if (w == 0) return;
+            const float x = side == Column::left ? 0 : middle.x + middle.w - w;
+            panel_column(ui_, bench_, side, {x, middle.y, w, middle.h});
+            middle.w -= w;
+            if (side == Column::left) middle.x += w;
+        };
+        column(Column::left, desk.left, desk.left_width);
+        column(Column::right, desk.right, desk.right_width);
+    }
+    if (stage.interact && middle.w > 8 && middle.h > 8) {
+        bench_.places.push_back({"picture", middle.x, middle.y, middle.w, middle.h});
+        ImGui::SetNextWindowPos(middle.min());
+        ImGui::SetNextWindowSize({middle.w, middle.h});
+        ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+        ImGui::Begin("picture", nullptr,
+                     ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoMove |
+                         ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBringToFrontOnFocus |
+                         ImGuiWindowFlags_NoSavedSettings);
+        ImGui::PopStyleVar();
+        stage.interact(ui_, middle);
+        ImGui::End();
+    }
+    overlays(ui_, bench_, stage, {0, middle.y, size.x, size.y - middle.y});
+    if (stage.draw && middle.w > 8 && middle.h > 8) stage.draw(ui_, middle);
+}
+
+template <int D>
+void Window<D>::frame(double seconds) {
+    SDL_Event event;
+    while (SDL_PollEvent(&event)) handle(event);
+    if (bench_.transport.playing) {
+        advance_clock(bench_, seconds);
+        ++ui_.revision;
+    }
+    if (fullscreen_ != bench_.desk.fullscreen) {
+        fullscreen_ = bench_.desk.fullscreen;
+        SDL_SetWindowFullscreen(context_.window(), fullscreen_ ? SDL_WINDOW_FULLSCREEN_DESKTOP : 0);
+    }
+    fit_theme();
+    ImGui_ImplOpenGL3_NewFrame();
+    ImGui_ImplSDL2_NewFrame();
+    ImGui::NewFrame();
+    int w = 0, h = 0;
+    SDL_GL_GetDrawableSize(context_.window(), &w, &h);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glDisable(GL_SCISSOR_TEST);
+    glViewport(0, 0, w, h);
+    glClearColor(theme::panel.r / 255.0f, theme::panel.g / 255.0f, theme::panel.b / 255.0f, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+    lay_out();
+    ImGui::Render();
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    SDL_GL_SwapWindow(context_.window());
+}
+
+/// Sleeps while nothing moves.
+template <int D>
+void Window<D>::wait_for_something() {
+    if (bench_.transport.playing || lively_frames_-- > 0) return;
+    lively_frames_ = 0;
+    SDL_WaitEventTimeout(nullptr, 250);
+}
+
+template <int D>
+void Window<D>::run() {
+    Stopwatch clock;
+    while (!bench_.quit) {
+        const double seconds = clock.milliseconds() / 1000;
+        clock = {};
+        frame(seconds);
+        wait_for_something();
+    }
+}
+
+template class Window<2>;
+
+}  // namespace sightline

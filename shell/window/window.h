@@ -1,0 +1,62 @@
+// The window around a viewer's picture: menus, transport, panels, timeline, overlays. The same for two and three
+// dimensions.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "shell/bench/workbench.h"
+#include "shell/gl/context.h"
+#include "shell/window/stage.h"
+
+namespace sightline {
+
+struct WindowOptions {
+    GlContext::Place place = GlContext::Place::window;
+    int width = 1280, height = 800;  ///< screen units
+    double scale = 0;                ///< of everything; 0: as the screen's density asks
+};
+
+template <int D>
+class Window {
+public:
+    /// Opens it and takes over the bench's words and clipboard. The bench must live longer. Throws WorkError.
+    Window(Workbench<D>& bench, const WindowOptions& options);
+    ~Window();
+    Window(const Window&) = delete;
+    Window& operator=(const Window&) = delete;
+
+    /// Made after the window, since it needs OpenGL; destroyed before it.
+    Stage stage;
+
+    /// Frames until the person or a command quits.
+    void run();
+    /// One frame after `seconds`: events, clock, drawing.
+    void frame(double seconds);
+
+    const GlContext& context() const { return context_; }
+    Ui& ui() { return ui_; }
+
+private:
+    struct Gui {  // Dear ImGui's context and backends
+        explicit Gui(const GlContext& context);
+        ~Gui();
+    };
+
+    void act(const std::string& commands);
+    void handle(const SDL_Event& event);
+    void press(const std::string& key);
+    void escape();
+    void fit_theme();
+    void lay_out();
+    void wait_for_something();
+
+    Workbench<D>& bench_;
+    GlContext context_;
+    Gui gui_;
+    WindowOptions options_;
+    Ui ui_;
+    float theme_unit_ = 0, theme_text_ = 0, theme_framebuffer_ = 0;
+    bool fullscreen_ = false;
+    int lively_frames_ = 0;  ///< ImGui needs a few frames after an event
+};
+
+}  // namespace sightline
