@@ -1,6 +1,7 @@
 // The command table as menus.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shell/commands/command_table.h"
+#include "shell/commands/prompt.h"
 #include "shell/window/keys.h"
 #include "shell/window/parts.h"
 
@@ -31,12 +32,10 @@ float menu_bar(Ui& ui, Workbench<D>& bench) {
             const bool needs = !command.arguments.empty() && !command.arguments.starts_with('[');
             const std::string label = std::string(command.text) + (needs ? " …" : "");
             if (ImGui::MenuItem(label.c_str(), keys_of(command.id, command.keys).c_str())) {
-                if (needs) {
-                    bench.desk.console = true;
-                    bench.desk.console_text = std::string(command.id) + " ";
-                } else {
+                if (needs)
+                    ask(bench, std::string(command.id));
+                else
                     ui.act(std::string(command.id));
-                }
             }
             if (needs && ImGui::IsItemHovered())
                 ImGui::SetTooltip("%s %s", std::string(command.id).c_str(), std::string(command.arguments).c_str());

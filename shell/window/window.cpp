@@ -9,6 +9,7 @@
 #include "core/stopwatch.h"
 #include "shell/bench/change.h"
 #include "shell/commands/command_table.h"
+#include "shell/commands/prompt.h"
 #include "shell/window/imgui_backend.h"
 #include "shell/window/keys.h"
 #include "shell/window/parts.h"
@@ -119,9 +120,7 @@ void Window<D>::press(const std::string& key) {
         for (const KeyBinding& binding : key_bindings(command.id, command.keys)) {
             if (binding.key != key) continue;
             if (!binding.asks) return act(binding.command);
-            bench_.desk.console = true;
-            bench_.desk.console_text = binding.command + " ";
-            return;
+            return ask(bench_, binding.command);
         }
 }
 
