@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/error.h"
 #include "core/session/report.h"
-#include "core/session/state_file.h"
 #include "shell/bench/export.h"
 #include "shell/bench/open.h"
 #include "shell/commands/arguments.h"
@@ -20,7 +19,7 @@ std::string need_file(Text text) {
 template <int D>
 void copy(Workbench<D>& bench, Text) {
     if (!bench.clipboard.set) throw InputError("there is no clipboard without a window");
-    bench.clipboard.set(state_json(bench.session, bench.figure));
+    bench.clipboard.set(bench_state(bench));
     bench.say("the whole state is on the clipboard, as text");
 }
 
@@ -43,9 +42,7 @@ std::span<const Command<D>> file_commands() {
         Command<D>{"shot", "FILE", "write a figure (.png, .svg, .pdf) and its sidecar", "Ctrl+E=?",
                    [](Workbench<D>& bench, Text text) { write_shot(bench, need_file(text)); }},
         Command<D>{"save", "FILE", "write a state file", "Ctrl+S=?",
-                   [](Workbench<D>& bench, Text text) {
-                       write_text(need_file(text), state_json(bench.session, bench.figure));
-                   }},
+                   [](Workbench<D>& bench, Text text) { write_text(need_file(text), bench_state(bench)); }},
         Command<D>{"trace", "FILE", "write the records of the steps so far", "",
                    [](Workbench<D>& bench, Text text) { write_text(need_file(text), trace_json(bench.session)); }},
         Command<D>{"stats", "FILE", "write the statistics", "",
