@@ -451,6 +451,34 @@ TEST_F(Commands, EveryOneOfTheTableDoesWhatItSays) {
              run("swap; compare off; seek 10");
              EXPECT_EQ(session().method().id, "published");
          }},
+        {"segment",
+         [&] {
+             const auto before = session().shared_scene();
+             const auto count = static_cast<std::uint32_t>(before->primitives.size());
+             run("segment add 1,1 2,1.5");
+             ASSERT_EQ(session().scene().primitives.size(), count + 1);
+             EXPECT_EQ(session().scene().primitives.back(), (Primitive<2>{Vec<2>(1, 1), Vec<2>(2, 1.5)}));
+             EXPECT_EQ(session().selected_primitive, count);
+             EXPECT_EQ(session().scene().source, "edited");
+             run("segment move selected 1,1 2,1; segment delete 0");
+             EXPECT_EQ(session().scene().primitives.back(), (Primitive<2>{Vec<2>(1, 1), Vec<2>(2, 1)}));
+             EXPECT_EQ(session().selected_primitive, count - 1);
+             run("segment delete");
+             EXPECT_EQ(session().scene().primitives.size(), count - 1);
+             EXPECT_EQ(session().selected_primitive, none);
+             run("undo; undo; undo; undo; seek 10");
+             EXPECT_EQ(session().shared_scene(), before);
+         }},
+        {"scene",
+         [&] {
+             const auto before = session().shared_scene();
+             run("scene save " + file("scene.json") + "; scene new");
+             EXPECT_TRUE(session().scene().primitives.empty());
+             EXPECT_TRUE(session().notes.empty());
+             run("undo; seek 10");
+             EXPECT_EQ(session().shared_scene(), before);
+             EXPECT_EQ(scene_hash(read_json(read_file(file("scene.json")), "f")), scene_hash(*before));
+         }},
         {"open",
          [&] {
              run("save " + file("o.json"));
@@ -620,6 +648,24 @@ TEST_F(Commands, ErrorsNameTheCommandAndChangeNothing) {
                                       "align by ear",
                                       "difference",
                                       "swap",
+                                      "segment",
+                                      "segment add",
+                                      "segment add 1,1",
+                                      "segment add 1,1 1,1",
+                                      "segment add 1,1 2",
+                                      "segment add 1,1 1e200,1",
+                                      "segment add 1,1 nan,1",
+                                      "segment move 0",
+                                      "segment move 0 1,1 1,1",
+                                      "segment move 999999 1,1 2,2",
+                                      "segment move selected 1,1 2,2",
+                                      "segment delete",
+                                      "segment delete x",
+                                      "segment delete 999999",
+                                      "segment delete 0 1",
+                                      "scene",
+                                      "scene old",
+                                      "scene save",
                                       "shot a.gif",
                                       "shot a",
                                       "save",

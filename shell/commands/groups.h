@@ -17,6 +17,8 @@ std::span<const Command<D>> change_commands();
 template <int D>
 std::span<const Command<D>> compare_commands();
 template <int D>
+std::span<const Command<D>> edit_commands();
+template <int D>
 std::span<const Command<D>> mark_commands();
 template <int D>
 std::span<const Command<D>> say_commands();
