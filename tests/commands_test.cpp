@@ -479,6 +479,16 @@ TEST_F(Commands, EveryOneOfTheTableDoesWhatItSays) {
              EXPECT_EQ(session().shared_scene(), before);
              EXPECT_EQ(scene_hash(read_json(read_file(file("scene.json")), "f")), scene_hash(*before));
          }},
+        {"film",
+         [&] {
+             const std::uint64_t hash = session().hash();
+             run("size 200x150; film 2-4 " + file("f.png") + "; film 0-1 " + file("f.pdf"));
+             for (const char* name : {"f-0001.png", "f-0002.png", "f-0003.png", "f.png.json", "f.pdf", "f.pdf.json"})
+                 EXPECT_TRUE(fs::exists(folder / name)) << name;
+             EXPECT_FALSE(fs::exists(folder / "f-0004.png"));
+             EXPECT_EQ(session().hash(), hash);
+             EXPECT_EQ(open_state(read_file(file("f.png.json")), "f").session.position(), 2u);
+         }},
         {"open",
          [&] {
              run("save " + file("o.json"));
@@ -666,6 +676,15 @@ TEST_F(Commands, ErrorsNameTheCommandAndChangeNothing) {
                                       "scene",
                                       "scene old",
                                       "scene save",
+                                      "film",
+                                      "film 1-2",
+                                      "film 2 a.png",
+                                      "film 3-2 a.png",
+                                      "film 1-999999 a.png",
+                                      "film x-2 a.png",
+                                      "film 1-2 a.svg",
+                                      "film 1-2 a.gif 0fps",
+                                      "film 1-2 a.gif xfps",
                                       "shot a.gif",
                                       "shot a",
                                       "save",
