@@ -82,8 +82,8 @@ void speed(Workbench<D>& bench, Text text) {
 template <int D>
 std::span<const Command<D>> move_commands() {
     static constexpr std::array table{
-        Command<D>{"step", "[N]", "N steps forward (1)", "Right PageDown Shift+Right=10", step<D>},
-        Command<D>{"back", "[N]", "N steps back (1)", "Left PageUp Shift+Left=10", back<D>},
+        Command<D>{"step", "[N]", "one step forward, or N", "Right PageDown Shift+Right=10", step<D>},
+        Command<D>{"back", "[N]", "one step back, or N", "Left PageUp Shift+Left=10", back<D>},
         Command<D>{"into", "", "into the step: one substep forward", "Down",
                    [](Workbench<D>& bench, Text) { step_into(bench); }},
         Command<D>{"out", "", "one substep back; before the first one the step is undone", "Up",

@@ -1,6 +1,10 @@
-// Why this cell now, and where the selected cell stands.
+// Why this cell now; where the selected cell stands, through which facets it was reached, and what holds it back.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include "core/number.h"
 #include "core/session/explain.h"
+#include "core/session/explain_primitive.h"
 #include "shell/bench/into.h"
 #include "shell/panels/panel_table.h"
 
@@ -8,13 +12,113 @@ namespace sightline {
 
 namespace {
 
-void add(std::vector<Row>& to, const std::vector<std::string>& lines) {
-    for (const std::string& line : lines) {
-        Row row;
-        const std::size_t spaces = line.find_first_not_of(' ');
-        row.text = line.substr(spaces == std::string::npos ? 0 : spaces);
-        row.indent = static_cast<int>(spaces / 2);
-        to.push_back(std::move(row));
+class Writer {
+public:
+    std::vector<Row> rows;
+
+    Row& add(std::string text, int indent = 0, Tone tone = Tone::plain) {
+        Row row{std::move(text), tone};
+        row.indent = indent;
+        return rows.emplace_back(std::move(row));
+    }
+    void heading(std::string text) { add(std::move(text), 0, Tone::heading); }
+    /// A line about a cell: a click selects it.
+    Row& cell(std::string text, std::uint32_t cell, int indent = 0, Tone tone = Tone::plain) {
+        Row& row = add(std::move(text), indent, tone);
+        row.cell = cell;
+        row.command = "select " + std::to_string(cell);
+        return row;
+    }
+};
+
+std::string name(std::uint32_t cell) { return "cell " + std::to_string(cell); }
+
+std::string counted(std::uint32_t n, const char* what) { return std::to_string(n) + " " + what + (n == 1 ? "" : "s"); }
+
+/// The formula on as many lines as it has parts.
+void write_formula(Writer& to, const Terms& terms, const Settings& settings, int digits) {
+    to.add("ρ = " + formula_sum(terms, digits), 2, Tone::faint).tip =
+        "density |A| / ρ_max, plus weight v·n times the solidity of the cell it came from";
+    if (terms.penalised()) to.add(formula_penalty(terms, settings, digits), 2, Tone::bad);
+}
+
+void write_facet(Writer& to, const FacetExplanation& facet, const Settings& settings, int digits) {
+    if (facet.neighbour == none) {
+        to.add("border: no neighbour", 1, Tone::faint);
+        return;
+    }
+    std::string text = name(facet.neighbour) + ": " + std::string(rule_words[static_cast<std::size_t>(facet.rule)]);
+    if (facet.rule == Rule::kept || facet.rule == Rule::reenqueued) {
+        const double now = facet.rule == Rule::kept ? facet.before.key : facet.terms->key;
+        const int apart = std::max(digits, separating_digits(facet.before.key, now));
+        text += ", key " + short_number(facet.before.key, apart) +
+                (facet.rule == Rule::kept ? " stays" : " → " + short_number(now, apart));
+    }
+    to.cell(text, facet.neighbour, 1, facet.terms ? Tone::plain : Tone::faint);
+    if (facet.terms) write_formula(to, *facet.terms, settings, digits);
+}
+
+void write_step(Writer& to, const StepExplanation& step, const Settings& settings, bool partly) {
+    std::string title = "Step " + std::to_string(step.step);
+    if (step.cell != none) title += ": " + name(step.cell);
+    to.heading(title + (partly ? ", as far as it is done" : ""));
+    if (step.cell == none) {
+        to.add("a batch of primitives in the method's order");
+    } else {
+        const int digits = step.digits();
+        to.cell("lowest key of the front: " + short_number(step.key, digits), step.cell);
+        if (step.runner_up == none)
+            to.add("it was alone in the front");
+        else if (step.runner_up_key == step.key)
+            to.cell("runner-up: " + name(step.runner_up) + ", the same key: tie, older stamp wins", step.runner_up);
+        else
+            to.cell("runner-up: " + name(step.runner_up) + " with " + short_number(step.runner_up_key, digits),
+                    step.runner_up);
+    }
+    std::string rendered = "rendered " + counted(step.rendered, "primitive");
+    if (step.rendered > 0) rendered += ", " + std::to_string(step.visible) + " of them visible";
+    to.add(rendered, 0, step.rendered == 0 ? Tone::plain : step.visible > 0 ? Tone::good : Tone::bad);
+    if (step.cell == none) return;
+    if (step.visible_share > 0)
+        to.add("it holds " + short_number(step.visible_share * 100) + " % of what is visible", 0, Tone::good);
+    else
+        to.add("nothing in it is visible", 0, Tone::bad);
+    if (!step.facets.empty()) to.heading("Across its facets");
+    for (const FacetExplanation& facet : step.facets) write_facet(to, facet, settings, step.digits());
+}
+
+/// One update: a click goes to the step that made it.
+void write_link(Writer& to, const ChainLink& link, const Settings& settings, int digits) {
+    Row& row = to.cell("step " + std::to_string(link.step) + ": from " + name(link.update.from) + " to " +
+                           name(link.update.neighbour) + ", " +
+                           std::string(rule_words[static_cast<std::size_t>(link.update.rule)]),
+                       link.update.from, 1);
+    row.command = "seek " + std::to_string(link.step);
+    if (link.update.terms) write_formula(to, *link.update.terms, settings, digits);
+}
+
+void write_cell(Writer& to, const CellExplanation& cell, const Settings& settings) {
+    const auto state = cell_state_words[static_cast<std::size_t>(cell.mark.state)];
+    to.heading("Selected: " + name(cell.cell) + ", " + std::string(state));
+    if (cell.projected_at > 0) {
+        Row& row = to.add("projected in step " + std::to_string(cell.projected_at));
+        row.command = "seek " + std::to_string(cell.projected_at);
+    }
+    if (cell.mark.state == CellState::projected || cell.mark.state == CellState::enqueued)
+        to.add("solidity (key) " + short_number(cell.mark.key, cell.digits) +
+               (cell.rank > 0 ? ", number " + std::to_string(cell.rank) + " in the front" : ""));
+    if (cell.visible_share > 0)
+        to.add("holds " + short_number(cell.visible_share * 100) + " % of what is visible", 0, Tone::good);
+    else
+        to.add("hidden: nothing in it is visible", 0, Tone::faint);
+    if (!cell.held_back_by.empty())
+        to.add((cell.rank > 0 ? "held back by: " : "not in the front: ") + cell.held_back_by);
+    if (!cell.reached.empty())
+        to.heading("Reached through " + counted(static_cast<std::uint32_t>(cell.reached.size()), "facet"));
+    for (const ChainLink& link : cell.reached) write_link(to, link, settings, cell.digits);
+    if (cell.chain.size() > 1) {
+        to.heading("The chain of updates from the seed");
+        for (const ChainLink& link : cell.chain) write_link(to, link, settings, cell.digits);
     }
 }
 
@@ -24,18 +128,23 @@ template <int D>
 std::vector<Row> why_rows(const Workbench<D>& bench) {
     const Shown<D> shown(bench);
     const Session<D>& s = *shown;
-    std::vector<Row> rows;
-    rows.push_back({bench.substep ? "This step, as far as it is done" : "This step", Tone::heading});
-    if (s.position() == 0)
-        rows.push_back({"Step 0: the seed cell is in the front, nothing is projected yet."});
-    else
-        add(rows, sightline::rows(explain_step(s, s.position()), s.settings()));
-    rows.push_back({"Selected cell", Tone::heading});
-    if (s.selected_cell == none)
-        rows.push_back({"Click a cell in the picture.", Tone::faint});
-    else
-        add(rows, sightline::rows(explain_cell(s, s.selected_cell), s.settings()));
-    return rows;
+    Writer to;
+    if (s.position() == 0) {
+        to.heading("Step 0");
+        if (s.state().seed != none) to.cell("the seed " + name(s.state().seed) + " is in the front", s.state().seed);
+        to.add("nothing is projected yet: Right, or Space");
+    } else {
+        write_step(to, explain_step(s, s.position()), s.settings(), bench.substep.has_value());
+    }
+    if (s.selected_primitive != none) {
+        to.heading(std::string("Selected ") + (D == 2 ? "segment" : "triangle"));
+        to.add(sentence<D>(explain_primitive(bench.session, s.selected_primitive), s.position()));
+    }
+    if (s.selected_cell != none)
+        write_cell(to, explain_cell(s, s.selected_cell), s.settings());
+    else if (s.selected_primitive == none)
+        to.add("Click a cell or a primitive in the picture to see why it is where it is.", 0, Tone::faint);
+    return to.rows;
 }
 
 template std::vector<Row> why_rows<2>(const Workbench<2>&);

@@ -1,7 +1,5 @@
 // A column of the window: the tabs of its panels, and the panel that is chosen.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <map>
-
 #include "shell/window/parts.h"
 #include "shell/window/theme.h"
 
@@ -29,6 +27,14 @@ void tabs(Ui& ui, Workbench<D>& bench, Column side, const std::string& shown) {
     }
 }
 
+template <int D>
+const std::vector<Row>& rows_of(Ui& ui, const Workbench<D>& bench, Column side, const Panel<D>& panel) {
+    ShownRows& shown = ui.columns[static_cast<std::size_t>(side)];
+    if (shown.revision != ui.revision || shown.panel != panel.id)
+        shown = {std::string(panel.id), ui.revision, panel.rows(bench)};
+    return shown.rows;
+}
+
 }  // namespace
 
 template <int D>
@@ -42,7 +48,7 @@ void panel_column(Ui& ui, Workbench<D>& bench, Column side, const Area& area) {
         if (shown == "settings")
             settings_widgets(ui, bench);
         else
-            draw_rows(ui, panel->rows(bench), bench.hovered_cell);
+            draw_rows(ui, rows_of(ui, bench, side, *panel), bench.hovered_cell);
         ImGui::EndChild();
     }
     ImGui::End();

@@ -4,6 +4,7 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "shell/commands/command_table.h"
 #include "shell/window/keys.h"
@@ -74,6 +75,24 @@ void chooser(Ui& ui, Workbench<D>& bench, const Stage& stage, const Area& area) 
     ImGui::End();
 }
 
+/// Lines of the help sheet: a heading, or a key with what it does.
+template <int D>
+std::vector<std::pair<std::string, std::string>> help_lines() {
+    std::vector<std::pair<std::string, std::string>> lines;
+    for (const CommandGroup<D>& group : command_groups<D>()) {
+        lines.push_back({"", std::string(group.title)});
+        for (const Command<D>& command : group.commands)
+            for (const KeyBinding& binding : key_bindings(command.id, command.keys)) {
+                const std::string text = binding.command == command.id ? std::string(command.text) : binding.command;
+                if (lines.back().second == text)
+                    lines.back().first += ", " + binding.key;
+                else
+                    lines.push_back({binding.key, text});
+            }
+    }
+    return lines;
+}
+
 template <int D>
 void help(Ui& ui, const Area& area) {
     begin_overlay("help", area);
@@ -81,29 +100,27 @@ void help(Ui& ui, const Area& area) {
     ImGui::TextUnformatted("Keys");
     ImGui::PopFont();
     ImGui::SameLine();
-    ImGui::TextDisabled(
-        "Esc leaves; : types any command; the mouse: click selects, double-click runs to a cell, "
-        "drag pans, the wheel zooms");
-    const auto groups = command_groups<D>();
-    if (ImGui::BeginTable("keys", area.w > 900 * ui.unit ? 3 : 2)) {
-        for (const CommandGroup<D>& group : groups) {
-            ImGui::TableNextColumn();
-            ImGui::PushFont(ui.fonts.bold);
-            ImGui::TextUnformatted(std::string(group.title).c_str());
-            ImGui::PopFont();
-            for (const Command<D>& command : group.commands)
-                for (const KeyBinding& binding : key_bindings(command.id, command.keys)) {
-                    const float x = ImGui::GetCursorPosX();
-                    ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(colour(theme::accent)), "%s",
-                                       binding.key.c_str());
-                    ImGui::SameLine(x + 8.5f * ImGui::GetFontSize());
-                    ImGui::TextUnformatted((binding.command + (binding.asks ? " …" : "")).c_str());
-                    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", std::string(command.text).c_str());
-                }
-            ImGui::Dummy({1, 6 * ui.unit});
+    ImGui::TextDisabled("Esc leaves. The mouse: click selects, double-click runs to a cell, drag pans, wheel zooms.");
+    const auto lines = help_lines<D>();
+    const float step = ImGui::GetTextLineHeightWithSpacing(), key_width = 10.5f * ImGui::GetFontSize();
+    const auto rows = static_cast<std::size_t>(std::max(8.0f, (area.h - 3 * step) / step));
+    const std::size_t columns = (lines.size() + rows - 1) / rows;
+    const float w = std::max(22 * ImGui::GetFontSize(), area.w / static_cast<float>(std::max<std::size_t>(columns, 1)));
+    const ImVec2 top = ImGui::GetCursorScreenPos();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const auto& [key, text] = lines[i];
+        const ImVec2 at{top.x + static_cast<float>(i / rows) * w, top.y + static_cast<float>(i % rows) * step};
+        list.PushClipRect(at, {at.x + w - 8 * ui.unit, at.y + step});
+        if (key.empty()) {
+            list.AddText(ui.fonts.bold, ImGui::GetFontSize(), at, colour(theme::ink), text.c_str());
+        } else {
+            list.AddText(at, colour(theme::accent), key.c_str());
+            list.AddText({at.x + key_width, at.y}, colour(theme::ink), text.c_str());
         }
-        ImGui::EndTable();
+        list.PopClipRect();
     }
+    ImGui::Dummy({w * static_cast<float>(columns), step * static_cast<float>(std::min(rows, lines.size()))});
     ImGui::End();
 }
 
@@ -145,9 +162,17 @@ void console(Ui& ui, Workbench<D>& bench, const Area& area) {
                                  &bench.desk.console_text,
                                  ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackAlways, to_end)) {
         const std::string commands = bench.desk.console_text;
+        const std::size_t before = ui.messages.size();
         bench.desk.console_text.clear();
         bench.desk.console = false;
         ui.act(commands);
+        // What one line cannot say stays open to be read, what was wrong to be mended.
+        const bool bad = ui.messages.size() > before && ui.messages.back().bad;
+        if (bad) bench.desk.console_text = commands;
+        if (bad || ui.messages.size() > before + 1) {
+            bench.desk.console = true;
+            ImGui::SetKeyboardFocusHere(-1);
+        }
     }
     suggestions<D>(bench.desk.console_text);
     ImGui::End();

@@ -41,6 +41,10 @@ void draw_rows(Ui& ui, const std::vector<Row>& rows, std::uint32_t& hovered_cell
         ImGui::PushID(static_cast<int>(i));
         ImGui::InvisibleButton("row", {room, std::max(size.y, 1.0f)});
         ImGui::PopID();
+        if (row.tone == Tone::lit && ui.followed != ui.revision) {
+            ui.followed = ui.revision;
+            if (!ImGui::IsItemVisible()) ImGui::SetScrollHereY();
+        }
         if (ImGui::IsItemClicked() && !row.command.empty()) command = row.command;
         const bool hovered = ImGui::IsItemHovered();
         if (at.y + size.y >= top && at.y <= bottom) {

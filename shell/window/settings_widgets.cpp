@@ -3,6 +3,7 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
+#include <algorithm>
 #include <array>
 #include <iterator>
 
@@ -80,7 +81,7 @@ void settings_widgets(Ui& ui, Workbench<D>& bench) {
             ImGui::TextUnformatted(name.c_str());
             ImGui::PopFont();
             tip(row);
-            ImGui::SameLine(ImGui::GetContentRegionAvail().x * 0.6f);
+            ImGui::SameLine(std::max(12.5f * ImGui::GetFontSize(), ImGui::GetContentRegionAvail().x * 0.6f));
             ImGui::SetNextItemWidth(-1);
             widget(ui, bench, row);
             tip(row);

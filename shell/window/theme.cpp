@@ -70,6 +70,7 @@ Fonts load_theme(float text_size, float label_size, float unit, float framebuffe
     io.FontGlobalScale = 1 / framebuffer;
     ImGui_ImplOpenGL3_DestroyFontsTexture();
     io.Fonts->Build();
+    ImGui_ImplOpenGL3_CreateFontsTexture();
     set_style(unit);
     return fonts;
 }

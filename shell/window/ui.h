@@ -4,11 +4,13 @@
 
 #include <imgui.h>
 
+#include <array>
 #include <functional>
 #include <string>
 #include <vector>
 
 #include "core/draw/draw_list.h"
+#include "shell/panels/panel.h"
 
 namespace sightline {
 
@@ -32,6 +34,13 @@ struct Message {
     bool bad = false;
 };
 
+/// The rows of the panel in one column, kept while the revision stays.
+struct ShownRows {
+    std::string panel;
+    std::uint64_t revision = 0;
+    std::vector<Row> rows;
+};
+
 struct Ui {
     float unit = 1;         ///< ImGui units per pixel of the layout at scale 1
     float framebuffer = 1;  ///< framebuffer pixels per ImGui unit
@@ -39,6 +48,9 @@ struct Ui {
     std::vector<Message> messages;  ///< oldest first
     /// Counts what may have changed the bench; what is drawn from it is made again when this differs.
     std::uint64_t revision = 1;
+    std::array<ShownRows, 2> columns;  ///< by Column
+    bool awaits_text = false;          ///< a text field was opened and will take the keyboard: keys are letters already
+    std::uint64_t followed = 0;        ///< the revision whose lit line was brought into view
     /// Runs commands; says what went wrong instead of throwing.
     std::function<void(const std::string& commands)> act;
 };

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/error.h"
 #include "core/stopwatch.h"
@@ -48,6 +49,7 @@ Window<D>::Gui::Gui(const GlContext& context) {
     ImGui::GetIO().ConfigInputTextCursorBlink = false;  // a standing picture needs no frames
     ImGui_ImplSDL2_InitForOpenGL(context.window(), context.handle());
     ImGui_ImplOpenGL3_Init("#version 330 core");
+    ImGui_ImplOpenGL3_NewFrame();  // makes its objects, so that the theme can replace the font
 }
 
 template <int D>
@@ -124,9 +126,42 @@ void Window<D>::press(const std::string& key) {
 }
 
 template <int D>
+bool Window<D>::expects_text() const {
+    return bench_.desk.console || ui_.awaits_text;
+}
+
+/// Dear ImGui sees the state of keys once a frame: a press and its release need two. And what is typed around the key
+/// that opens or closes a text field waits until the keyboard has gone over.
+template <int D>
+void Window<D>::take_events() {
+    constexpr int most_frames = 6;  // a field that never takes the keyboard must not hold events for ever
+    const auto in_between = [&] {
+        const bool has = ImGui::GetIO().WantTextInput;
+        const bool changes = expects_text() != expected_text_ || frames_in_between_ > 0;
+        return changes && expects_text() != has && frames_in_between_ < most_frames;
+    };
+    frames_in_between_ = in_between() ? frames_in_between_ + 1 : 0;
+    expected_text_ = expects_text();
+    std::vector<SDL_Keycode> pressed;
+    const auto take = [&](const SDL_Event& event) {
+        if (event.type == SDL_KEYUP &&
+            std::find(pressed.begin(), pressed.end(), event.key.keysym.sym) != pressed.end()) {
+            later_ = event;
+            return;
+        }
+        if (event.type == SDL_KEYDOWN) pressed.push_back(event.key.keysym.sym);
+        handle(event);
+    };
+    if (later_) take(*std::exchange(later_, std::nullopt));
+    SDL_Event event;
+    while (!later_ && !in_between() && SDL_PollEvent(&event)) take(event);
+    if (later_ || frames_in_between_ > 0 || expects_text()) lively_frames_ = 3;
+}
+
+template <int D>
 void Window<D>::handle(const SDL_Event& event) {
     lively_frames_ = 3;
-    const bool typing = ImGui::GetIO().WantTextInput;
+    const bool typing = ImGui::GetIO().WantTextInput || expects_text();
     ImGui_ImplSDL2_ProcessEvent(&event);
     if (event.type == SDL_QUIT) bench_.quit = true;
     if (event.type == SDL_WINDOWEVENT && event.window.event == SDL_WINDOWEVENT_CLOSE) bench_.quit = true;
@@ -213,8 +248,7 @@ void Window<D>::lay_out() {
 
 template <int D>
 void Window<D>::frame(double seconds) {
-    SDL_Event event;
-    while (SDL_PollEvent(&event)) handle(event);
+    take_events();
     if (bench_.transport.playing) {
         advance_clock(bench_, seconds);
         ++ui_.revision;

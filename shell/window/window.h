@@ -3,6 +3,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 #include "shell/bench/workbench.h"
 #include "shell/gl/context.h"
 #include "shell/window/stage.h"
@@ -42,6 +44,8 @@ private:
     };
 
     void act(const std::string& commands);
+    void take_events();
+    bool expects_text() const;
     void handle(const SDL_Event& event);
     void press(const std::string& key);
     void escape();
@@ -56,7 +60,10 @@ private:
     Ui ui_;
     float theme_unit_ = 0, theme_text_ = 0, theme_framebuffer_ = 0;
     bool fullscreen_ = false;
-    int lively_frames_ = 0;  ///< ImGui needs a few frames after an event
+    std::optional<SDL_Event> later_;  ///< a key's release that must not fall into the frame of its press
+    bool expected_text_ = false;      ///< in the frame before
+    int frames_in_between_ = 0;       ///< since a text field was opened or closed and the keyboard has not followed
+    int lively_frames_ = 0;           ///< ImGui needs a few frames after an event
 };
 
 }  // namespace sightline
