@@ -13,8 +13,9 @@ namespace sightline::test {
 
 /// A workbench that keeps what it says.
 struct Bench {
-    explicit Bench(Session<2> session)
-        : bench{std::move(session), {}, Stop::none, false, [this](const std::string& line) { said.push_back(line); }} {}
+    explicit Bench(Session<2> session) : bench{std::move(session)} {
+        bench.say = [this](const std::string& line) { said.push_back(line); };
+    }
     Bench(const Bench&) = delete;
     Bench& operator=(const Bench&) = delete;
 

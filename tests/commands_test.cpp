@@ -11,9 +11,11 @@
 
 #include "core/file.h"
 #include "core/scene/catalogue.h"
+#include "core/scene/read_json.h"
 #include "core/session/report.h"
 #include "core/session/state_file.h"
 #include "core/session/substep.h"
+#include "shell/bench/moves.h"
 #include "tests/scene_support.h"
 
 namespace sightline {
@@ -26,12 +28,9 @@ protected:
     Commands() {
         const CatalogueRow& row = *find_in_catalogue("bottleneck");
         settings.error_bound = row.error_bound;
-        bench = std::make_unique<Workbench<2>>(
-            Workbench<2>{Session<2>(std::make_shared<const Scene<2>>(make_scene(row)), row.view, settings),
-                         {},
-                         Stop::none,
-                         false,
-                         [this](const std::string& line) { said.push_back(line); }});
+        bench.reset(
+            new Workbench<2>{Session<2>(std::make_shared<const Scene<2>>(make_scene(row)), row.view, settings)});
+        bench->say = [this](const std::string& line) { said.push_back(line); };
         fs::create_directories(folder);
     }
     ~Commands() override { fs::remove_all(folder); }
@@ -41,6 +40,7 @@ protected:
         run_commands(*bench, text);
     }
     Session<2>& session() { return bench->session; }
+    const Other<2>& other() { return bench->other.value(); }
     void flips(const std::string& command, const bool& flag) {
         const bool before = flag;
         run(command);
@@ -401,6 +401,94 @@ TEST_F(Commands, EveryOneOfTheTableDoesWhatItSays) {
              run("panels " + file("p.txt"));
              EXPECT_NE(read_file(file("p.txt")).find("step 10 of"), std::string::npos);
          }},
+        {"compare",
+         [&] {
+             run("compare centroid");
+             EXPECT_EQ(other().session.method().id, "centroid");
+             EXPECT_EQ(other().session.position(), 10u);
+             EXPECT_EQ(session().method().id, "published");
+             run("compare jitter=0.25,penalty=none");
+             EXPECT_EQ(other().session.settings().jitter, 0.25);
+             EXPECT_EQ(other().session.settings().penalty, Penalty::none);
+             run("compare preset:letter");
+             EXPECT_EQ(other().session.settings().view_vector, ViewVector::camera);
+             run("compare streets");
+             EXPECT_EQ(other().session.scene().id, "streets");
+             run("set jitter=0.1; save " + file("right.json") + "; undo; compare " + file("right.json"));
+             EXPECT_EQ(other().session.settings().jitter, 0.1);
+             EXPECT_EQ(other().session.shared_scene(), session().shared_scene());
+             run("compare same");
+             EXPECT_EQ(other().session.settings(), session().settings());
+             run("shot " + file("pair.svg") + "; compare off");
+             EXPECT_FALSE(bench->other);
+             EXPECT_TRUE(open_state(read_file(file("pair.svg.json")), "f").other.has_value());
+         }},
+        {"align",
+         [&] {
+             run("compare centroid; align rendered; seek 12");
+             EXPECT_EQ(other().align, Align::rendered);
+             EXPECT_GE(other().session.state().rendered_count, session().state().rendered_count);
+             run("align step; seek 10");
+             EXPECT_EQ(other().session.position(), 10u);
+         }},
+        {"difference",
+         [&] {
+             run("difference");
+             const auto step = first_difference(at_the_end(session()), at_the_end(other().session));
+             ASSERT_TRUE(step);
+             EXPECT_EQ(session().position(), *step);
+             EXPECT_EQ(other().session.position(), *step);
+             EXPECT_EQ(said.at(0).find("Step " + std::to_string(*step) + ": left projects"), 0u);
+             run("seek 10; compare same; difference");
+             EXPECT_EQ(said.at(0).find("Both agree to the end"), 0u);
+             EXPECT_EQ(session().position(), 10u);
+         }},
+        {"swap",
+         [&] {
+             run("compare centroid; swap");
+             EXPECT_EQ(session().method().id, "centroid");
+             EXPECT_EQ(other().session.method().id, "published");
+             run("swap; compare off; seek 10");
+             EXPECT_EQ(session().method().id, "published");
+         }},
+        {"segment",
+         [&] {
+             const auto before = session().shared_scene();
+             const auto count = static_cast<std::uint32_t>(before->primitives.size());
+             run("segment add 1,1 2,1.5");
+             ASSERT_EQ(session().scene().primitives.size(), count + 1);
+             EXPECT_EQ(session().scene().primitives.back(), (Primitive<2>{Vec<2>(1, 1), Vec<2>(2, 1.5)}));
+             EXPECT_EQ(session().selected_primitive, count);
+             EXPECT_EQ(session().scene().source, "edited");
+             run("segment move selected 1,1 2,1; segment delete 0");
+             EXPECT_EQ(session().scene().primitives.back(), (Primitive<2>{Vec<2>(1, 1), Vec<2>(2, 1)}));
+             EXPECT_EQ(session().selected_primitive, count - 1);
+             run("segment delete");
+             EXPECT_EQ(session().scene().primitives.size(), count - 1);
+             EXPECT_EQ(session().selected_primitive, none);
+             run("undo; undo; undo; undo; seek 10");
+             EXPECT_EQ(session().shared_scene(), before);
+         }},
+        {"scene",
+         [&] {
+             const auto before = session().shared_scene();
+             run("scene save " + file("scene.json") + "; scene new");
+             EXPECT_TRUE(session().scene().primitives.empty());
+             EXPECT_TRUE(session().notes.empty());
+             run("undo; seek 10");
+             EXPECT_EQ(session().shared_scene(), before);
+             EXPECT_EQ(scene_hash(read_json(read_file(file("scene.json")), "f")), scene_hash(*before));
+         }},
+        {"film",
+         [&] {
+             const std::uint64_t hash = session().hash();
+             run("size 200x150; film 2-4 " + file("f.png") + "; film 0-1 " + file("f.pdf"));
+             for (const char* name : {"f-0001.png", "f-0002.png", "f-0003.png", "f.png.json", "f.pdf", "f.pdf.json"})
+                 EXPECT_TRUE(fs::exists(folder / name)) << name;
+             EXPECT_FALSE(fs::exists(folder / "f-0004.png"));
+             EXPECT_EQ(session().hash(), hash);
+             EXPECT_EQ(open_state(read_file(file("f.png.json")), "f").session.position(), 2u);
+         }},
         {"open",
          [&] {
              run("save " + file("o.json"));
@@ -559,6 +647,44 @@ TEST_F(Commands, ErrorsNameTheCommandAndChangeNothing) {
                                       "size 0x0",
                                       "size x",
                                       "shot",
+                                      "compare",
+                                      "compare nothing-like-this",
+                                      "compare preset:nothing",
+                                      "compare jitter=2",
+                                      "compare jitter=0.1,colour=red",
+                                      "compare method=none",
+                                      "compare two_sided=on",
+                                      "align step",
+                                      "align by ear",
+                                      "difference",
+                                      "swap",
+                                      "segment",
+                                      "segment add",
+                                      "segment add 1,1",
+                                      "segment add 1,1 1,1",
+                                      "segment add 1,1 2",
+                                      "segment add 1,1 1e200,1",
+                                      "segment add 1,1 nan,1",
+                                      "segment move 0",
+                                      "segment move 0 1,1 1,1",
+                                      "segment move 999999 1,1 2,2",
+                                      "segment move selected 1,1 2,2",
+                                      "segment delete",
+                                      "segment delete x",
+                                      "segment delete 999999",
+                                      "segment delete 0 1",
+                                      "scene",
+                                      "scene old",
+                                      "scene save",
+                                      "film",
+                                      "film 1-2",
+                                      "film 2 a.png",
+                                      "film 3-2 a.png",
+                                      "film 1-999999 a.png",
+                                      "film x-2 a.png",
+                                      "film 1-2 a.svg",
+                                      "film 1-2 a.gif 0fps",
+                                      "film 1-2 a.gif xfps",
                                       "shot a.gif",
                                       "shot a",
                                       "save",
@@ -567,6 +693,7 @@ TEST_F(Commands, ErrorsNameTheCommandAndChangeNothing) {
         SCOPED_TRACE(command);
         test::expect_input_error([&] { run(command); }, "command '" + command + "': *");
         EXPECT_EQ(session().hash(), hash);
+        EXPECT_FALSE(bench->other);
         EXPECT_EQ(session().settings(), before);
         EXPECT_EQ(session().culling_view(), view);
         EXPECT_TRUE(session().notes.empty());

@@ -86,7 +86,9 @@ Workbench<2> open_bench(const Options& o, std::span<const Method<2>> methods) {
     opened.session.change(settings);
     const ViewSpec<2> view = apply_options(opened.session.culling_view(), o, opened.session.scene());
     if (view != opened.session.culling_view()) opened.session.set_view(view);
-    return {std::move(opened.session), std::move(opened.figure), Stop::steps, false, say, methods};
+    Workbench<2> bench{std::move(opened.session), std::move(opened.figure), Stop::steps, false, say, methods};
+    if (opened.other) compare_with(bench, std::move(*opened.other), "right", opened.align);
+    return bench;
 }
 
 /// Without a word about where to stand, a run without a window goes to its end; a window waits at the start.

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/session/session.h"
@@ -26,6 +28,7 @@ template <int D>
 std::optional<std::uint32_t> first_difference(const Session<D>& a, const Session<D>& b);
 
 enum class Align : std::uint8_t { step, rendered };
+inline constexpr auto align_words = std::to_array<std::string_view>({"step", "rendered"});
 
 /// Moves `other` to the place that belongs to the lead's position: the same step, or the first step with at least as
 /// many rendered primitives; as near as its budget and its front allow.

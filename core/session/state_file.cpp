@@ -18,8 +18,6 @@ namespace {
 
 using OrderedJson = nlohmann::ordered_json;
 
-constexpr auto align_words = std::to_array<std::string_view>({"step", "rendered"});
-
 OrderedJson view_json(const ViewSpec<2>& view) {
     return {{"eye", {view.eye.x, view.eye.y}}, {"look_at", {view.look_at.x, view.look_at.y}}, {"fov", view.fov}};
 }
@@ -211,7 +209,7 @@ OrderedJson scene_part(const Scene<2>& scene) {
                       {{"degenerate", scene.dropped.degenerate},
                        {"duplicate", scene.dropped.duplicate},
                        {"not_finite", scene.dropped.not_finite}}}};
-    if (std::string embedded = write_json(scene); embedded.size() <= embed_limit_bytes)
+    if (std::string embedded = write_json(scene); embedded.size() <= embed_limit_bytes || scene.source == "edited")
         json["embedded"] = OrderedJson::parse(embedded);
     else
         json["name"] = scene.name.empty() ? scene.id : scene.name;

@@ -14,7 +14,8 @@
 
 namespace sightline {
 
-/// A scene whose JSON is at most this long travels inside the state file; a larger one by id, seed and hash.
+/// A scene whose JSON is at most this long travels inside the state file; a larger one by id, seed and hash,
+/// unless it was edited: then it lies nowhere else.
 inline constexpr std::size_t embed_limit_bytes = 1'000'000;
 
 /// `other`: a session that stands beside the first one, moved along as `align` says.

@@ -25,6 +25,16 @@ std::string what_became(const Workbench<D>& bench, const std::vector<StepRecord>
     return line;
 }
 
+/// Primitives have new numbers: see change_scene.
+template <int D>
+void renumber(Session<D>& session, std::span<const std::uint32_t> numbers) {
+    if (session.selected_primitive != none) session.selected_primitive = numbers[session.selected_primitive];
+    for (Note<D>& note : session.notes)
+        if (note.anchor == Note<D>::Anchor::primitive) note.index = numbers[note.index];
+    std::erase_if(session.notes,
+                  [](const Note<D>& note) { return note.anchor == Note<D>::Anchor::primitive && note.index == none; });
+}
+
 }  // namespace
 
 template <int D>
@@ -35,11 +45,7 @@ void traversal_changed(Workbench<D>& bench) {
     bench.marked_by.clear();
     if (bench.hovered_cell != none && bench.hovered_cell >= bench.session.cells().cell_count())
         bench.hovered_cell = none;
-    if (bench.record_ahead) {
-        const std::uint32_t position = bench.session.position();
-        bench.session.run();
-        bench.session.seek(position);
-    }
+    if (bench.record_ahead) record_whole_run(bench.session);
     moved(bench);
 }
 
@@ -68,8 +74,10 @@ void change_view(Workbench<D>& bench, const ViewSpec<D>& view, const std::string
 }
 
 template <int D>
-void change_scene(Workbench<D>& bench, std::shared_ptr<const Scene<D>> scene, const std::string& gesture) {
+void change_scene(Workbench<D>& bench, std::shared_ptr<const Scene<D>> scene, const std::string& gesture,
+                  std::span<const std::uint32_t> numbers) {
     remember(bench, gesture);
+    if (!numbers.empty()) renumber(bench.session, numbers);
     bench.session.set_scene(std::move(scene));
     traversal_changed(bench);
 }
@@ -78,6 +86,7 @@ template <int D>
 void replace_session(Workbench<D>& bench, Session<D> session) {
     bench.session = std::move(session);
     bench.history = {};
+    bench.other.reset();
     bench.hovered_cell = none;
     bench.last_stop = Stop::steps;
     bench.desk.timeline_from = 0;
@@ -88,7 +97,8 @@ void replace_session(Workbench<D>& bench, Session<D> session) {
 template void traversal_changed<2>(Workbench<2>&);
 template void change_settings<2>(Workbench<2>&, const Settings&, const std::string&);
 template void change_view<2>(Workbench<2>&, const ViewSpec<2>&, const std::string&);
-template void change_scene<2>(Workbench<2>&, std::shared_ptr<const Scene<2>>, const std::string&);
+template void change_scene<2>(Workbench<2>&, std::shared_ptr<const Scene<2>>, const std::string&,
+                              std::span<const std::uint32_t>);
 template void replace_session<2>(Workbench<2>&, Session<2>);
 
 }  // namespace sightline

@@ -18,9 +18,11 @@ void change_settings(Workbench<D>& bench, const Settings& settings, const std::s
 template <int D>
 void change_view(Workbench<D>& bench, const ViewSpec<D>& view, const std::string& gesture = "");
 
-/// Other primitives under the same view and settings.
+/// Other primitives under the same view and settings. `numbers` has for each old primitive its new number, none where
+/// it is gone, for the selection and the notes; empty: they keep their numbers.
 template <int D>
-void change_scene(Workbench<D>& bench, std::shared_ptr<const Scene<D>> scene, const std::string& gesture = "");
+void change_scene(Workbench<D>& bench, std::shared_ptr<const Scene<D>> scene, const std::string& gesture = "",
+                  std::span<const std::uint32_t> numbers = {});
 
 /// Puts another session on the bench, at its place in the run. There is no way back to the old one by undo.
 template <int D>

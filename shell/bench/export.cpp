@@ -40,6 +40,22 @@ void go_to_place(Session<2>& session, const std::string& place) {
     throw InputError("panel '" + place + "': write start, end, step N or until CONDITION");
 }
 
+/// One panel; two, left and right, where there is a second session.
+void add_panels(const Workbench<2>& bench, const Session<2>& session, const std::string& title,
+                std::vector<PanelSource>& panels) {
+    if (!bench.other) {
+        panels.push_back({session, title});
+        return;
+    }
+    Session<2> other = bench.other->session;
+    if (session.position() != bench.session.position()) follow(session, other, bench.other->align);
+    const std::vector<Side> sides = projected_sides(session, other);
+    const auto titles = side_titles(bench);
+    const std::string before = title.empty() ? "" : title + ", ";
+    panels.push_back({session, before + titles[0], sides});
+    panels.push_back({std::move(other), before + titles[1], sides});
+}
+
 }  // namespace
 
 FigureSize figure_size(const FigureSpec& spec) {
@@ -74,17 +90,21 @@ void set_figure_size(Workbench<D>& bench, const std::string& size) {
 void write_shot(Workbench<2>& bench, const std::string& file) {
     const Stopwatch drawing;
     std::vector<PanelSource> panels;
-    if (bench.figure.panels.empty()) panels.push_back({bench.session, ""});
+    if (bench.figure.panels.empty()) add_panels(bench, bench.session, "", panels);
     for (const std::string& place : bench.figure.panels) {
-        panels.push_back({bench.session, ""});
-        Session<2>& session = panels.back().session;
+        Session<2> session = bench.session;
         go_to_place(session, place);
-        panels.back().title = "step " + std::to_string(session.position());
+        add_panels(bench, session, "step " + std::to_string(session.position()), panels);
     }
     write_figure(make_figure(panels), figure_size(bench.figure), file);
-    write_file(file + ".json", state_json(bench.session, bench.figure));
+    write_file(file + ".json", bench_state(bench));
     bench.session.times().draw += drawing.milliseconds();
     bench.say("wrote " + file + " and " + file + ".json");
+}
+
+std::string bench_state(const Workbench<2>& bench) {
+    if (!bench.other) return state_json(bench.session, bench.figure);
+    return state_json(bench.session, bench.figure, &bench.other->session, bench.other->align);
 }
 
 void write_text(const std::string& file, const std::string& text) {

@@ -9,14 +9,17 @@ namespace {
 
 template <int D>
 Snapshot<D> snapshot(const Session<D>& session) {
-    return {session.shared_scene(), session.settings(), session.culling_view(),
-            session.display_view(), session.frozen(),   session.notes};
+    return {session.shared_scene(), session.settings(), session.culling_view(), session.display_view(),
+            session.frozen(),       session.notes,      session.bookmarks,      session.selected_primitive};
 }
 
 template <int D>
 void bring_back(Workbench<D>& bench, const Snapshot<D>& to) {
     Session<D>& session = bench.session;
-    if (session.shared_scene() != to.scene) session.set_scene(to.scene);
+    if (session.shared_scene() != to.scene) {
+        session.set_scene(to.scene);
+        session.selected_primitive = to.selected_primitive;
+    }
     session.change(to.settings);
     session.unfreeze();
     if (session.culling_view() != to.culling_view) session.set_view(to.culling_view);
@@ -25,6 +28,7 @@ void bring_back(Workbench<D>& bench, const Snapshot<D>& to) {
         session.set_view(to.display_view);
     }
     session.notes = to.notes;
+    session.bookmarks = to.bookmarks;
     traversal_changed(bench);
 }
 

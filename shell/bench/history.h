@@ -1,4 +1,4 @@
-// Undo of what changes a session: scene, settings, views and notes, never steps.
+// Undo of what changes a session: scene, settings, views, notes and bookmarks, never steps.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -21,6 +21,8 @@ struct Snapshot {
     ViewSpec<D> culling_view, display_view;
     bool frozen = false;
     std::vector<Note<D>> notes;
+    std::vector<Bookmark> bookmarks;
+    std::uint32_t selected_primitive = none;  ///< brought back with another scene only, whose numbers it means
 };
 
 template <int D>

@@ -8,6 +8,7 @@ namespace sightline {
 template <int D>
 void moved(Workbench<D>& bench) {
     bench.substep.reset();
+    take_along(bench);
 }
 
 template <int D>

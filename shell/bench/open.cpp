@@ -14,6 +14,20 @@
 
 namespace sightline {
 
+namespace {
+
+/// The text of a state file; nothing when the name is that of a scene.
+std::optional<std::string> state_text(const std::string& name) {
+    std::error_code error;
+    if (find_in_catalogue(name) || !std::filesystem::is_regular_file(name, error)) return std::nullopt;
+    std::string text = read_file(name);
+    // Both kinds of JSON say at the top what they are; the rest is the readers' matter.
+    if (text.substr(0, 200).find("\"sightline-state\"") == std::string::npos) return std::nullopt;
+    return text;
+}
+
+}  // namespace
+
 Settings start_settings(const std::string& name) {
     Settings settings;
     const CatalogueRow* row = find_in_catalogue(name);
@@ -57,21 +71,25 @@ void open_state_text(Workbench<2>& bench, const std::string& text, const std::st
     for (const std::string& warning : opened.warnings) bench.say("warning: " + warning);
     replace_session(bench, std::move(opened.session));
     bench.figure = std::move(opened.figure);
+    if (opened.other) compare_with(bench, std::move(*opened.other), "right", opened.align);
 }
 
 void open(Workbench<2>& bench, const std::string& name) {
-    std::error_code error;
-    if (!find_in_catalogue(name) && std::filesystem::is_regular_file(name, error)) {
-        const std::string text = read_file(name);
-        // Both kinds of JSON say at the top what they are; the rest is the readers' matter.
-        if (text.substr(0, 200).find("\"sightline-state\"") != std::string::npos)
-            return open_state_text(bench, text, name);
-    }
+    if (const auto text = state_text(name)) return open_state_text(bench, *text, name);
     Session<2> session = open_scene(name, start_settings(name), bench.methods,
                                     [&](const std::string& line) { bench.say("warning: " + line); });
     add_bookmarks(session);
     replace_session(bench, std::move(session));
     bench.figure = {};
+}
+
+void compare_file(Workbench<2>& bench, const std::string& name) {
+    const auto warn = [&](const std::string& line) { bench.say("warning: " + line); };
+    const auto text = state_text(name);
+    if (!text) return compare_with(bench, open_scene(name, start_settings(name), bench.methods, warn), name);
+    OpenedState opened = open_state(*text, name, bench.methods);
+    for (const std::string& warning : opened.warnings) warn(warning);
+    compare_with(bench, std::move(opened.session), name);
 }
 
 std::shared_ptr<const Scene<2>> reread(const std::shared_ptr<const Scene<2>>& scene, const Settings& settings) {

@@ -10,6 +10,7 @@
 
 #include "core/session/figure_spec.h"
 #include "core/session/session.h"
+#include "shell/bench/comparison.h"
 #include "shell/bench/desk.h"
 #include "shell/bench/history.h"
 #include "shell/bench/transport.h"
@@ -31,22 +32,23 @@ struct Place {
 template <int D>
 struct Workbench {
     Session<D> session;
-    FigureSpec figure;
+    FigureSpec figure{};
     Stop last_stop = Stop::none;  ///< why the last move ended
     bool quit = false;
-    std::function<void(const std::string&)> say;  ///< one line for the person
+    std::function<void(const std::string&)> say{};  ///< one line for the person
     std::span<const Method<D>> methods = method_table<D>();
 
-    std::optional<std::uint32_t> substep;  ///< where in the last step (step into); none: between two steps
-    bool record_ahead = false;             ///< keep the whole run recorded, for a timeline that shows where it leads
-    Transport transport;
-    History<D> history;
-    std::vector<std::uint32_t> marked;  ///< steps that `mark` found
-    std::string marked_by;              ///< its condition
+    std::optional<std::uint32_t> substep{};  ///< where in the last step (step into); none: between two steps
+    std::optional<Other<D>> other{};         ///< a second session, on the right
+    bool record_ahead = false;               ///< keep the whole run recorded, for a timeline that shows where it leads
+    Transport transport{};
+    History<D> history{};
+    std::vector<std::uint32_t> marked{};  ///< steps that `mark` found
+    std::string marked_by{};              ///< its condition
     std::uint32_t hovered_cell = none;
-    Desk desk;
-    Clipboard clipboard;
-    std::vector<Place> places;  ///< written anew by each frame of the window
+    Desk desk{};
+    Clipboard clipboard{};
+    std::vector<Place> places{};  ///< written anew by each frame of the window
 
     /// Counts the traversals: what was derived from the recording is made again when this has changed.
     std::uint64_t run = 0;

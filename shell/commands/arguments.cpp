@@ -57,6 +57,10 @@ std::uint32_t cell_argument(const Workbench<D>& bench, Text text) {
 
 template <int D>
 std::uint32_t primitive_argument(const Workbench<D>& bench, Text text) {
+    if (text == "selected") {
+        if (bench.session.selected_primitive == none) throw InputError("no primitive is selected");
+        return bench.session.selected_primitive;
+    }
     const std::uint32_t primitive = whole_argument(text, "a primitive");
     if (primitive >= bench.session.scene().primitives.size())
         throw InputError("primitive " + text + " does not exist; there are " +

@@ -26,6 +26,7 @@ std::size_t word_argument(Text text, std::span<const std::string_view> words);
 template <int D>
 std::uint32_t cell_argument(const Workbench<D>& bench, Text text);
 
+/// A number or "selected". Throws InputError when there is no such primitive.
 template <int D>
 std::uint32_t primitive_argument(const Workbench<D>& bench, Text text);
 

@@ -39,7 +39,8 @@ template <int D>
 std::span<const CommandGroup<D>> command_groups() {
     static const std::array groups{
         CommandGroup<D>{"Move", move_commands<D>()},     CommandGroup<D>{"View", view_commands<D>()},
-        CommandGroup<D>{"Change", change_commands<D>()}, CommandGroup<D>{"Mark", mark_commands<D>()},
+        CommandGroup<D>{"Change", change_commands<D>()}, CommandGroup<D>{"Compare", compare_commands<D>()},
+        CommandGroup<D>{"Edit", edit_commands<D>()},     CommandGroup<D>{"Mark", mark_commands<D>()},
         CommandGroup<D>{"Say", say_commands<D>()},       CommandGroup<D>{"File", file_commands<D>()},
         CommandGroup<D>{"Window", desk_commands<D>()},
     };

@@ -1,9 +1,10 @@
 // Commands that read and write files.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/error.h"
+#include "core/number.h"
 #include "core/session/report.h"
-#include "core/session/state_file.h"
 #include "shell/bench/export.h"
+#include "shell/bench/film.h"
 #include "shell/bench/open.h"
 #include "shell/commands/arguments.h"
 #include "shell/commands/groups.h"
@@ -17,10 +18,30 @@ std::string need_file(Text text) {
     return text;
 }
 
+/// FROM-TO FILE [4fps]
+template <int D>
+void film(Workbench<D>& bench, Text text) {
+    const auto [steps, rest] = split_word(text);
+    const std::string_view range = steps;
+    const std::size_t dash = range.find('-');
+    const auto first = parse_whole(range.substr(0, dash));
+    const auto last = dash == std::string::npos ? std::nullopt : parse_whole(range.substr(dash + 1));
+    if (!first || !last) throw InputError("write the steps of a film as FROM-TO");
+    FilmSpec spec{*first, *last, rest};
+    const std::size_t space = rest.rfind(' ');
+    if (space != std::string::npos && rest.ends_with("fps")) {
+        const std::string speed = rest.substr(space + 1, rest.size() - space - 4);
+        spec.frames_per_second = number_argument(speed, "a speed such as 4fps");
+        spec.file = rest.substr(0, rest.find_last_not_of(' ', space) + 1);
+    }
+    need_file(spec.file);
+    write_film(bench, spec);
+}
+
 template <int D>
 void copy(Workbench<D>& bench, Text) {
     if (!bench.clipboard.set) throw InputError("there is no clipboard without a window");
-    bench.clipboard.set(state_json(bench.session, bench.figure));
+    bench.clipboard.set(bench_state(bench));
     bench.say("the whole state is on the clipboard, as text");
 }
 
@@ -42,10 +63,10 @@ std::span<const Command<D>> file_commands() {
                    [](Workbench<D>& bench, Text text) { set_figure_size(bench, text); }},
         Command<D>{"shot", "FILE", "write a figure (.png, .svg, .pdf) and its sidecar", "Ctrl+E=?",
                    [](Workbench<D>& bench, Text text) { write_shot(bench, need_file(text)); }},
+        Command<D>{"film", "FROM-TO FILE [4fps]",
+                   "write steps as numbered .png, as pages of a .pdf, as .gif or as .mp4", "", film<D>},
         Command<D>{"save", "FILE", "write a state file", "Ctrl+S=?",
-                   [](Workbench<D>& bench, Text text) {
-                       write_text(need_file(text), state_json(bench.session, bench.figure));
-                   }},
+                   [](Workbench<D>& bench, Text text) { write_text(need_file(text), bench_state(bench)); }},
         Command<D>{"trace", "FILE", "write the records of the steps so far", "",
                    [](Workbench<D>& bench, Text text) { write_text(need_file(text), trace_json(bench.session)); }},
         Command<D>{"stats", "FILE", "write the statistics", "",

@@ -15,6 +15,10 @@ std::span<const Command<D>> view_commands();
 template <int D>
 std::span<const Command<D>> change_commands();
 template <int D>
+std::span<const Command<D>> compare_commands();
+template <int D>
+std::span<const Command<D>> edit_commands();
+template <int D>
 std::span<const Command<D>> mark_commands();
 template <int D>
 std::span<const Command<D>> say_commands();

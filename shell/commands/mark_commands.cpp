@@ -23,11 +23,13 @@ void select(Workbench<D>& bench, Text text) {
         cell = cell_argument(bench, text);
     bench.session.selected_cell = cell;
     bench.session.selected_primitive = primitive;
+    take_along(bench);
 }
 
 template <int D>
 void bookmark(Workbench<D>& bench, Text text) {
     if (text.empty()) throw InputError("a bookmark needs a label");
+    remember(bench);
     bench.session.bookmarks.push_back({bench.session.position(), text});
 }
 
@@ -129,6 +131,7 @@ void note(Workbench<D>& bench, Text text) {
     note.number += note.kind == Note<D>::Kind::callout;
     remember(bench);
     bench.session.notes.push_back(note);
+    take_along(bench);
 }
 
 /// N TEXT | N delete | N steps FROM-TO, with N from 1.
@@ -143,12 +146,12 @@ void edit_note(Workbench<D>& bench, Text text) {
     if (words.empty() && !steps) throw InputError("write the new text, {FROM-TO}, or delete");
     remember(bench);
     auto& notes = bench.session.notes;
-    if (words == "delete") {
-        notes.erase(notes.begin() + (n - 1));
-        return;
-    }
     if (steps) std::tie(notes[n - 1].first_step, notes[n - 1].last_step) = std::tuple_cat(*steps);
-    if (!words.empty()) notes[n - 1].text = words;
+    if (words == "delete")
+        notes.erase(notes.begin() + (n - 1));
+    else if (!words.empty())
+        notes[n - 1].text = words;
+    take_along(bench);
 }
 
 }  // namespace

@@ -129,4 +129,12 @@ void write_figure_pages(std::span<const Figure> pages, const FigureSize& size, c
     save(path, pdf_of(pages, lay_out(pages, size, font), font));
 }
 
+void write_figure_frames(std::span<const Figure> pages, const FigureSize& size,
+                         const std::function<std::filesystem::path(std::size_t)>& file) {
+    check_size(size);
+    const Font font = find_font();
+    const std::vector<Layout> layouts = lay_out(pages, size, font);
+    for (std::size_t i = 0; i < pages.size(); ++i) save(file(i), png_of(pages[i], size, layouts[i], font));
+}
+
 }  // namespace sightline

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <span>
 
 #include "core/draw/draw_list.h"
@@ -27,5 +28,9 @@ void write_figure(const Figure& figure, const FigureSize& size, const std::files
 /// The same for a PDF of several pages, e.g. the steps of a film: panels, legend and caption lie at the same places on
 /// each page, so that nothing jumps. The first page says where the legend stands.
 void write_figure_pages(std::span<const Figure> pages, const FigureSize& size, const std::filesystem::path& path);
+
+/// The same as PNGs that fit each other; file(i) is asked for the name of page i before it is drawn.
+void write_figure_frames(std::span<const Figure> pages, const FigureSize& size,
+                         const std::function<std::filesystem::path(std::size_t)>& file);
 
 }  // namespace sightline

@@ -19,6 +19,7 @@ std::span<const Panel<D>> panel_table() {
         Panel<D>{"front", "Front", "the front, first to last", Column::right, front_rows<D>},
         Panel<D>{"inversions", "Inversions", "hidden cells projected before visible ones", Column::right,
                  inversion_rows<D>},
+        Panel<D>{"compare", "Compare", "two sessions beside each other", Column::right, compare_rows<D>},
         Panel<D>{"breakpoints", "Breakpoints", "where a run stops, and marks", Column::right, breakpoint_rows<D>},
         Panel<D>{"notes", "Notes", "notes and bookmarks", Column::right, note_rows<D>},
     };

@@ -1,0 +1,31 @@
+// Pictures into a GIF or a video, by the program ffmpeg.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+
+#include "core/draw/draw_list.h"
+
+namespace sightline {
+
+/// A folder of its own that is removed with all that lies in it.
+class TemporaryFolder {
+public:
+    /// Throws WorkError.
+    TemporaryFolder();
+    ~TemporaryFolder();
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+    const std::filesystem::path& path() const { return path_; }
+
+private:
+    std::filesystem::path path_;
+};
+
+/// `pictures` is a pattern such as "folder/frame-%04d.png", counted from 1; the ending of `file`, .gif or .mp4, chooses
+/// the format. Videos get a column or a row of the background where the pictures' sides are odd. Throws WorkError when
+/// ffmpeg is not installed or fails.
+void encode_film(const std::filesystem::path& pictures, double frames_per_second, Colour background,
+                 const std::filesystem::path& file);
+
+}  // namespace sightline

@@ -1,0 +1,53 @@
+// Commands that edit the scene.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/error.h"
+#include "shell/bench/edit.h"
+#include "shell/commands/arguments.h"
+#include "shell/commands/groups.h"
+
+namespace sightline {
+
+namespace {
+
+Primitive<2> parse_segment(Text text, const Scene<2>& scene) {
+    const auto [first, second] = split_word(text);
+    if (first.empty() || second.empty()) throw InputError("write the ends of the segment as X,Y X,Y");
+    return {parse_point(first, scene), parse_point(second, scene)};
+}
+
+void edit_segment(Workbench<2>& bench, Text text) {
+    constexpr auto words = std::to_array<std::string_view>({"add", "move", "delete"});
+    const auto [what, rest] = split_word(text);
+    const std::size_t word = word_argument(what, words);
+    const Scene<2>& scene = bench.session.scene();
+    if (word == 0) return add_segment(bench, parse_segment(rest, scene));
+    const auto [id, ends] = split_word(rest);
+    const std::uint32_t index = primitive_argument(bench, id.empty() ? "selected" : id);
+    if (word == 1) return move_segment(bench, index, parse_segment(ends, scene));
+    if (!ends.empty()) throw InputError("'" + ends + "' is too much");
+    delete_segment(bench, index);
+}
+
+void edit_scene(Workbench<2>& bench, Text text) {
+    constexpr auto words = std::to_array<std::string_view>({"new", "save"});
+    const auto [what, file] = split_word(text);
+    if (word_argument(what, words) == 0) return new_scene(bench);
+    if (file.empty()) throw InputError("a file name is missing");
+    save_scene(bench, file);
+    bench.say("wrote " + file);
+}
+
+}  // namespace
+
+template <>
+std::span<const Command<2>> edit_commands<2>() {
+    static constexpr std::array table{
+        Command<2>{"segment", "add X,Y X,Y | move ID X,Y X,Y | delete [ID]",
+                   "change the segments; ID is a number or selected, delete alone takes the selected one",
+                   "Delete=delete", edit_segment},
+        Command<2>{"scene", "new | save FILE", "an empty scene, or write this one", "Ctrl+N=new", edit_scene},
+    };
+    return table;
+}
+
+}  // namespace sightline

@@ -1,0 +1,54 @@
+// Two sessions beside each other: what is different between them, and what comes of it.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/number.h"
+#include "shell/panels/panel_table.h"
+
+namespace sightline {
+
+namespace {
+
+template <int D>
+std::string coverage_text(const Session<D>& session) {
+    const auto share = coverage(session.reference(), session.visible_rendered());
+    return share ? short_number(*share) : "none";
+}
+
+}  // namespace
+
+template <int D>
+std::vector<Row> compare_rows(const Workbench<D>& bench) {
+    if (!bench.other)
+        return {Row{"Nothing to compare with: type compare METHOD, FIELD=VALUE, preset:ID or a file", Tone::faint}};
+    const Session<D>&left = bench.session, &right = bench.other->session;
+    const auto titles = side_titles(bench);
+    std::vector<Row> rows{{titles[0] + " | " + titles[1], Tone::heading, "swap"}};
+    rows.back().tip = "a click exchanges left and right";
+    const auto add = [&](const char* what, const std::string& a, const std::string& b, const char* command = "") {
+        rows.push_back({std::string(what) + ": " + a + " | " + b, Tone::plain, command});
+    };
+    add("method", left.settings().method, right.settings().method);
+    for (const SettingPair& pair : different_settings(left.settings(), right.settings()))
+        if (pair.name != "method")
+            rows.push_back({std::string(pair.name) + ": " + pair.left + " | " + pair.right, Tone::lit});
+    if (left.shared_scene() != right.shared_scene()) add("scene", left.scene().id, right.scene().id);
+    if (left.culling_view() != right.culling_view()) rows.push_back({"seen from different places", Tone::lit});
+    const bool by_step = bench.other->align == Align::step;
+    add("step", std::to_string(left.position()) + " of " + std::to_string(left.recorded()),
+        std::to_string(right.position()) + " of " + std::to_string(right.recorded()), by_step ? "" : "align step");
+    add("rendered", std::to_string(left.state().rendered_count), std::to_string(right.state().rendered_count),
+        by_step ? "align rendered" : "");
+    rows[rows.size() - (by_step ? 2 : 1)].text += "  (aligned)";
+    add("coverage", coverage_text(left), coverage_text(right));
+    add("inversions", std::to_string(left.inversions().size()), std::to_string(right.inversions().size()),
+        "show inversions");
+    if (!same_cells(left, right)) rows.push_back({"different cells: their numbers do not compare", Tone::faint});
+    const Difference& difference = first_difference(bench);
+    rows.push_back({difference.sentence, difference.step == none ? Tone::good : Tone::lit,
+                    difference.step == none ? "" : "difference"});
+    rows.push_back({"compare no more", Tone::faint, "compare off"});
+    return rows;
+}
+
+template std::vector<Row> compare_rows<2>(const Workbench<2>&);
+
+}  // namespace sightline
