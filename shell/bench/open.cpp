@@ -14,6 +14,15 @@
 
 namespace sightline {
 
+std::optional<std::string> state_text(const std::string& name) {
+    std::error_code error;
+    if (find_in_catalogue(name) || !std::filesystem::is_regular_file(name, error)) return std::nullopt;
+    std::string text = read_file(name);
+    // Both kinds of JSON say at the top what they are; the rest is the readers' matter.
+    if (text.substr(0, 200).find("\"sightline-state\"") == std::string::npos) return std::nullopt;
+    return text;
+}
+
 Settings start_settings(const std::string& name) {
     Settings settings;
     const CatalogueRow* row = find_in_catalogue(name);
@@ -60,13 +69,7 @@ void open_state_text(Workbench<2>& bench, const std::string& text, const std::st
 }
 
 void open(Workbench<2>& bench, const std::string& name) {
-    std::error_code error;
-    if (!find_in_catalogue(name) && std::filesystem::is_regular_file(name, error)) {
-        const std::string text = read_file(name);
-        // Both kinds of JSON say at the top what they are; the rest is the readers' matter.
-        if (text.substr(0, 200).find("\"sightline-state\"") != std::string::npos)
-            return open_state_text(bench, text, name);
-    }
+    if (const auto text = state_text(name)) return open_state_text(bench, *text, name);
     Session<2> session = open_scene(name, start_settings(name), bench.methods,
                                     [&](const std::string& line) { bench.say("warning: " + line); });
     add_bookmarks(session);
