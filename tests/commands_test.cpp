@@ -13,6 +13,7 @@
 #include "core/scene/catalogue.h"
 #include "core/session/report.h"
 #include "core/session/state_file.h"
+#include "core/session/substep.h"
 #include "tests/scene_support.h"
 
 namespace sightline {
@@ -27,10 +28,10 @@ protected:
         settings.error_bound = row.error_bound;
         bench = std::make_unique<Workbench<2>>(
             Workbench<2>{Session<2>(std::make_shared<const Scene<2>>(make_scene(row)), row.view, settings),
-                      {},
-                      Stop::none,
-                      false,
-                      [this](const std::string& line) { said.push_back(line); }});
+                         {},
+                         Stop::none,
+                         false,
+                         [this](const std::string& line) { said.push_back(line); }});
         fs::create_directories(folder);
     }
     ~Commands() override { fs::remove_all(folder); }
@@ -102,6 +103,25 @@ TEST_F(Commands, EveryOneOfTheTableDoesWhatItSays) {
              EXPECT_EQ(bench->last_stop, Stop::breakpoint);
              run("seek 10; until rendered_now > 0 && step > 11");
              EXPECT_GT(session().position(), 11u);
+         }},
+        {"into",
+         [&] {
+             run("seek 10; into");
+             EXPECT_EQ(session().position(), 11u);
+             EXPECT_EQ(bench->substep, 0u);
+             run("into");
+             EXPECT_EQ(bench->substep, 1u);
+             run("step");
+             EXPECT_EQ(session().position(), 11u) << "it completes the step";
+             EXPECT_EQ(bench->substep, std::nullopt);
+         }},
+        {"out",
+         [&] {
+             run("out");
+             EXPECT_EQ(bench->substep, substep_count(session(), 11) - 1);
+             run("seek 10; into; into; out; out");
+             EXPECT_EQ(session().position(), 10u);
+             EXPECT_EQ(bench->substep, std::nullopt);
          }},
         {"bookmark",
          [&] {
@@ -212,11 +232,12 @@ TEST_F(Commands, EveryOneOfTheTableDoesWhatItSays) {
          [&] {
              run("front");
              EXPECT_EQ(said.size(), session().state().front_size + 1);
-             EXPECT_EQ(said[0], "Front: " + std::to_string(session().state().front_size) + " cells, first to last.");
+             EXPECT_EQ(said[0], std::to_string(session().state().front_size) + " cells in the front, first to last");
              // The first of the list is what the next step takes.
              const std::string first = said.at(1);
              run("step; explain; seek 10");
-             EXPECT_EQ(first.find("  cell " + std::to_string(session().timeline().steps[10].cell) + ", "), 0u) << first;
+             EXPECT_EQ(first.find("  1. cell " + std::to_string(session().timeline().steps[10].cell) + "  key "), 0u)
+                 << first;
          }},
         {"inversions",
          [&] {

@@ -268,7 +268,7 @@ TEST_F(GlRenderer, PicturesOfRandomSessionsCauseNoMessage) {
     for (int round = 0; round < 60; ++round) {
         Session<2> session = random_start(random).session();
         session.run(static_cast<std::uint32_t>(random.below(30)));
-        const DrawList list = make_picture(session, std::nullopt);
+        const DrawList list = make_picture(session);
         renderer.set(list);
         renderer.draw({list.world, 0, 0, 160, 120, 1.5, 1});
         EXPECT_TRUE(context->messages().empty()) << context->messages().front();

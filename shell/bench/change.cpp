@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "shell/bench/moves.h"
 #include "shell/bench/open.h"
 
 namespace sightline {
@@ -34,10 +35,12 @@ void traversal_changed(Workbench<D>& bench) {
     bench.marked_by.clear();
     if (bench.hovered_cell != none && bench.hovered_cell >= bench.session.cells().cell_count())
         bench.hovered_cell = none;
-    if (!bench.record_ahead) return;
-    const std::uint32_t position = bench.session.position();
-    bench.session.run();
-    bench.session.seek(position);
+    if (bench.record_ahead) {
+        const std::uint32_t position = bench.session.position();
+        bench.session.run();
+        bench.session.seek(position);
+    }
+    moved(bench);
 }
 
 template <int D>
@@ -51,7 +54,7 @@ void change_settings(Workbench<D>& bench, const Settings& settings, const std::s
     const std::vector<StepRecord> before = bench.session.timeline().steps;
     if (scene != bench.session.shared_scene()) bench.session.set_scene(scene);
     bench.session.change(settings);
-    if (what < Invalidates::traversal) return;
+    if (what < Invalidates::traversal) return moved(bench);
     traversal_changed(bench);
     bench.say(what_became(bench, before, what));
 }
@@ -61,7 +64,7 @@ void change_view(Workbench<D>& bench, const ViewSpec<D>& view, const std::string
     make_view(view);  // throws before anything is remembered
     remember(bench, gesture);
     bench.session.set_view(view);
-    if (!bench.session.frozen()) traversal_changed(bench);
+    bench.session.frozen() ? moved(bench) : traversal_changed(bench);
 }
 
 template <int D>

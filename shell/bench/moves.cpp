@@ -5,21 +5,15 @@
 
 namespace sightline {
 
-namespace {
-
-/// The session with the whole run recorded.
 template <int D>
-Session<D> at_the_end(const Session<D>& session) {
-    Session<D> end = session;
-    end.run();
-    return end;
+void moved(Workbench<D>& bench) {
+    bench.substep.reset();
 }
-
-}  // namespace
 
 template <int D>
 void step_forward(Workbench<D>& bench, std::uint32_t steps) {
-    bench.last_stop = bench.session.run(steps);
+    bench.last_stop = bench.session.run(bench.substep && steps > 0 ? steps - 1 : steps);
+    moved(bench);
 }
 
 template <int D>
@@ -31,16 +25,19 @@ void step_back(Workbench<D>& bench, std::uint32_t steps) {
 template <int D>
 void go_to_step(Workbench<D>& bench, std::uint32_t step) {
     bench.last_stop = bench.session.seek(step);
+    moved(bench);
 }
 
 template <int D>
 void run_to_end(Workbench<D>& bench) {
     bench.last_stop = bench.session.run();
+    moved(bench);
 }
 
 template <int D>
 void run_until(Workbench<D>& bench, const Condition<D>& condition) {
     bench.last_stop = bench.session.run_until([&](const Session<D>& s) { return condition.holds(s); });
+    moved(bench);
 }
 
 template <int D>
@@ -56,6 +53,7 @@ void run_to_breakpoint(Workbench<D>& bench, std::uint32_t steps) {
     const bool hit = std::any_of(conditions.begin(), conditions.end(),
                                  [&](const Condition<D>& c) { return c.holds(bench.session); });
     if (bench.last_stop == Stop::breakpoint && !hit) bench.last_stop = Stop::steps;
+    moved(bench);
 }
 
 template <int D>
@@ -76,6 +74,7 @@ std::uint32_t whole_run(const Workbench<D>& bench) {
     return bench.record_ahead ? bench.session.recorded() : at_the_end(bench.session).recorded();
 }
 
+template void moved<2>(Workbench<2>&);
 template void step_forward<2>(Workbench<2>&, std::uint32_t);
 template void step_back<2>(Workbench<2>&, std::uint32_t);
 template void go_to_step<2>(Workbench<2>&, std::uint32_t);

@@ -7,7 +7,11 @@
 
 namespace sightline {
 
-/// Stop::steps when all were made.
+/// After every move and every change of what is shown: leaves the middle of a step. Each of them calls it.
+template <int D>
+void moved(Workbench<D>& bench);
+
+/// Stop::steps when all were made. In the middle of a step the first one completes that step.
 template <int D>
 void step_forward(Workbench<D>& bench, std::uint32_t steps);
 template <int D>
@@ -29,6 +33,14 @@ void run_until(Workbench<D>& bench, const Condition<D>& condition);
 /// InputError for a condition that is none.
 template <int D>
 void run_to_breakpoint(Workbench<D>& bench, std::uint32_t steps = none);
+
+/// The session at the end of its run, with all of it recorded.
+template <int D>
+Session<D> at_the_end(const Session<D>& session) {
+    Session<D> end = session;
+    end.run();
+    return end;
+}
 
 /// The step that projects the cell, whether done or still to come; none when no step of the run does.
 template <int D>

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,7 +37,8 @@ struct Workbench {
     std::function<void(const std::string&)> say;  ///< one line for the person
     std::span<const Method<D>> methods = method_table<D>();
 
-    bool record_ahead = false;  ///< keep the whole run recorded, for a timeline that shows where it leads
+    std::optional<std::uint32_t> substep;  ///< where in the last step (step into); none: between two steps
+    bool record_ahead = false;             ///< keep the whole run recorded, for a timeline that shows where it leads
     Transport transport;
     History<D> history;
     std::vector<std::uint32_t> marked;  ///< steps that `mark` found

@@ -6,6 +6,7 @@
 #include "core/number.h"
 #include "core/session/condition.h"
 #include "shell/bench/history.h"
+#include "shell/bench/moves.h"
 #include "shell/commands/arguments.h"
 #include "shell/commands/groups.h"
 
@@ -71,10 +72,7 @@ void mark_all(Workbench<D>& bench, Text text) {
     bench.marked_by.clear();
     if (text == "none") return;
     const Condition<D> condition(condition_text(bench, text));
-    Session<D> scout = bench.session;
-    scout.seek(0);
-    while (scout.run_until([&](const Session<D>& s) { return condition.holds(s); }) == Stop::breakpoint)
-        bench.marked.push_back(scout.position());
+    bench.marked = matches(bench.record_ahead ? bench.session : at_the_end(bench.session), condition);
     bench.marked_by = condition.text();
     bench.say(std::to_string(bench.marked.size()) + " steps match " + condition.text());
 }

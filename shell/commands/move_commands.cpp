@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/error.h"
 #include "core/number.h"
+#include "shell/bench/into.h"
 #include "shell/bench/moves.h"
 #include "shell/commands/arguments.h"
 #include "shell/commands/groups.h"
@@ -83,6 +84,10 @@ std::span<const Command<D>> move_commands() {
     static constexpr std::array table{
         Command<D>{"step", "[N]", "N steps forward (1)", "Right PageDown Shift+Right=10", step<D>},
         Command<D>{"back", "[N]", "N steps back (1)", "Left PageUp Shift+Left=10", back<D>},
+        Command<D>{"into", "", "into the step: one substep forward", "Down",
+                   [](Workbench<D>& bench, Text) { step_into(bench); }},
+        Command<D>{"out", "", "one substep back; before the first one the step is undone", "Up",
+                   [](Workbench<D>& bench, Text) { step_out(bench); }},
         Command<D>{"seek", "N | start | end | @LABEL", "to a step, an end or a bookmark", "Home=start", seek<D>},
         Command<D>{"run", "", "forward to the budget or the end of the front", "End",
                    [](Workbench<D>& bench, Text) { run_to_end(bench); }},

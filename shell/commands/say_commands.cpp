@@ -1,14 +1,11 @@
 // Commands that answer in words.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
-
 #include "core/error.h"
-#include "core/number.h"
 #include "core/session/explain.h"
 #include "shell/bench/export.h"
 #include "shell/commands/arguments.h"
 #include "shell/commands/groups.h"
-#include "shell/panels/panel.h"
+#include "shell/panels/panel_table.h"
 
 namespace sightline {
 
@@ -38,15 +35,7 @@ void explain(Workbench<D>& bench, Text text) {
 
 template <int D>
 void front(Workbench<D>& bench, Text) {
-    std::vector<Front::Entry> entries;
-    for (std::uint32_t cell = 0; cell < bench.session.cells().cell_count(); ++cell)
-        if (const CellMark mark = bench.session.state().mark(cell); mark.state == CellState::enqueued)
-            entries.push_back({mark.key, mark.stamp, cell});
-    std::sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) { return a.before(b); });
-    bench.say("Front: " + std::to_string(entries.size()) + " cells, first to last.");
-    for (const Front::Entry& entry : entries)
-        bench.say("  cell " + std::to_string(entry.cell) + ", key " + short_number(entry.key, 6) + ", stamp " +
-                  std::to_string(entry.stamp));
+    for (const Row& row : front_rows(bench)) bench.say((row.tone == Tone::heading ? "" : "  ") + row.text);
 }
 
 template <int D>

@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "core/number.h"
 #include "shell/bench/change.h"
+#include "shell/bench/moves.h"
 #include "shell/commands/arguments.h"
 #include "shell/commands/groups.h"
 
@@ -35,12 +36,14 @@ template <int D>
 void freeze(Workbench<D>& bench, Text) {
     remember(bench);
     bench.session.freeze();
+    moved(bench);
 }
 
 template <int D>
 void unfreeze(Workbench<D>& bench, Text) {
     remember(bench);
     bench.session.unfreeze();
+    moved(bench);
 }
 
 }  // namespace

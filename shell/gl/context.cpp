@@ -4,6 +4,7 @@
 #include <epoxy/gl.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <string_view>
 
 #include "core/error.h"
@@ -61,8 +62,10 @@ std::string version_found(SDL_Window* window) {
 bool has_display() {
     if (SDL_WasInit(SDL_INIT_VIDEO)) return is_window_system(SDL_GetCurrentVideoDriver());
     const char* asked = SDL_GetHint(SDL_HINT_VIDEODRIVER);
-    const auto opens = [](const char* driver) {
-        if (!is_window_system(driver) || SDL_VideoInit(driver) != 0) return false;
+    const auto opens = [](std::string_view driver) {
+        // Its library complains on standard error where it cannot be at all.
+        if (driver == "wayland" && !std::getenv("XDG_RUNTIME_DIR")) return false;
+        if (!is_window_system(driver) || SDL_VideoInit(driver.data()) != 0) return false;
         SDL_VideoQuit();
         return true;
     };

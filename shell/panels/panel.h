@@ -17,10 +17,10 @@ enum class Tone : std::uint8_t { plain, heading, faint, good, bad, lit };
 struct Row {
     std::string text;
     Tone tone = Tone::plain;
-    std::string command;        ///< what a click runs; empty: nothing
+    std::string command{};      ///< what a click runs; empty: nothing
     std::uint32_t cell = none;  ///< outlined everywhere while the mouse is over the line
     int indent = 0;
-    std::string tip;  ///< shown while the mouse rests on it
+    std::string tip{};  ///< shown while the mouse rests on it
 };
 
 /// The column of the window that a panel stands in.

@@ -14,6 +14,8 @@ std::span<const Panel<D>> panel_table() {
         Panel<D>{"run", "Run", "where the run stands, and under which conditions", Column::left, run_rows<D>},
         Panel<D>{"settings", "Settings", "every setting with its source", Column::left, settings_rows<D>},
         Panel<D>{"why", "Why", "why this cell now, and why the selected cell not yet", Column::right, why_rows<D>},
+        Panel<D>{"code", "Code", "the algorithm, at the line and with the values of this step", Column::right,
+                 code_rows<D>},
         Panel<D>{"front", "Front", "the front, first to last", Column::right, front_rows<D>},
         Panel<D>{"inversions", "Inversions", "hidden cells projected before visible ones", Column::right,
                  inversion_rows<D>},

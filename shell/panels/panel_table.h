@@ -11,6 +11,8 @@ std::vector<Row> run_rows(const Workbench<D>& bench);
 template <int D>
 std::vector<Row> why_rows(const Workbench<D>& bench);
 template <int D>
+std::vector<Row> code_rows(const Workbench<D>& bench);
+template <int D>
 std::vector<Row> front_rows(const Workbench<D>& bench);
 template <int D>
 std::vector<Row> inversion_rows(const Workbench<D>& bench);

@@ -2,13 +2,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/number.h"
 #include "core/session/report.h"
+#include "core/session/substep.h"
+#include "shell/bench/into.h"
 #include "shell/panels/panel_table.h"
 
 namespace sightline {
 
 template <int D>
 std::vector<Row> run_rows(const Workbench<D>& bench) {
-    const Session<D>& s = bench.session;
+    const Shown<D> shown(bench);
+    const Session<D>& s = *shown;
     std::vector<Row> rows;
     const auto add = [&](std::string text, Tone tone = Tone::plain) {
         Row row;
@@ -19,6 +22,9 @@ std::vector<Row> run_rows(const Workbench<D>& bench) {
     add(s.scene().title.empty() ? s.scene().id : s.scene().title, Tone::heading);
     if (!s.scene().lesson.empty()) add(s.scene().lesson, Tone::faint);
     add("step " + std::to_string(s.position()) + " of " + std::to_string(s.recorded()) + ", " +
+        (bench.substep ? "substep " + std::to_string(*bench.substep + 1) + " of " +
+                             std::to_string(substep_count(bench.session, s.position())) + ", "
+                       : "") +
         std::string(transport_words[static_cast<std::size_t>(transport_state(bench))]));
     add(std::string(s.method().title) + " (" + std::string(s.method().id) + "), " +
         (s.method().guarantee == Guarantee::approximate ? "approximate" : "conservative"));

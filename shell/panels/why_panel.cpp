@@ -1,6 +1,7 @@
 // Why this cell now, and where the selected cell stands.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/explain.h"
+#include "shell/bench/into.h"
 #include "shell/panels/panel_table.h"
 
 namespace sightline {
@@ -21,9 +22,10 @@ void add(std::vector<Row>& to, const std::vector<std::string>& lines) {
 
 template <int D>
 std::vector<Row> why_rows(const Workbench<D>& bench) {
-    const Session<D>& s = bench.session;
+    const Shown<D> shown(bench);
+    const Session<D>& s = *shown;
     std::vector<Row> rows;
-    rows.push_back({"This step", Tone::heading});
+    rows.push_back({bench.substep ? "This step, as far as it is done" : "This step", Tone::heading});
     if (s.position() == 0)
         rows.push_back({"Step 0: the seed cell is in the front, nothing is projected yet."});
     else
