@@ -68,7 +68,9 @@ TEST(Panels, WhySaysTheKeyOfTheSelectedCellAndItsWayThere) {
         const bool keyed = mark.state == CellState::enqueued || mark.state == CellState::projected;
         EXPECT_EQ(text.find("solidity (key) ") != std::string::npos, keyed);
         const CellExplanation e = explain_cell(bench.session, cell);
-        if (keyed) EXPECT_NE(text.find("solidity (key) " + short_number(mark.key, e.digits)), std::string::npos);
+        if (keyed) {
+            EXPECT_NE(text.find("solidity (key) " + short_number(mark.key, e.digits)), std::string::npos);
+        }
         EXPECT_EQ(text.find("not in the front: ") != std::string::npos, !keyed);
     }
 }

@@ -8,7 +8,9 @@
 #include "core/number.h"
 #include "core/session/condition.h"
 #include "core/settings/settings_table.h"
+#include "shell/bench/desk.h"
 #include "shell/commands/command_table.h"
+#include "shell/window/placement.h"
 
 namespace sightline {
 
@@ -41,6 +43,19 @@ std::string tables(std::span<const Method<2>> methods) {
     return text;
 }
 
+std::array<int, 2> window_size(const std::string& text) {
+    const std::size_t x = text.find('x');
+    const auto w = x == std::string::npos ? std::nullopt : parse_whole(std::string_view(text).substr(0, x));
+    const auto h = w ? parse_whole(std::string_view(text).substr(x + 1)) : std::nullopt;
+    const auto fits = [](std::uint32_t size, int least) {
+        return size >= static_cast<std::uint32_t>(least) && size <= static_cast<std::uint32_t>(largest_size);
+    };
+    if (!h || !fits(*w, smallest_width) || !fits(*h, smallest_height))
+        throw InputError("--window '" + text + "': write a size such as 1280x720, at least " +
+                         std::to_string(smallest_width) + "x" + std::to_string(smallest_height));
+    return {static_cast<int>(*w), static_cast<int>(*h)};
+}
+
 }  // namespace
 
 std::optional<Options> parse_options(int argc, const char* const* argv, std::span<const Method<2>> methods) {
@@ -50,10 +65,10 @@ std::optional<Options> parse_options(int argc, const char* const* argv, std::spa
         "measures it against the exact visible set, and writes figures.",
         "viewer2d"};
     app.get_formatter()->column_width(34);
-    std::string fov, steps, font;
+    std::string fov, steps, font, scale, window;
     app.add_option("SCENE", o.scene,
                    "a catalogue id (--list), a file (Sightline JSON, GeoJSON, Doom WAD as FILE.wad#MAP), or "
-                   "freedoom1#E1M2; default bottleneck");
+                   "freedoom1#E1M2; default: the last one opened, without a window bottleneck");
     app.add_flag("--list", o.list, "print the catalogue and the installed levels, and end");
     app.add_flag("--headless", o.headless, "no window: obey the options, write the files, end");
     app.add_option("--eye", o.eye, "X,Y of the eye, in the file's coordinates");
@@ -74,6 +89,8 @@ std::optional<Options> parse_options(int argc, const char* const* argv, std::spa
     app.add_option("--state", o.state, "open a state file or sidecar: same scene, settings, view, step");
     app.add_option("--trace", o.trace, "write the records of all steps as JSON (- for standard output)");
     app.add_option("--stats", o.stats, "write the statistics as JSON (- for standard output)");
+    app.add_option("--scale", scale, "of everything in the window, such as 1.5");
+    app.add_option("--window", window, "size of the window at the start, such as 1280x720");
     try {
         app.parse(argc, argv);
     } catch (const CLI::CallForHelp&) {
@@ -94,6 +111,14 @@ std::optional<Options> parse_options(int argc, const char* const* argv, std::spa
         o.steps = parse_whole(steps);
         if (!o.steps) throw InputError("--steps '" + steps + "': not a number of steps");
     }
+    if (!scale.empty()) {
+        o.scale = number("--scale", scale, "");
+        if (!(*o.scale >= smallest_scale && *o.scale <= largest_scale))
+            throw InputError("--scale '" + scale + "': not between " + short_number(smallest_scale) + " and " +
+                             short_number(largest_scale));
+    }
+    if (!window.empty()) o.window = window_size(window);
+    if (o.headless && (o.scale || o.window)) throw InputError("--scale and --window: with --headless there is none");
     if (!o.state.empty() && !o.scene.empty()) throw InputError("--state names its own scene: leave out " + o.scene);
     return o;
 }

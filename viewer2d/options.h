@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string>
@@ -25,6 +26,8 @@ struct Options {
     std::optional<double> font_pt;
     std::vector<std::string> shots;
     std::string state, trace, stats;
+    std::optional<double> scale;               ///< of the window
+    std::optional<std::array<int, 2>> window;  ///< its size
 
     bool writes() const { return !shots.empty() || !trace.empty() || !stats.empty(); }
 };

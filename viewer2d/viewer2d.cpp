@@ -17,9 +17,11 @@
 #include "shell/bench/export.h"
 #include "shell/bench/moves.h"
 #include "shell/bench/open.h"
+#include "shell/bench/recent.h"
 #include "shell/commands/arguments.h"
 #include "shell/commands/command_table.h"
 #include "shell/gl/context.h"
+#include "shell/window/memory.h"
 #include "viewer2d/options.h"
 #include "viewer2d/window2d.h"
 
@@ -91,6 +93,34 @@ Workbench<2> open_bench(const Options& o, std::span<const Method<2>> methods) {
     return bench;
 }
 
+/// As open_bench. Where no scene was asked for: the one that was opened last, or the first one where that is gone.
+Workbench<2> open_last(const Options& o, Recalled& recalled, std::span<const Method<2>> methods) {
+    if (!o.scene.empty() || !o.state.empty() || recalled.memory.recent.empty()) return open_bench(o, methods);
+    const std::string& last = recalled.memory.recent.front();
+    try {
+        Options again = o;
+        (state_text(last) ? again.state : again.scene) = last;
+        return open_bench(again, methods);
+    } catch (const InputError& error) {
+        Workbench<2> bench = open_bench(o, methods);  // throws again where the options are to blame
+        recalled.word +=
+            (recalled.word.empty() ? "" : "; ") + std::string("the last scene does not open: ") + error.what();
+        recalled.memory.recent.erase(recalled.memory.recent.begin());
+        note_opened(recalled.memory.recent, first_scene);
+        return bench;
+    }
+}
+
+/// The window as it was the last time, and as the options ask.
+void arrange(Workbench<2>& bench, const Options& o, Recalled& recalled) {
+    bench.desk = recalled.memory.desk;
+    if (o.scale) bench.desk.scale = *o.scale;
+    if (o.window) recalled.memory.placement = {(*o.window)[0], (*o.window)[1], std::nullopt, false};
+    bench.recent = recalled.memory.recent;
+    const std::string asked = o.state.empty() ? o.scene : o.state;
+    if (!asked.empty() || bench.recent.empty()) note_opened(bench.recent, asked.empty() ? first_scene : asked);
+}
+
 /// Without a word about where to stand, a run without a window goes to its end; a window waits at the start.
 void move(Workbench<2>& bench, const Options& o, bool window) {
     const bool asked = window || o.steps || !o.until.empty() || !o.commands.empty();
@@ -133,7 +163,11 @@ void print_summary(const Workbench<2>& bench) {
 void obey(const Options& o, std::span<const Method<2>> methods) {
     const bool window = !o.headless && has_display();
     if (!o.headless && !window) std::cerr << "viewer2d: no display found; doing the same as with --headless\n";
-    Workbench<2> bench = open_bench(o, methods);
+    Recalled recalled;
+    const std::filesystem::path memory = memory_file("viewer2d");
+    if (window) recalled = recall<2>(memory);
+    Workbench<2> bench = open_last(o, recalled, methods);
+    if (window) arrange(bench, o, recalled);
     if (!o.size.empty()) set_figure_size(bench, o.size);
     if (o.font_pt) bench.figure.font_pt = *o.font_pt;
     if (!o.panels.empty()) {
@@ -152,7 +186,7 @@ void obey(const Options& o, std::span<const Method<2>> methods) {
     for (const std::string& file : o.shots) write_shot(bench, file);
     if (!o.trace.empty()) write_text(o.trace, trace_json(bench.session));
     if (!o.stats.empty()) write_text(o.stats, stats_json(bench.session, bench.last_stop));
-    if (window && !bench.quit) run_window(bench);
+    if (window && !bench.quit) run_window(bench, recalled.memory.placement, memory, recalled.word);
 }
 
 int report(const char* what, int status) {

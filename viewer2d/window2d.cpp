@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "viewer2d/window2d.h"
 
+#include <memory>
+
+#include "core/error.h"
 #include "core/scene/catalogue.h"
 #include "core/scene/load.h"
-#include "shell/window/window.h"
+#include "shell/window/memory.h"
 #include "viewer2d/picture2d.h"
 
 namespace sightline {
@@ -19,14 +22,31 @@ std::vector<SceneChoice> choices() {
 
 }  // namespace
 
-void run_window(Workbench<2>& bench) {
-    Window<2> window(bench, {});
-    Picture2d picture(bench);
-    window.stage.draw = [&](Ui& ui, const Area& area) { picture.draw(ui, area); };
-    window.stage.interact = [&](Ui& ui, const Area& area) { picture.interact(ui, area); };
-    window.stage.cancel = [&] { return picture.cancel(); };
-    window.stage.scenes = choices();
+Stage stage2d(Workbench<2>& bench) {
+    const auto picture = std::make_shared<Picture2d>(bench);
+    Stage stage;
+    stage.draw = [picture](Ui& ui, const Area& area) { picture->draw(ui, area); };
+    stage.interact = [picture](Ui& ui, const Area& area) { picture->interact(ui, area); };
+    stage.cancel = [picture] { return picture->cancel(); };
+    stage.scenes = choices();
+    return stage;
+}
+
+void run_window(Workbench<2>& bench, const Placement& placement, const std::filesystem::path& memory,
+                const std::string& word) {
+    Window<2> window(bench, {.placement = placement});
+    window.stage = stage2d(bench);
+    if (!word.empty()) window.ui().messages.push_back({word, true});
+    const auto remember = [&] { keep(memory, {window.placement(), lasting(bench.desk), bench.recent}); };
+    window.opened = [&] {
+        try {
+            remember();
+        } catch (const WorkError& error) {
+            window.ui().messages.push_back({error.what(), true});
+        }
+    };
     window.run();
+    remember();
 }
 
 }  // namespace sightline

@@ -17,6 +17,7 @@ inline constexpr auto tool_words =
 
 /// What the timeline's horizontal axis counts.
 enum class TimelineAxis : std::uint8_t { steps, primitives };
+inline constexpr auto timeline_axis_words = std::to_array<std::string_view>({"steps", "primitives"});
 
 /// Limits of Desk::scale.
 inline constexpr double smallest_scale = 0.5, largest_scale = 4;

@@ -14,9 +14,6 @@
 
 namespace sightline {
 
-namespace {
-
-/// The text of a state file; nothing when the name is that of a scene.
 std::optional<std::string> state_text(const std::string& name) {
     std::error_code error;
     if (find_in_catalogue(name) || !std::filesystem::is_regular_file(name, error)) return std::nullopt;
@@ -25,8 +22,6 @@ std::optional<std::string> state_text(const std::string& name) {
     if (text.substr(0, 200).find("\"sightline-state\"") == std::string::npos) return std::nullopt;
     return text;
 }
-
-}  // namespace
 
 Settings start_settings(const std::string& name) {
     Settings settings;

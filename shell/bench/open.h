@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "shell/bench/workbench.h"
@@ -11,6 +12,9 @@ namespace sightline {
 
 /// The scene that a bare start shows.
 inline constexpr const char* first_scene = "bottleneck";
+
+/// The text of a state file; nothing when the name is that of a scene.
+std::optional<std::string> state_text(const std::string& name);
 
 /// What a scene starts with: the catalogue's settings, or the defaults for a file.
 Settings start_settings(const std::string& name);

@@ -48,7 +48,8 @@ struct Workbench {
     std::uint32_t hovered_cell = none;
     Desk desk{};
     Clipboard clipboard{};
-    std::vector<Place> places{};  ///< written anew by each frame of the window
+    std::vector<std::string> recent{};  ///< what `open` took, newest first
+    std::vector<Place> places{};        ///< written anew by each frame of the window
 
     /// Counts the traversals: what was derived from the recording is made again when this has changed.
     std::uint64_t run = 0;

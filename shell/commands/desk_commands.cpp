@@ -43,8 +43,7 @@ void scale(Workbench<D>& bench, Text text) {
 
 template <int D>
 void axis(Workbench<D>& bench, Text text) {
-    constexpr auto words = std::to_array<std::string_view>({"steps", "primitives"});
-    bench.desk.axis = static_cast<TimelineAxis>(word_argument(text, words));
+    bench.desk.axis = static_cast<TimelineAxis>(word_argument(text, timeline_axis_words));
 }
 
 template <bool Desk::*flag, int D>

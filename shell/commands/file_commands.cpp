@@ -6,6 +6,7 @@
 #include "shell/bench/export.h"
 #include "shell/bench/film.h"
 #include "shell/bench/open.h"
+#include "shell/bench/recent.h"
 #include "shell/commands/arguments.h"
 #include "shell/commands/groups.h"
 
@@ -58,7 +59,10 @@ template <int D>
 std::span<const Command<D>> file_commands() {
     static constexpr std::array table{
         Command<D>{"open", "SCENE | FILE", "open a scene by any name, or a state file", "Ctrl+O=?",
-                   [](Workbench<D>& bench, Text text) { open(bench, need_file(text)); }},
+                   [](Workbench<D>& bench, Text text) {
+                       open(bench, need_file(text));
+                       note_opened(bench.recent, text);
+                   }},
         Command<D>{"size", "84mm | WxH", "size of figures", "",
                    [](Workbench<D>& bench, Text text) { set_figure_size(bench, text); }},
         Command<D>{"shot", "FILE", "write a figure (.png, .svg, .pdf) and its sidecar", "Ctrl+E=?",

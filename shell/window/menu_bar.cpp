@@ -40,6 +40,13 @@ float menu_bar(Ui& ui, Workbench<D>& bench) {
             if (needs && ImGui::IsItemHovered())
                 ImGui::SetTooltip("%s %s", std::string(command.id).c_str(), std::string(command.arguments).c_str());
         }
+        if (title == "File" && !bench.recent.empty()) {
+            ImGui::Separator();
+            std::string chosen;
+            for (const std::string& name : bench.recent)
+                if (ImGui::MenuItem(name.c_str())) chosen = name;
+            if (!chosen.empty()) ui.act("open \"" + chosen + "\"");  // changes the list
+        }
         ImGui::EndMenu();
     }
     ImGui::EndMainMenuBar();

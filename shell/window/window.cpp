@@ -40,6 +40,32 @@ double screen_density(SDL_Window* window) {
     return density >= 1.5 && density <= 4 ? density : 1;  // below, monitors are read from afar or say nonsense
 }
 
+float pixels_per_unit(SDL_Window* window) {
+    int w = 0, h = 0, pixels_w = 0, pixels_h = 0;
+    SDL_GetWindowSize(window, &w, &h);
+    SDL_GL_GetDrawableSize(window, &pixels_w, &pixels_h);
+    return w > 0 ? static_cast<float>(pixels_w) / static_cast<float>(w) : 1;
+}
+
+/// A place on a screen that is no longer there is forgotten; a size beyond the screen is cut.
+void place(SDL_Window* window, const Placement& placement, double density) {
+    const int width = placement.width > 0 ? placement.width : static_cast<int>(usual_width * density);
+    const int height = placement.height > 0 ? placement.height : static_cast<int>(usual_height * density);
+    int display = std::max(0, SDL_GetWindowDisplayIndex(window));
+    bool placed = false;
+    for (int i = 0; placement.at && !placed && i < SDL_GetNumVideoDisplays(); ++i) {
+        const SDL_Rect title{(*placement.at)[0], (*placement.at)[1], width, 40};
+        SDL_Rect bounds;
+        placed = SDL_GetDisplayBounds(i, &bounds) == 0 && SDL_HasIntersection(&title, &bounds);
+        if (placed) display = i;
+    }
+    SDL_Rect room{0, 0, largest_size, largest_size};
+    SDL_GetDisplayUsableBounds(display, &room);
+    SDL_SetWindowSize(window, std::min(width, room.w), std::min(height, room.h));
+    if (placed) SDL_SetWindowPosition(window, (*placement.at)[0], (*placement.at)[1]);
+    if (placement.maximised) SDL_MaximizeWindow(window);
+}
+
 }  // namespace
 
 template <int D>
@@ -63,7 +89,7 @@ Window<D>::Gui::~Gui() {
 template <int D>
 Window<D>::Window(Workbench<D>& bench, const WindowOptions& options)
     : bench_(bench),
-      context_(options.place, "Sightline", options.width, options.height),
+      context_(options.place, "Sightline", usual_width, usual_height),
       gui_(context_),
       options_(options) {
     ui_.act = [this](const std::string& commands) { act(commands); };
@@ -76,11 +102,31 @@ Window<D>::Window(Workbench<D>& bench, const WindowOptions& options)
     traversal_changed(bench_);
     if (options_.scale == 0) options_.scale = screen_density(context_.window());
     if (options_.place == GlContext::Place::window) SDL_GL_SetSwapInterval(1);
-    SDL_SetWindowMinimumSize(context_.window(), 640, 400);
+    SDL_SetWindowMinimumSize(context_.window(), smallest_width, smallest_height);
+    place(context_.window(), options_.placement, pixels_per_unit(context_.window()) > 1 ? 1 : options_.scale);
 }
 
 template <int D>
-Window<D>::~Window() = default;
+Window<D>::~Window() {
+    stage = {};  // while OpenGL is there
+}
+
+template <int D>
+Placement Window<D>::placement() const {
+    SDL_Window* const window = context_.window();
+    Placement now = options_.placement;
+    const Uint32 flags = SDL_GetWindowFlags(window);
+    now.maximised = flags & SDL_WINDOW_MAXIMIZED;
+    if (flags & (SDL_WINDOW_MAXIMIZED | SDL_WINDOW_FULLSCREEN | SDL_WINDOW_MINIMIZED)) return now;
+    std::array<int, 2> at{};
+    SDL_GetWindowSize(window, &now.width, &now.height);
+    SDL_GetWindowPosition(window, &at[0], &at[1]);
+    now.width = std::clamp(now.width, smallest_width, largest_size);
+    now.height = std::clamp(now.height, smallest_height, largest_size);
+    for (int& x : at) x = std::clamp(x, -farthest_place, farthest_place);
+    now.at = at;
+    return now;
+}
 
 template <int D>
 void Window<D>::act(const std::string& commands) {
@@ -176,10 +222,9 @@ void Window<D>::handle(const SDL_Event& event) {
 /// Fonts and sizes follow the window and the desk.
 template <int D>
 void Window<D>::fit_theme() {
-    int w = 0, h = 0, pixels_w = 0, pixels_h = 0;
+    int w = 0, h = 0;
     SDL_GetWindowSize(context_.window(), &w, &h);
-    SDL_GL_GetDrawableSize(context_.window(), &pixels_w, &pixels_h);
-    ui_.framebuffer = w > 0 ? static_cast<float>(pixels_w) / static_cast<float>(w) : 1;
+    ui_.framebuffer = pixels_per_unit(context_.window());
     const float density = ui_.framebuffer > 1 ? 1 : static_cast<float>(options_.scale);
     ui_.unit = density * static_cast<float>(bench_.desk.scale);
     const float height = std::max(1.0f, static_cast<float>(h) / (1080 * density));
@@ -288,6 +333,10 @@ void Window<D>::run() {
         const double seconds = clock.milliseconds() / 1000;
         clock = {};
         frame(seconds);
+        if (recent_ != bench_.recent) {
+            recent_ = bench_.recent;
+            if (opened) opened();
+        }
         wait_for_something();
     }
 }

@@ -7,14 +7,15 @@
 
 #include "shell/bench/workbench.h"
 #include "shell/gl/context.h"
+#include "shell/window/placement.h"
 #include "shell/window/stage.h"
 
 namespace sightline {
 
 struct WindowOptions {
     GlContext::Place place = GlContext::Place::window;
-    int width = 1280, height = 800;  ///< screen units
-    double scale = 0;                ///< of everything; 0: as the screen's density asks
+    Placement placement;
+    double scale = 0;  ///< of everything; 0: as the screen's density asks
 };
 
 template <int D>
@@ -28,12 +29,15 @@ public:
 
     /// Made after the window, since it needs OpenGL; destroyed before it.
     Stage stage;
+    std::function<void()> opened;  ///< after a frame in which another scene was opened
 
     /// Frames until the person or a command quits.
     void run();
     /// One frame after `seconds`: events, clock, drawing.
     void frame(double seconds);
 
+    /// Where it stands; while it fills the screen, where it would go back to.
+    Placement placement() const;
     const GlContext& context() const { return context_; }
     Ui& ui() { return ui_; }
 
@@ -60,10 +64,11 @@ private:
     Ui ui_;
     float theme_unit_ = 0, theme_text_ = 0, theme_framebuffer_ = 0;
     bool fullscreen_ = false;
-    std::optional<SDL_Event> later_;  ///< a key's release that must not fall into the frame of its press
-    bool expected_text_ = false;      ///< in the frame before
-    int frames_in_between_ = 0;       ///< since a text field was opened or closed and the keyboard has not followed
-    int lively_frames_ = 0;           ///< ImGui needs a few frames after an event
+    std::optional<SDL_Event> later_;   ///< a key's release that must not fall into the frame of its press
+    bool expected_text_ = false;       ///< in the frame before
+    int frames_in_between_ = 0;        ///< since a text field was opened or closed and the keyboard has not followed
+    std::vector<std::string> recent_;  ///< of the bench, at the last frame
+    int lively_frames_ = 0;            ///< ImGui needs a few frames after an event
 };
 
 }  // namespace sightline

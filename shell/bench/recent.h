@@ -1,0 +1,17 @@
+// What was opened lately, for menus and for the next start.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace sightline {
+
+/// Most names that are kept.
+inline constexpr std::size_t most_recent = 10;
+
+/// Puts what `open` took in front of the list, files with their whole path.
+void note_opened(std::vector<std::string>& recent, const std::string& name);
+
+}  // namespace sightline
