@@ -14,6 +14,7 @@
 #include "core/scene/read_json.h"
 #include "core/session/report.h"
 #include "core/session/state_file.h"
+#include "shell/bench/moves.h"
 #include "core/session/substep.h"
 #include "shell/bench/moves.h"
 #include "tests/scene_support.h"
@@ -533,6 +534,23 @@ TEST_F(Commands, EveryOneOfTheTableDoesWhatItSays) {
          [&] {
              run("axis primitives");
              EXPECT_EQ(bench->desk.axis, TimelineAxis::primitives);
+         }},
+        {"zoom-timeline",
+         [&] {
+             const double steps = whole_run(*bench);
+             ASSERT_GT(steps, 40);
+             run("zoom-timeline 10-40");
+             EXPECT_EQ(bench->desk.timeline_from, 10 / steps);
+             EXPECT_EQ(bench->desk.timeline_to, 40 / steps);
+             run("zoom-timeline 20-999999");
+             EXPECT_EQ(bench->desk.timeline_from, 20 / steps);
+             EXPECT_EQ(bench->desk.timeline_to, 1);
+             for (const char* wrong : {"", "3", "7-7", "9-3", "-", "a-b", "999999-9999999"})
+                 EXPECT_THROW(run(std::string("zoom-timeline ") + wrong), InputError) << wrong;
+             EXPECT_EQ(bench->desk.timeline_from, 20 / steps);
+             run("zoom-timeline all");
+             EXPECT_EQ(bench->desk.timeline_from, 0);
+             EXPECT_EQ(bench->desk.timeline_to, 1);
          }},
         {"scale",
          [&] {

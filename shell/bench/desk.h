@@ -35,7 +35,7 @@ struct Desk {
     // Panels by id (shell/panels). A column shows one of its panels; empty: the column is hidden.
     std::string left, right = "why";
     bool timeline = true, legend = true;
-    double left_width = 320, right_width = 380, timeline_height = 190;  ///< pixels at scale 1
+    double left_width = 320, right_width = 380, timeline_height = 215;  ///< pixels at scale 1
 
     TimelineAxis axis = TimelineAxis::steps;
     double timeline_from = 0, timeline_to = 1;  ///< the part shown, as shares of the whole run

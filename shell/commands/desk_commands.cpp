@@ -4,6 +4,7 @@
 
 #include "core/error.h"
 #include "core/number.h"
+#include "shell/bench/moves.h"
 #include "shell/commands/arguments.h"
 #include "shell/commands/groups.h"
 #include "shell/panels/panel.h"
@@ -46,6 +47,27 @@ void axis(Workbench<D>& bench, Text text) {
     bench.desk.axis = static_cast<TimelineAxis>(word_argument(text, timeline_axis_words));
 }
 
+template <int D>
+void zoom_timeline(Workbench<D>& bench, Text text) {
+    Desk& desk = bench.desk;
+    if (text == "all") {
+        desk.timeline_from = 0;
+        desk.timeline_to = 1;
+        return;
+    }
+    const std::size_t dash = text.find('-');
+    const std::string_view words = text;
+    const auto from = parse_whole(words.substr(0, dash));
+    const auto to = dash == std::string::npos ? std::nullopt : parse_whole(words.substr(dash + 1));
+    if (!from || !to || *from >= *to) throw InputError("'" + text + "' is not FROM-TO in steps, or all");
+    const double steps = whole_run(bench);
+    if (*from >= steps)
+        throw InputError("step " + std::to_string(*from) + " is not before the end of the run at step " +
+                         number_text(steps));
+    desk.timeline_from = *from / steps;
+    desk.timeline_to = std::min<double>(*to, steps) / steps;
+}
+
 template <bool Desk::*flag, int D>
 void flip(Workbench<D>& bench, Text) {
     bench.desk.*flag = !(bench.desk.*flag);
@@ -65,6 +87,7 @@ std::span<const Command<D>> desk_commands() {
                        bench.desk.tool = static_cast<Tool>(word_argument(text, tool_words));
                    }},
         Command<D>{"axis", "steps | primitives", "what the timeline counts", "", axis<D>},
+        Command<D>{"zoom-timeline", "FROM-TO | all", "the steps that the timeline shows", "", zoom_timeline<D>},
         Command<D>{"projector", "", "panels away, large text, the formula as a banner", "P F11",
                    flip<&Desk::projector, D>},
         Command<D>{"fullscreen", "", "the whole screen, or a window again", "Alt+Enter", flip<&Desk::fullscreen, D>},

@@ -11,6 +11,7 @@
 
 #include "core/draw/draw_list.h"
 #include "shell/panels/panel.h"
+#include "shell/window/timeline_data.h"
 
 namespace sightline {
 
@@ -51,6 +52,7 @@ struct Ui {
     std::array<ShownRows, 2> columns;  ///< by Column
     bool awaits_text = false;          ///< a text field was opened and will take the keyboard: keys are letters already
     std::uint64_t followed = 0;        ///< the revision whose lit line was brought into view
+    TimelineData timeline;
     /// Runs commands; says what went wrong instead of throwing.
     std::function<void(const std::string& commands)> act;
 };

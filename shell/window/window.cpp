@@ -13,6 +13,7 @@
 #include "shell/window/imgui_backend.h"
 #include "shell/window/keys.h"
 #include "shell/window/parts.h"
+#include "shell/window/splitter.h"
 #include "shell/window/theme.h"
 
 namespace sightline {
@@ -20,6 +21,8 @@ namespace sightline {
 namespace {
 
 constexpr std::size_t most_messages = 500;
+/// Pixels at scale 1.
+constexpr float least_timeline = 150, least_column = 180;
 constexpr float text_pixels = 15, label_pixels = 12;
 /// Of the projector mode, in a window 1080 pixels high.
 constexpr float projector_text_pixels = 24, projector_label_pixels = 22;
@@ -241,7 +244,7 @@ void Window<D>::fit_theme() {
 template <int D>
 void Window<D>::lay_out() {
     const ImVec2 size = ImGui::GetIO().DisplaySize;
-    const Desk& desk = bench_.desk;
+    Desk& desk = bench_.desk;
     const float unit = ui_.unit, line = ImGui::GetTextLineHeightWithSpacing();
     bench_.places.clear();
     Area middle{0, 0, size.x, size.y};
@@ -256,19 +259,26 @@ void Window<D>::lay_out() {
         middle.y += bar;
         middle.h = size.y - middle.y - status;
         status_line(ui_, bench_, {0, size.y - status, size.x, status});
-        const float widest = size.x * 0.4f;
+        const float widest = size.x * 0.4f, strip = splitter_width(ui_);
         if (desk.timeline) {
-            const float h = std::min(static_cast<float>(desk.timeline_height) * unit, middle.h * 0.5f);
-            middle.h -= h;
-            timeline(ui_, bench_, {0, middle.y + middle.h, size.x, h});
+            const float highest = middle.h * 0.5f, bottom = middle.y + middle.h;
+            const float h = std::min(static_cast<float>(desk.timeline_height) * unit, highest);
+            middle.h -= h + strip;
+            desk.timeline_height = splitter(ui_, "split timeline", {0, middle.y + middle.h, size.x, strip},
+                                            {false, bottom, least_timeline * unit, highest}, desk.timeline_height);
+            timeline(ui_, bench_, {0, bottom - h, size.x, h});
         }
-        const auto column = [&](Column side, const std::string& shown, double width) {
+        const auto column = [&](Column side, const std::string& shown, double& width) {
             const float w = shown.empty() ? 0 : std::min(static_cast<float>(width) * unit, widest);
             if (w == 0) return;
-            const float x = side == Column::left ? 0 : middle.x + middle.w - w;
+            const bool left = side == Column::left;
+            const float x = left ? 0 : middle.x + middle.w - w;
+            width =
+                splitter(ui_, left ? "split left" : "split right", {left ? w : x - strip, middle.y, strip, middle.h},
+                         {true, left ? 0 : x + w, least_column * unit, widest}, width);
             panel_column(ui_, bench_, side, {x, middle.y, w, middle.h});
-            middle.w -= w;
-            if (side == Column::left) middle.x += w;
+            middle.w -= w + strip;
+            if (left) middle.x += w + strip;
         };
         column(Column::left, desk.left, desk.left_width);
         column(Column::right, desk.right, desk.right_width);
