@@ -13,8 +13,8 @@
 #include "core/scene/catalogue.h"
 #include "core/session/report.h"
 #include "core/session/state_file.h"
-#include "shell/bench/moves.h"
 #include "core/session/substep.h"
+#include "shell/bench/moves.h"
 #include "tests/scene_support.h"
 
 namespace sightline {

@@ -145,6 +145,7 @@ void header(Ui& ui, Workbench<D>& bench, const TimelineLayout& layout) {
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip("%s", steps ? "count rendered primitives instead" : "count steps instead");
     const auto tip = [&](const Area& lane, const char* id, const char* text) {
+        if (lane.h == 0) return;
         ImGui::SetCursorScreenPos({layout.header.x, lane.y});
         ImGui::InvisibleButton(id, {layout.header.w, lane.h});
         if (!ImGui::IsItemHovered()) return;
