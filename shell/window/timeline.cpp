@@ -17,7 +17,7 @@ using Drag = TimelineData::Drag;
 
 template <int D>
 void go_to(Ui& ui, Workbench<D>& bench, std::uint32_t step) {
-    if (step == bench.session.position()) return;
+    if (step == bench.session.position() && !bench.substep) return;
     pause(bench);
     go_to_step(bench, step);
     ++ui.revision;
