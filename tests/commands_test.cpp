@@ -14,7 +14,6 @@
 #include "core/scene/read_json.h"
 #include "core/session/report.h"
 #include "core/session/state_file.h"
-#include "shell/bench/moves.h"
 #include "core/session/substep.h"
 #include "shell/bench/moves.h"
 #include "tests/scene_support.h"
