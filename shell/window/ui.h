@@ -5,10 +5,12 @@
 #include <imgui.h>
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "core/draw/draw_list.h"
+#include "core/space/tree.h"
 
 namespace sightline {
 
@@ -20,9 +22,12 @@ struct Area {
     ImVec2 max() const { return {x + w, y + h}; }
 };
 
+class FontHalo;
+
 struct Fonts {
     ImFont *text = nullptr, *bold = nullptr, *mono = nullptr;
     ImFont* label = nullptr;   ///< numbers on cells
+    std::shared_ptr<const FontHalo> label_halo;
     ImFont* banner = nullptr;  ///< the formula of the projector mode
 };
 
@@ -39,6 +44,9 @@ struct Ui {
     std::vector<Message> messages;  ///< oldest first
     /// Counts what may have changed the bench; what is drawn from it is made again when this differs.
     std::uint64_t revision = 1;
+    /// The cell under the mouse: whatever part it is over writes it here, and the next frame has it in
+    /// Workbench::hovered_cell for all parts to outline.
+    std::uint32_t hovering = none;
     /// Runs commands; says what went wrong instead of throwing.
     std::function<void(const std::string& commands)> act;
 };
