@@ -5,6 +5,7 @@
 #include "core/scene/load.h"
 #include "shell/window/window.h"
 #include "viewer2d/picture2d.h"
+#include "viewer2d/thumbnails.h"
 
 namespace sightline {
 
@@ -22,10 +23,17 @@ std::vector<SceneChoice> choices() {
 void run_window(Workbench<2>& bench) {
     Window<2> window(bench, {});
     Picture2d picture(bench);
+    Thumbnails thumbnails;
     window.stage.draw = [&](Ui& ui, const Area& area) { picture.draw(ui, area); };
-    window.stage.interact = [&](Ui& ui, const Area& area) { picture.interact(ui, area); };
+    window.stage.interact = [&](Ui& ui, const Area& area) {
+        thumbnails.next_frame();
+        picture.interact(ui, area);
+    };
     window.stage.cancel = [&] { return picture.cancel(); };
     window.stage.scenes = choices();
+    window.stage.thumbnail = [&](const SceneChoice& scene, int width, int height) {
+        return thumbnails.texture(scene, width, height);
+    };
     window.run();
 }
 
