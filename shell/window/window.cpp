@@ -247,6 +247,9 @@ void Window<D>::lay_out() {
     Desk& desk = bench_.desk;
     const float unit = ui_.unit, line = ImGui::GetTextLineHeightWithSpacing();
     bench_.places.clear();
+    bench_.hovered_cell = std::exchange(ui_.hovering, none);
+    if (bench_.hovered_cell != none && bench_.hovered_cell >= bench_.session.cells().cell_count())
+        bench_.hovered_cell = none;
     Area middle{0, 0, size.x, size.y};
     if (desk.projector) {
         const float banner = banner_height(ui_);
@@ -304,8 +307,9 @@ template <int D>
 void Window<D>::frame(double seconds) {
     take_events();
     if (bench_.transport.playing) {
+        const std::uint32_t before = bench_.session.position();
         advance_clock(bench_, seconds);
-        ++ui_.revision;
+        ui_.revision += bench_.session.position() != before;
     }
     if (fullscreen_ != bench_.desk.fullscreen) {
         fullscreen_ = bench_.desk.fullscreen;
