@@ -13,8 +13,7 @@ namespace sightline {
 /// A window system (X11, Wayland, …) that windows can be opened on, if SDL finds one, and the connection to it: not
 /// given up and taken again between looking and opening a window, which some servers do not bear. SDL's off-screen
 /// drivers do not count, nor does the bare console, which a program started from a distance must not seize.
-/// SDL_VIDEODRIVER narrows the choice as usual. None is
-/// found during the life of a GlContext off screen.
+/// SDL_VIDEODRIVER narrows the choice as usual. None is found during the life of a GlContext off screen.
 class Display {
 public:
     Display();
