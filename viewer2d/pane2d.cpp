@@ -33,6 +33,11 @@ std::optional<ColourBar> colour_bar(const Session<2>& session, const PictureOpti
                      short_number((*options.heat_range)[1]), colours(settings.palette).heat};
 }
 
+bool tells_sides(const LegendRow& row) {
+    const std::string& name = row.style.name;
+    return name == "both" || name == "only_left" || name == "only_right" || name == "clean";
+}
+
 }  // namespace
 
 ListView Pane2d::view(const Box<2>& world) const {
@@ -70,7 +75,9 @@ void Pane2d::update(const Ui& ui, const Session<2>& session, const PictureOption
 
 void Pane2d::make_legend_box(const Ui& ui, const Session<2>& session, const PictureOptions& options) {
     const std::array<const DrawList*, 2> lists{&below_, &above_};
-    const auto rows = legend_rows(lists, session.settings(), current_notes(session));
+    auto rows = legend_rows(lists, session.settings(), current_notes(session));
+    // Half a window has room for what is new about two sides only.
+    if (!options.sides.empty()) std::erase_if(rows, [](const LegendRow& row) { return !tells_sides(row); });
     LabelPaper paper = label_paper(ui, camera_.area, [](const Vec<2>&) { return ImVec2(); });
     legend_ = make_legend(rows, colour_bar(session, options), colours(session.settings().palette), paper.measure,
                           ui.unit, size_.line_scale);

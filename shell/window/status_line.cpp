@@ -1,6 +1,11 @@
 // The lines at the edges: the last message, and the formula of the projector mode.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <array>
+
+#include "core/number.h"
 #include "core/session/explain.h"
+#include "core/session/substep.h"
 #include "shell/window/parts.h"
 #include "shell/window/theme.h"
 
@@ -31,6 +36,44 @@ void status_line(Ui& ui, Workbench<D>& bench, const Area& area) {
 
 float banner_height(const Ui& ui) { return ui.fonts.banner->FontSize / ui.framebuffer * 1.25f * 2 + 14 * ui.unit; }
 
+namespace {
+
+std::string banner_step(const StepExplanation& step) {
+    std::string text = "Step " + std::to_string(step.step);
+    if (step.cell != none) {
+        text += ": cell " + std::to_string(step.cell) + ", key " + short_number(step.key, step.digits());
+        if (step.runner_up == none)
+            text += ", alone in the front";
+        else if (step.runner_up_key == step.key)
+            text += "; runner-up cell " + std::to_string(step.runner_up) + ": tie, older stamp wins";
+        else
+            text += "; runner-up cell " + std::to_string(step.runner_up) + ", key " +
+                    short_number(step.runner_up_key, step.digits());
+    }
+    return text + "; " + std::to_string(step.rendered) + " rendered, " + std::to_string(step.visible) + " visible";
+}
+
+/// How the key came about: of the facet that step into stands at, else of the cell just projected.
+template <int D>
+std::string banner_formula(const Workbench<D>& bench, const StepExplanation& step) {
+    const Settings& settings = bench.session.settings();
+    if (bench.substep && *bench.substep >= first_facet_substep) {
+        const FacetExplanation& facet = step.facets[*bench.substep - first_facet_substep];
+        if (facet.neighbour == none) return "across this facet: the border";
+        const std::string cell = "cell " + std::to_string(facet.neighbour);
+        if (facet.terms) return cell + ": " + formula(*facet.terms, settings, step.digits());
+        return cell + ": " + std::string(rule_words[static_cast<std::size_t>(facet.rule)]);
+    }
+    if (step.cell == none) return "";
+    const CellExplanation cell = explain_cell(bench.session, step.cell);
+    if (cell.chain.empty() || !cell.chain.back().update.terms) return "its key: that of a seed";
+    const ChainLink& link = cell.chain.back();
+    return "its key, from cell " + std::to_string(link.update.from) + " in step " + std::to_string(link.step) + ": " +
+           formula(*link.update.terms, settings, step.digits());
+}
+
+}  // namespace
+
 template <int D>
 void projector_banner(Ui& ui, Workbench<D>& bench, const Area& area) {
     begin_part("banner", area);
@@ -40,7 +83,11 @@ void projector_banner(Ui& ui, Workbench<D>& bench, const Area& area) {
         ImGui::TextWrapped("Step 0 of %u: the seed cell is in the front, nothing is projected yet.", s.recorded());
     } else {
         const StepExplanation step = explain_step(s, s.position());
-        ImGui::TextWrapped("%s", sentence(step).c_str());
+        const std::array lines{banner_step(step), banner_formula(bench, step)};
+        float widest = 1;
+        for (const std::string& line : lines) widest = std::max(widest, ImGui::CalcTextSize(line.c_str()).x);
+        ImGui::SetWindowFontScale(std::min(1.0f, ImGui::GetContentRegionAvail().x / widest));
+        for (const std::string& line : lines) ImGui::TextUnformatted(line.c_str());
     }
     ImGui::PopFont();
     ImGui::End();
