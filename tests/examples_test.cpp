@@ -221,14 +221,17 @@ TEST_F(Examples, EveryCommandOfTheDocumentsWorksAndPrintsWhatTheyShow) {
     pages.push_back(source / "examples/added_heuristic/README.md");
     const bool freedoom = !installed_maps().empty();
     std::size_t ran = 0, compared = 0;
+    bool skipped = false;
     for (const fs::path& page : pages)
         for (const Shown& shown : shown_in(page, starts)) {
             if (!shown.is_command) {
+                if (skipped) continue;
                 EXPECT_NE(said_.find(shown.text), std::string::npos) << page << ": not printed: " << shown.text;
                 ++compared;
                 continue;
             }
-            if (!freedoom && shown.text.find("freedoom") != std::string::npos) continue;
+            skipped = !freedoom && shown.text.find("freedoom") != std::string::npos;
+            if (skipped) continue;
             const bool is_viewer = shown.text.starts_with(as_viewer);
             std::string command = (is_viewer ? viewer : std::string(SIGHTLINE_ADDED_HEURISTIC)) +
                                   shown.text.substr((is_viewer ? as_viewer : as_added).size());
