@@ -9,12 +9,12 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "core/draw/shown_world.h"
 #include "core/file.h"
 #include "core/scene/catalogue.h"
 #include "core/scene/read_json.h"
 #include "core/session/report.h"
 #include "core/session/state_file.h"
-#include "shell/bench/moves.h"
 #include "core/session/substep.h"
 #include "shell/bench/moves.h"
 #include "tests/scene_support.h"
@@ -387,6 +387,50 @@ TEST_F(Commands, EveryOneOfTheTableDoesWhatItSays) {
              EXPECT_EQ(session().settings().jitter, 0.1);
              run("undo");
          }},
+        {"fit",
+         [&] {
+             run("set zoom=3; set zoom_at=point; set zoom_x=7; fit");
+             EXPECT_EQ(session().settings().zoom, 1);
+             EXPECT_EQ(session().settings().zoom_at, ZoomAt::view);
+         }},
+        {"zoom",
+         [&] {
+             const Box<2> before = shown_world(session());
+             run("zoom 2");
+             const Box<2> after = shown_world(session());
+             EXPECT_NEAR(before.extent().x, 2 * after.extent().x, 1e-9);
+             EXPECT_NEAR(glm::length(before.centre() - after.centre()), 0, 1e-9);
+             run("undo");
+             EXPECT_EQ(session().settings().zoom, 1);
+             run("zoom 1e9; zoom 1e-30; zoom 1e9; fit");
+         }},
+        {"pan",
+         [&] {
+             const Box<2> before = shown_world(session());
+             run("pan 0.5,-0.25");
+             const Box<2> after = shown_world(session());
+             EXPECT_NEAR(after.min.x, before.min.x + before.extent().x / 2, 1e-9);
+             EXPECT_NEAR(after.min.y, before.min.y - before.extent().y / 4, 1e-9);
+             run("fit");
+         }},
+        {"delete",
+         [&] {
+             const std::size_t notes = session().notes.size(), segments = session().scene().primitives.size();
+             run("note text 1,1 gone soon; select 3; select primitive:2; select note:" + std::to_string(notes + 1));
+             EXPECT_EQ(session().selected_cell, 3u);  // is still being explained
+             EXPECT_EQ(session().selected_primitive, none);
+             run("delete");
+             EXPECT_EQ(session().notes.size(), notes);
+             run("select primitive:2");
+             EXPECT_EQ(session().selected_cell, 3u);
+             run("delete");
+             EXPECT_EQ(session().scene().primitives.size(), segments - 1);
+             run("undo; undo; undo; select 4; seek 10");
+             EXPECT_EQ(session().scene().primitives.size(), segments);
+             EXPECT_EQ(session().selected_primitive, none);
+             test::expect_input_error([&] { run("delete"); }, "command 'delete': command 'segment delete': no primitive is selected");
+             run("select none");
+         }},
         {"note-edit",
          [&] {
              const std::size_t before = session().notes.size();
@@ -394,7 +438,18 @@ TEST_F(Commands, EveryOneOfTheTableDoesWhatItSays) {
              EXPECT_EQ(session().notes.back().text, "other words");
              EXPECT_EQ(session().notes.back().first_step, 3u);
              EXPECT_EQ(session().notes.back().last_step, 20u);
-             run("note-edit " + std::to_string(before + 1) + " delete");
+             const std::string n = std::to_string(before + 1);
+             run("note-edit " + n + " [3,-4]; note-edit " + n + " {5-}; note-edit " + n + " at cell:6");
+             EXPECT_EQ(session().notes.back().offset_pt, Vec<2>(3, -4));
+             EXPECT_EQ(session().notes.back().last_step, none);
+             EXPECT_EQ(session().notes.back().anchor, Note<2>::Anchor::cell);
+             EXPECT_EQ(session().notes.back().index, 6u);
+             EXPECT_EQ(session().notes.back().text, "other words");
+             run(quote_command("note-edit " + n + " {0-} say \"delete; me\""));
+             EXPECT_EQ(session().notes.back().text, "say \"delete; me\"");
+             run("select note:" + n + "; note-edit selected {0-} delete");
+             EXPECT_EQ(session().notes.back().text, "delete");
+             run("note-edit " + n + " delete");
              EXPECT_EQ(session().notes.size(), before);
          }},
         {"panels",
@@ -644,6 +699,15 @@ TEST_F(Commands, ErrorsNameTheCommandAndChangeNothing) {
                                       "bookmark",
                                       "note",
                                       "note blob 0,0 x",
+                                      "select note:1",
+                                      "select note:0",
+                                      "note-edit selected x",
+                                      "zoom",
+                                      "zoom 0",
+                                      "zoom -1",
+                                      "pan",
+                                      "pan 1",
+                                      "pan a,b",
                                       "note text",
                                       "note text 0 x",
                                       "note text cell:999999 x",

@@ -1,12 +1,14 @@
-// The mouse on the 2D picture: hover, select, drag the view, pan, zoom.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
+#include "viewer2d/mouse2d.h"
+
 #include <cmath>
 
+#include "core/draw/notes.h"
+#include "core/draw/palette.h"
 #include "core/number.h"
-#include "shell/bench/change.h"
+#include "shell/bench/zoom.h"
+#include "shell/commands/arguments.h"
 #include "shell/window/theme.h"
-#include "viewer2d/picture2d.h"
 
 namespace sightline {
 
@@ -24,107 +26,234 @@ std::string cell_tip(const Session<2>& session, std::uint32_t cell) {
            short_number(session.reference().cell_share[cell]);
 }
 
+bool is_note_tool(Tool tool) { return tool >= Tool::text; }
+
+/// Where a new note's text stands from its anchor, in points: an arrow needs room for its line.
+const char* first_offset(Tool tool) {
+    if (tool == Tool::arrow) return "[34,26]";
+    return tool == Tool::ring ? "[0,16]" : "[0,12]";
+}
+
 }  // namespace
 
-void Picture2d::zoom_at(Ui& ui, const ImVec2& mouse, double factor) {
-    Settings settings = bench_.session.settings();
-    const double zoom = std::clamp(settings.zoom * factor, 0.1, 1000.0);
-    const Vec<2> fixed = camera_.to_scene(mouse), centre = camera_.world.centre();
-    const Vec<2> to = fixed + (centre - fixed) * (settings.zoom / zoom);
-    settings.zoom = zoom;
-    settings.zoom_at = ZoomAt::point;
-    settings.zoom_x = to.x;
-    settings.zoom_y = to.y;
-    change_settings(bench_, settings, "zoom");
-    ++ui.revision;
-}
-
-void Picture2d::drag_on(Ui& ui) {
-    const ImVec2 mouse = ImGui::GetIO().MousePos;
-    const Camera start{drag_->world, camera_.area};
-    const Vec<2> by = start.to_scene(mouse) - start.to_scene(drag_->from);
-    if (drag_->pans) {
-        Settings settings = bench_.session.settings();
-        const Vec<2> centre = drag_->world.centre() - by;
-        settings.zoom_at = ZoomAt::point;
-        settings.zoom_x = centre.x;
-        settings.zoom_y = centre.y;
-        change_settings(bench_, settings, "pan");
-    } else {
-        ViewSpec<2> view = drag_->view;
-        if (drag_->handle == Handle::eye) {
-            view.eye += by;
-            view.look_at += by;
-        } else {
-            view.look_at = camera_.to_scene(mouse);
-        }
-        if (view == bench_.session.display_view() || view.eye == view.look_at) return;
-        change_view(bench_, view, "drag");
+std::vector<Mouse2d::ShownNote> Mouse2d::shown_notes(const MousePane& pane) const {
+    std::vector<ShownNote> shown;
+    if (!pane.lead) return shown;
+    const Session<2>& session = bench_.session;
+    std::size_t label = 0;
+    for (std::uint32_t i = 0; i < session.notes.size(); ++i) {
+        const Note<2>& note = session.notes[i];
+        if (session.position() < note.first_step || session.position() > note.last_step) continue;
+        for (const LabelSpot& spot : pane.note_spots)
+            if (spot.label == label) shown.push_back({i, &spot});
+        ++label;
     }
+    return shown;
+}
+
+void Mouse2d::look_under(Ui& ui, std::span<const MousePane> panes) {
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    pane_.reset();
+    pick_ = {};
+    note_ = none;
+    handles_.clear();
+    for (const MousePane& pane : panes)
+        if (pane.camera.area.contains(mouse)) pane_ = pane;
+    if (!pane_) return;
+    if (pane_->session->culling_view() == bench_.session.culling_view() || pane_->lead)
+        handles_ = handle_points(bench_.session, pane_->camera, ui.unit);
+    if (!pane_->lead)
+        std::erase_if(handles_, [](const HandlePoint& h) { return h.handle >= Handle::segment_start; });
+    const std::vector<ShownNote> notes = shown_notes(*pane_);
+    for (const ShownNote& shown : notes)
+        if (shown.note == bench_.selected_note) handles_.push_back({Handle::note_anchor, shown.spot->anchor});
+    pick_ = pick(*pane_->session, pane_->camera, handles_, mouse, ui.unit);
+    if (pick_.handle == Handle::note_anchor) note_ = bench_.selected_note;
+    if (pick_.handle != Handle::none) return;
+    for (const ShownNote& shown : notes)
+        if (shown.spot->box.contains(mouse)) {
+            pick_.handle = Handle::note_text;
+            note_ = shown.note;
+        }
+}
+
+void Mouse2d::wheel(Ui& ui) {
+    const ImGuiIO& io = ImGui::GetIO();
+    if (io.MouseWheel == 0 || io.KeyCtrl || drag_) return;
+    zoom_about(bench_, pane_->camera.to_scene(io.MousePos), std::pow(1.2, io.MouseWheel), "zoom");
     ++ui.revision;
 }
 
-bool Picture2d::cancel() {
+void Mouse2d::press(Ui&) {
+    const ImGuiIO& io = ImGui::GetIO();
+    Drag drag{DragKind::pan, Handle::none, none, pane_->camera.to_scene(io.MousePos), pane_->camera,
+              begin_gesture(bench_)};
+    if (io.MouseClicked[ImGuiMouseButton_Left]) {
+        drag.handle = pick_.handle;
+        drag.note = note_;
+        if (drag.handle != Handle::none)
+            drag.kind = DragKind::handle;
+        else if (bench_.desk.tool == Tool::segment && pane_->lead)
+            drag.kind = DragKind::draw_segment;
+    }
+    drag_ = std::move(drag);
+}
+
+void Mouse2d::place_note(Ui& ui) {
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    const Session<2>& session = bench_.session;
+    const Vec<2> at = pane_->camera.to_scene(mouse);
+    const std::uint32_t cell = centre_near(session, pane_->camera, at, ui.unit);
+    const std::string anchor =
+        cell != none ? "cell:" + std::to_string(cell) : point_text(at, session.scene());
+    const Tool tool = bench_.desk.tool;
+    field_.open(mouse,
+                "note " + std::string(tool_words[static_cast<std::size_t>(tool)]) + " " + anchor + " " +
+                    first_offset(tool),
+                "tool select");
+}
+
+void Mouse2d::edit_note(std::uint32_t index, const ImVec2& at) {
+    const Note<2>& note = bench_.session.notes[index];
+    field_.open(at, "note-edit " + std::to_string(index + 1), "", note.text, note.first_step, note.last_step);
+}
+
+void Mouse2d::click(Ui& ui) {
+    if (!pane_) return;
+    if (note_ != none) {
+        cycle_.forget();
+        return ui.act("select note:" + std::to_string(note_ + 1));
+    }
+    if (is_note_tool(bench_.desk.tool) && pane_->lead) return place_note(ui);
+    // A handle is there to be dragged; only a segment lies on what can be selected.
+    if (pick_.handle != Handle::none && pick_.handle < Handle::segment_start) return;
+    Pick under = pick_;
+    if (!pane_->same_cells) under.cell = none;
+    if (!pane_->lead) under.primitive = none;
+    ui.act("select " + cycle_.next(under, ImGui::GetIO().MousePos, drag_threshold * ui.unit));
+}
+
+void Mouse2d::double_click(Ui& ui) {
+    if (!pane_) return;
+    if (note_ != none) return edit_note(note_, ImGui::GetIO().MousePos);
+    const bool on_view = pick_.handle != Handle::none && pick_.handle < Handle::segment_start;
+    if (on_view || pick_.cell == none || !pane_->same_cells || bench_.desk.tool != Tool::select) return;
+    // The first click may have taken the segment, or gone on in the cycle.
+    cycle_.forget();
+    const std::string cell = std::to_string(pick_.cell);
+    ui.act("select " + cell + "; reach " + cell);
+}
+
+void Mouse2d::release(Ui& ui, bool clicked) {
+    drag_.reset();
+    end_gesture(bench_);
+    if (clicked && !swallow_click_) click(ui);
+    swallow_click_ = false;
+}
+
+void Mouse2d::frame(Ui& ui, std::span<const MousePane> panes) {
+    const ImGuiIO& io = ImGui::GetIO();
+    hovered_ = ImGui::IsItemHovered();
+    look_under(ui, panes);
+    if (hovered_ && pane_) wheel(ui);
+    if (ImGui::IsItemActivated() && pane_) {
+        const bool twice = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
+        press(ui);
+        if (twice) {
+            swallow_click_ = true;
+            double_click(ui);
+        }
+    }
+    if (drag_ && ImGui::IsItemActive()) {
+        const int button = io.MouseDown[ImGuiMouseButton_Left] ? ImGuiMouseButton_Left : ImGuiMouseButton_Middle;
+        if (ImGui::IsMouseDragging(button, drag_threshold * ui.unit)) {
+            drag_to(bench_, *drag_, io.MousePos, ui.unit);
+            ++ui.revision;
+        }
+    }
+    if (ImGui::IsItemDeactivated() && drag_) {
+        const float moved = drag_threshold * ui.unit;
+        release(ui, io.MouseReleased[ImGuiMouseButton_Left] && io.MouseDragMaxDistanceSqr[0] < moved * moved);
+    }
+    if (hovered_ && !drag_ && pane_ && pane_->same_cells) ui.hovering = pick_.cell;
+}
+
+bool Mouse2d::cancel() {
+    if (field_.close()) return true;
     if (!drag_) return false;
-    undo(bench_);
+    cancel_gesture(bench_, std::move(drag_->before));
     drag_.reset();
     return true;
 }
 
-void Picture2d::click(Ui& ui, const Pick& under) {
-    const ImVec2 mouse = ImGui::GetIO().MousePos;
-    const bool again = std::hypot(mouse.x - last_click_.x, mouse.y - last_click_.y) < drag_threshold * ui.unit;
-    clicks_ = again ? clicks_ + 1 : 0;
-    last_click_ = mouse;
-    std::vector<std::string> here;
-    if (under.primitive != none) here.push_back("select primitive:" + std::to_string(under.primitive));
-    if (under.cell != none) here.push_back("select " + std::to_string(under.cell));
-    if (here.empty()) return ui.act("select none");
-    ui.act(here[static_cast<std::size_t>(clicks_) % here.size()]);
+std::optional<Box<2>> Mouse2d::held_world() const {
+    if (!drag_ || drag_->kind == DragKind::pan) return std::nullopt;
+    return drag_->camera.world;
 }
 
-void Picture2d::draw_hover(Ui& ui, const Pick& under) {
-    bench_.hovered_cell = under.cell;
-    if (under.cell == none || drag_) return;
-    ImGui::SetTooltip("%s", cell_tip(bench_.session, under.cell).c_str());
-    (void)ui;
-}
-
-void Picture2d::mouse(Ui& ui, const Pick& under) {
-    const ImGuiIO& io = ImGui::GetIO();
-    if (io.MouseWheel != 0) zoom_at(ui, io.MousePos, std::pow(1.2, io.MouseWheel));
-    if (ImGui::IsItemActivated()) {
-        drag_ =
-            Drag{under.handle, under.handle == Handle::none, io.MousePos, bench_.session.display_view(), camera_.world};
-        end_gesture(bench_);
-    }
-    const bool dragging = ImGui::IsMouseDragging(ImGuiMouseButton_Left, drag_threshold * ui.unit);
-    if (drag_ && ImGui::IsItemActive() && dragging) drag_on(ui);
-    if (ImGui::IsItemDeactivated() && drag_) {
-        const bool clicked = io.MouseDragMaxDistanceSqr[0] < drag_threshold * drag_threshold * ui.unit * ui.unit;
-        drag_.reset();
-        end_gesture(bench_);
-        if (clicked) click(ui, under);
-    }
-    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) && under.cell != none)
-        ui.act("reach " + std::to_string(under.cell));
-}
-
-void Picture2d::interact(Ui& ui, const Area& area) {
-    camera_.area = area;
-    if (camera_.world.empty()) return;  // before the first frame
-    ImGui::InvisibleButton("scene", {area.w, area.h});
-    const Pick under = pick(bench_.session, camera_, ImGui::GetIO().MousePos, ui.unit);
-    if (ImGui::IsItemHovered() || drag_) mouse(ui, under);
-    if (ImGui::IsItemHovered()) draw_hover(ui, under);
-    draw_labels(ui);
-    const ImVec2 eye = camera_.to_window(bench_.session.display_view().eye);
-    const ImVec2 look = look_handle(bench_.session.display_view(), camera_, ui.unit);
+void Mouse2d::draw_handles(Ui& ui, const MousePane& pane) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddCircleFilled(look, 5 * ui.unit, IM_COL32_WHITE);
-    list.AddCircle(look, 5 * ui.unit, colour(theme::ink), 0, 1.5f * ui.unit);
-    bench_.places.push_back({"handle eye", eye.x, eye.y, 0, 0});
-    bench_.places.push_back({"handle look", look.x, look.y, 0, 0});
+    const float size = (bench_.desk.projector ? 1.6f : 1.0f) * ui.unit;
+    std::vector<HandlePoint> points;
+    if (pane.lead || pane.session->culling_view() == bench_.session.culling_view())
+        points = handle_points(bench_.session, pane.camera, ui.unit);
+    for (const HandlePoint& point : points) {
+        if (!pane.lead && point.handle >= Handle::segment_start) continue;
+        const bool lit = drag_ ? drag_->handle == point.handle : hovered_ && pick_.handle == point.handle;
+        if (pane.lead) bench_.places.push_back({handle_name(point.handle), point.at.x, point.at.y, 0, 0});
+        const bool eye = point.handle == Handle::eye || point.handle == Handle::frozen_eye;
+        if (eye && !lit) continue;  // the picture has a mark there
+        const bool opening = point.handle == Handle::opening || point.handle == Handle::frozen_opening;
+        const bool frozen = point.handle >= Handle::frozen_eye && point.handle <= Handle::frozen_opening;
+        const float r = (eye ? 8.0f : opening ? 4.0f : 5.5f) * size;
+        const ImU32 fill = lit ? colour(theme::accent) : frozen ? IM_COL32(205, 205, 205, 255) : IM_COL32_WHITE;
+        if (eye) {
+            list.AddCircle(point.at, r, IM_COL32_WHITE, 0, 4 * size);
+            list.AddCircle(point.at, r, fill, 0, 2 * size);
+        } else {
+            list.AddCircleFilled(point.at, r, fill);
+            list.AddCircle(point.at, r, colour(theme::ink), 0, 1.5f * size);
+        }
+    }
+    for (const ShownNote& shown : shown_notes(pane)) {
+        const Area& b = shown.spot->box;
+        bench_.places.push_back({"note " + std::to_string(shown.note + 1), b.x, b.y, b.w, b.h});
+        if (shown.note != bench_.selected_note) continue;
+        const ImVec2 min{b.x - 3 * size, b.y - 3 * size}, max{b.x + b.w + 3 * size, b.y + b.h + 3 * size};
+        list.AddRect(min, max, colour(theme::accent), 3 * size, 0, 1.5f * size);
+        list.AddCircleFilled(shown.spot->anchor, 4 * size, IM_COL32_WHITE);
+        list.AddCircle(shown.spot->anchor, 4 * size, colour(theme::accent), 0, 1.5f * size);
+    }
+}
+
+void Mouse2d::tooltip(Ui& ui) {
+    if (!hovered_ || drag_ || !pane_ || field_.is_open()) return;
+    std::string text = handle_tip(pick_.handle);
+    if (text.empty() && pick_.cell != none) text = cell_tip(*pane_->session, pick_.cell);
+    if (text.empty()) return;
+    // Beside the pointer, not on the cell that it speaks of.
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    const Area& area = pane_->camera.area;
+    const float w = ImGui::CalcTextSize(text.c_str()).x + 20 * ui.unit, off = 18 * ui.unit;
+    const float x = mouse.x + off + w < area.x + area.w ? mouse.x + off : std::max(area.x, mouse.x - off - w);
+    ImGui::SetNextWindowPos({x, mouse.y + off});
+    ImGui::SetTooltip("%s", text.c_str());
+}
+
+void Mouse2d::draw(Ui& ui, std::span<const MousePane> panes, const Area& area) {
+    for (const MousePane& pane : panes) draw_handles(ui, pane);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    if (drag_) {
+        if (const auto end = snap_point(bench_, *drag_, mouse, ui.unit))
+            list.AddCircle(drag_->camera.to_window(*end), 7 * ui.unit, colour(theme::accent), 0, 2 * ui.unit);
+    } else if (hovered_ && pane_ && pane_->lead && bench_.desk.tool == Tool::segment) {
+        const Vec<2> at = pane_->camera.to_scene(mouse);
+        const Vec<2> end = snapped_to_end(bench_.session, pane_->camera, at, ui.unit);
+        if (end != at) list.AddCircle(pane_->camera.to_window(end), 7 * ui.unit, colour(theme::accent), 0, 2 * ui.unit);
+    }
+    tooltip(ui);
+    field_.draw(ui, area);
 }
 
 }  // namespace sightline

@@ -3,12 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace sightline {
 
 namespace {
-
-constexpr float look_distance = 60;
 
 double distance_to_segment(const Vec<2>& p, const Primitive<2>& s) {
     const Vec<2> d = s[1] - s[0];
@@ -16,43 +15,70 @@ double distance_to_segment(const Vec<2>& p, const Primitive<2>& s) {
     return glm::length(p - (s[0] + d * t));
 }
 
-bool near(const ImVec2& a, const ImVec2& b, float reach) { return std::hypot(a.x - b.x, a.y - b.y) <= reach; }
-
-std::uint32_t nearest_primitive(const Session<2>& session, const Vec<2>& at, double reach) {
-    std::uint32_t best = none;
-    const auto& segments = session.scene().primitives;
-    for (std::uint32_t i = 0; i < segments.size(); ++i)
-        if (const double distance = distance_to_segment(at, segments[i]); distance <= reach) {
-            reach = distance;
-            best = i;
-        }
-    return best;
-}
+float distance(const ImVec2& a, const ImVec2& b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
 }  // namespace
 
-ImVec2 look_handle(const ViewSpec<2>& view, const Camera& camera, float unit) {
-    const ImVec2 eye = camera.to_window(view.eye);
-    const Vec<2> d = glm::normalize(view.look_at - view.eye);
-    return {eye.x + static_cast<float>(d.x) * look_distance * unit,
-            eye.y - static_cast<float>(d.y) * look_distance * unit};
-}
-
-Pick pick(const Session<2>& session, const Camera& camera, const ImVec2& mouse, float unit) {
+Pick pick(const Session<2>& session, const Camera& camera, std::span<const HandlePoint> handles, const ImVec2& mouse,
+          float unit) {
     Pick found;
     const Vec<2> at = camera.to_scene(mouse);
     found.cell = locate(session.cells(), at);
-    found.primitive = nearest_primitive(session, at, primitive_reach * unit / camera.scale());
-    const ViewSpec<2>& view = session.display_view();
-    if (session.selected_primitive != none) {
-        const Primitive<2>& s = session.scene().primitives[session.selected_primitive];
-        if (found.primitive == session.selected_primitive) found.handle = Handle::segment;
-        if (near(mouse, camera.to_window(s[0]), handle_reach * unit)) found.handle = Handle::segment_start;
-        if (near(mouse, camera.to_window(s[1]), handle_reach * unit)) found.handle = Handle::segment_end;
-    }
-    if (near(mouse, look_handle(view, camera, unit), handle_reach * unit)) found.handle = Handle::look_at;
-    if (near(mouse, camera.to_window(view.eye), handle_reach * unit)) found.handle = Handle::eye;
+    double reach = primitive_reach * unit / camera.scale();
+    const auto& segments = session.scene().primitives;
+    for (std::uint32_t i = 0; i < segments.size(); ++i)
+        if (const double d = distance_to_segment(at, segments[i]); d <= reach) {
+            reach = d;
+            found.primitive = i;
+        }
+    float nearest = handle_reach * unit;
+    bool any = false;
+    for (const HandlePoint& point : handles)
+        if (const float d = distance(mouse, point.at); any ? d < nearest : d <= nearest) {
+            nearest = d;
+            any = true;
+            found.handle = point.handle;
+        }
+    if (!any && found.primitive != none && found.primitive == session.selected_primitive)
+        found.handle = Handle::segment;
     return found;
+}
+
+Vec<2> snapped_to_end(const Session<2>& session, const Camera& camera, const Vec<2>& at, float unit,
+                      std::uint32_t but) {
+    double reach = primitive_reach * unit / camera.scale();
+    Vec<2> found = at;
+    const auto& segments = session.scene().primitives;
+    for (std::uint32_t i = 0; i < segments.size(); ++i) {
+        if (i == but) continue;
+        for (const Vec<2>& end : segments[i])
+            if (const double d = glm::length(end - at); d <= reach) {
+                reach = d;
+                found = end;
+            }
+    }
+    return found;
+}
+
+std::uint32_t centre_near(const Session<2>& session, const Camera& camera, const Vec<2>& at, float unit) {
+    const auto& centres = session.cells().centres;
+    double reach = primitive_reach * unit / camera.scale();
+    std::uint32_t found = none;
+    for (std::uint32_t cell = 0; cell < centres.size(); ++cell)
+        if (const double d = glm::length(centres[cell] - at); d <= reach) {
+            reach = d;
+            found = cell;
+        }
+    return found;
+}
+
+std::string ClickCycle::next(const Pick& under, const ImVec2& at, float reach) {
+    clicks_ = distance(at, last_) < reach ? clicks_ + 1 : 0;
+    last_ = at;
+    std::vector<std::string> here;
+    if (under.primitive != none) here.push_back("primitive:" + std::to_string(under.primitive));
+    if (under.cell != none) here.push_back(std::to_string(under.cell));
+    return here.empty() ? "none" : here[clicks_ % here.size()];
 }
 
 }  // namespace sightline

@@ -2,28 +2,44 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/session/session.h"
-#include "viewer2d/camera.h"
+#include <span>
+
+#include "viewer2d/handles.h"
 
 namespace sightline {
 
-/// What a drag takes hold of.
-enum class Handle : std::uint8_t { none, eye, look_at, segment_start, segment_end, segment, note };
-
 struct Pick {
     Handle handle = Handle::none;
-    std::uint32_t note = sightline::none;  ///< of Handle::note
-    std::uint32_t primitive = sightline::none;
+    std::uint32_t primitive = sightline::none;  ///< the nearest within reach
     std::uint32_t cell = sightline::none;
 };
 
-/// Window units within which a handle and a primitive are hit, at scale 1.
-inline constexpr float handle_reach = 9, primitive_reach = 6;
+/// Window units within which a primitive is hit and ends snap, at scale 1.
+inline constexpr float primitive_reach = 6;
 
-/// Where the handle of the view's direction stands: a fixed distance from the eye on the screen.
-ImVec2 look_handle(const ViewSpec<2>& view, const Camera& camera, float unit);
+/// The nearest of the points within handle_reach, the first of those as near. The selected segment's own line is a
+/// handle too, after the points.
+Pick pick(const Session<2>& session, const Camera& camera, std::span<const HandlePoint> handles, const ImVec2& mouse,
+          float unit);
 
-/// Everything under a point: a handle, the nearest primitive within reach, and the cell.
-Pick pick(const Session<2>& session, const Camera& camera, const ImVec2& mouse, float unit);
+/// `at`, or the nearest end of a segment within reach of it. `but`: a segment that does not count; none: all do.
+Vec<2> snapped_to_end(const Session<2>& session, const Camera& camera, const Vec<2>& at, float unit,
+                      std::uint32_t but = none);
+
+/// The cell whose centre is the nearest within reach of the point; none when there is none.
+std::uint32_t centre_near(const Session<2>& session, const Camera& camera, const Vec<2>& at, float unit);
+
+/// Repeated clicks at one place go through what lies there: the primitive, the cell, and so on.
+class ClickCycle {
+public:
+    /// What this click takes: "primitive:N", "N" or "none".
+    std::string next(const Pick& under, const ImVec2& at, float reach);
+    /// A click at the same place begins anew.
+    void forget() { last_ = {-1e9f, -1e9f}; }
+
+private:
+    ImVec2 last_{-1e9f, -1e9f};
+    std::size_t clicks_ = 0;
+};
 
 }  // namespace sightline

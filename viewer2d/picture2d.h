@@ -1,53 +1,53 @@
-// The picture of the 2D viewer in the window: draw list, OpenGL, labels, mouse.
+// The picture of the 2D viewer in the window: one pane, or two for a comparison, and the mouse on them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/draw/picture.h"
+#include <array>
+
 #include "shell/bench/workbench.h"
-#include "shell/gl/list_renderer.h"
 #include "shell/window/stage.h"
-#include "viewer2d/picking.h"
+#include "viewer2d/mouse2d.h"
+#include "viewer2d/pane2d.h"
 
 namespace sightline {
 
 class Picture2d {
 public:
     /// An OpenGL context is current. The bench must live longer.
-    explicit Picture2d(Workbench<2>& bench) : bench_(bench) {}
+    explicit Picture2d(Workbench<2>& bench) : bench_(bench), mouse_(bench) {}
 
-    void draw(Ui& ui, const Area& area);
+    /// As Stage has them; interact comes first in a frame and brings the picture up to date.
     void interact(Ui& ui, const Area& area);
-    bool cancel();
+    void draw(Ui& ui, const Area& area);
+    bool cancel() { return mouse_.cancel(); }
+
+    /// The left or only pane's, as of the last frame.
+    const Camera& camera() const { return panes_[0].camera(); }
+    std::size_t label_count() const { return panes_[0].spots().size(); }
 
 private:
-    struct Drag {
-        Handle handle = Handle::none;
-        bool pans = false;
-        ImVec2 from{};
-        ViewSpec<2> view;
-        Box<2> world;
+    /// The heat map's range, which stays while one steps.
+    struct HeatRange {
+        std::uint64_t run = 0;
+        CellNumber what = CellNumber::none;
+        const Session<2>* of = nullptr;
+        std::optional<std::array<double, 2>> range;
     };
 
+    const Session<2>& session_of(std::size_t pane) const;
+    std::size_t pane_count() const { return bench_.other ? 2 : 1; }
+    std::vector<MousePane> mouse_panes(const Area& area);
     void update(const Ui& ui, const Area& area);
-    void draw_labels(const Ui& ui) const;
-    void draw_hover(Ui& ui, const Pick& under);
-    void mouse(Ui& ui, const Pick& under);
-    void zoom_at(Ui& ui, const ImVec2& mouse, double factor);
-    void drag_on(Ui& ui);
-    void click(Ui& ui, const Pick& under);
+    void draw_over(Ui& ui, const std::vector<MousePane>& panes, const Area& area);
+    void outline(const Ui& ui, const MousePane& pane, std::uint32_t cell) const;
+    void note_cells();
 
     Workbench<2>& bench_;
-    ListRenderer renderer_;
-    DrawList list_;
-    Camera camera_;
-    std::uint64_t revision_ = 0;
-    Area area_;
-    std::optional<std::array<double, 2>> heat_range_;
-    std::uint64_t heat_run_ = 0;
-    CellNumber heat_ = CellNumber::none;
-    std::optional<Drag> drag_;
-    ImVec2 last_click_{-1, -1};
-    int clicks_ = 0;  ///< at the same place: each takes the next thing that lies there
+    Mouse2d mouse_;
+    std::array<Pane2d, 2> panes_;
+    std::array<HeatRange, 2> heat_;
+    std::vector<Side> sides_;  ///< who projected what; empty without a second session of the same cells
+    std::uint64_t sides_revision_ = 0;
 };
 
 }  // namespace sightline

@@ -8,6 +8,7 @@
 #include "core/scene/load.h"
 #include "shell/window/memory.h"
 #include "viewer2d/picture2d.h"
+#include "viewer2d/thumbnails.h"
 
 namespace sightline {
 
@@ -24,11 +25,18 @@ std::vector<SceneChoice> choices() {
 
 Stage stage2d(Workbench<2>& bench) {
     const auto picture = std::make_shared<Picture2d>(bench);
+    const auto thumbnails = std::make_shared<Thumbnails>();
     Stage stage;
     stage.draw = [picture](Ui& ui, const Area& area) { picture->draw(ui, area); };
-    stage.interact = [picture](Ui& ui, const Area& area) { picture->interact(ui, area); };
+    stage.interact = [picture, thumbnails](Ui& ui, const Area& area) {
+        thumbnails->next_frame();
+        picture->interact(ui, area);
+    };
     stage.cancel = [picture] { return picture->cancel(); };
     stage.scenes = choices();
+    stage.thumbnail = [thumbnails](const SceneChoice& scene, int width, int height) {
+        return thumbnails->texture(scene, width, height);
+    };
     return stage;
 }
 

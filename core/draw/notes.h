@@ -14,7 +14,7 @@ Vec<2> anchor_point(const Session<2>& session, const Note<2>& note);
 /// The notes whose step range holds the session's position.
 std::vector<Note<2>> current_notes(const Session<2>& session);
 
-/// Adds the current notes.
+/// Adds the current notes, a label for each in their order. Pictures have these labels before all others.
 void draw_notes(const Session<2>& session, const Colours& colours, std::uint16_t style, DrawList& list);
 
 }  // namespace sightline

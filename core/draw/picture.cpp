@@ -36,15 +36,20 @@ public:
         list_.world = widened(options.world ? *options.world : shown_world(session), options.aspect);
         list_.styles = colours_.looks;
         const bool by_state = set_.heat == CellNumber::none && set_.show_states == Switch::on;
-        if (set_.heat != CellNumber::none && options.heat_range) heat_map(*options.heat_range);
-        if (by_state) options.sides.empty() ? states() : sides(options.sides);
-        if (set_.show_tessellation == Switch::on) tessellation();
+        const auto wants = [&](PicturePart part) { return options.part == PicturePart::all || options.part == part; };
+        if (wants(PicturePart::below)) {
+            if (set_.heat != CellNumber::none && options.heat_range) heat_map(*options.heat_range);
+            if (by_state) options.sides.empty() ? states() : sides(options.sides);
+        }
+        if (wants(PicturePart::tessellation) && set_.show_tessellation == Switch::on) tessellation();
+        if (!wants(PicturePart::above)) return;
         if (by_state && options.sides.empty()) projected_borders();
         if (set_.show_primitives == Switch::on) primitives();
         if (set_.show_view == Switch::on) view();
         if (set_.show_normals == Switch::on) normals();
         if (set_.show_penalties == Switch::on) penalties();
         highlights();
+        if (options.facet) crossed_facet(*options.facet);
         if (set_.show_chain == Switch::on && session.selected_cell != none) chain();
         draw_notes(session, colours_, index(Look::note), list_);
         labels();
@@ -185,6 +190,26 @@ private:
         if (session_.selected_primitive == none) return;
         const Primitive<2>& segment = session_.scene().primitives[session_.selected_primitive];
         list_.add(ShapeKind::polyline, index(Look::selected_primitive), {segment[0], segment[1]});
+    }
+
+    /// The facet as a bar, and what lies behind it outlined.
+    void crossed_facet(std::uint32_t place) {
+        const std::uint32_t last = last_cell(session_);
+        if (last == none || place >= cells_.facets_of(last).size()) return;
+        const HalfFacet half = cells_.facets_of(last)[place];
+        const auto [a, b] = facet_ends(cells_, half);
+        const auto add = [&](const char* name, Colour stroke, double width) {
+            Style style{name};
+            style.stroke = stroke;
+            style.width_pt = width;
+            list_.styles.push_back(style);
+            return static_cast<std::uint16_t>(list_.styles.size() - 1);
+        };
+        const std::uint16_t rim = add("rim of the facet", colours_.halo, 7), bar = add("facet", colours_.accent, 4.5),
+                            behind = add("behind the facet", colours_.accent, 1.8);
+        if (half.neighbour != none) cell_shape(half.neighbour, behind);
+        list_.add(ShapeKind::polyline, rim, {a, b});
+        list_.add(ShapeKind::polyline, bar, {a, b});
     }
 
     void chain() {

@@ -12,6 +12,14 @@
 
 namespace sightline {
 
+/// A picture as three lists that lie on one another: a window draws the middle one, which no step changes, only once.
+enum class PicturePart : std::uint8_t {
+    all,
+    below,         ///< the cells' fills
+    tessellation,  ///< the cells' borders
+    above,         ///< the rest, with all labels
+};
+
 struct PictureOptions {
     /// What the lowest and the highest colour of the heat map stand for (number_range; panels of one figure share it).
     std::optional<std::array<double, 2>> heat_range{};
@@ -21,6 +29,9 @@ struct PictureOptions {
     double aspect = 0;
     /// Per cell, for two sessions beside each other: filled by who projected it instead of by state. Empty: by state.
     std::span<const Side> sides{};
+    PicturePart part = PicturePart::all;
+    /// A facet to point out, by its place among those of the last cell: where a substep looks across.
+    std::optional<std::uint32_t> facet{};
 };
 
 /// The picture that the session's picture settings ask for.

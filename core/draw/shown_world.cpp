@@ -15,8 +15,9 @@ Box<2> whole_world(const Session<2>& session) {
     const Vec<2>& eye = session.display_view().eye;
     box.add(eye);
     const double side = box.longest_side();
-    // Nothing but the eye: any size will do that does not vanish beside its coordinates.
-    const Vec<2> margin((side > 0 ? side : std::max({1.0, std::abs(eye.x), std::abs(eye.y)})) * 0.05);
+    // Nothing but the eye: room to draw in, which does not vanish beside its coordinates.
+    const double room = 10 * glm::length(session.display_view().look_at - eye);
+    const Vec<2> margin(side > 0 ? side * 0.05 : std::max({room, std::abs(eye.x) * 0.05, std::abs(eye.y) * 0.05}));
     return {box.min - margin, box.max + margin};
 }
 

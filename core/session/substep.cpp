@@ -5,7 +5,7 @@ namespace sightline {
 
 namespace {
 
-constexpr std::uint32_t pop = 0, first_facet = 2;
+constexpr std::uint32_t pop = 0, first_facet = first_facet_substep;
 
 /// The counters before a step: those after the one before it, or at step 1 those of the start.
 Counters counters_before(const Timeline& timeline, std::uint32_t step) {

@@ -7,6 +7,9 @@
 
 namespace sightline {
 
+/// The substep that looks across the first facet.
+inline constexpr std::uint32_t first_facet_substep = 2;
+
 /// How many substeps a step, 1 <= step <= recorded(), has: 2 + the facets that it looked across. 2 for orders of
 /// primitives, and where the budget ended the step before the neighbours.
 template <int D>

@@ -77,6 +77,19 @@ void change_view(Workbench<D>& bench, const ViewSpec<D>& view, const std::string
 }
 
 template <int D>
+void change_culling_view(Workbench<D>& bench, const ViewSpec<D>& view, const std::string& gesture) {
+    if (!bench.session.frozen()) return change_view(bench, view, gesture);
+    make_view(view);  // throws before anything is remembered
+    remember(bench, gesture);
+    const ViewSpec<D> display = bench.session.display_view();
+    bench.session.unfreeze();
+    bench.session.set_view(view);
+    bench.session.freeze();
+    bench.session.set_view(display);
+    traversal_changed(bench);
+}
+
+template <int D>
 void change_scene(Workbench<D>& bench, std::shared_ptr<const Scene<D>> scene, const std::string& gesture,
                   std::span<const std::uint32_t> numbers) {
     remember(bench, gesture);
@@ -90,7 +103,7 @@ void replace_session(Workbench<D>& bench, Session<D> session) {
     bench.session = std::move(session);
     bench.history = {};
     bench.other.reset();
-    bench.hovered_cell = none;
+    bench.hovered_cell = bench.selected_note = none;
     bench.last_stop = Stop::steps;
     bench.desk.timeline_from = 0;
     bench.desk.timeline_to = 1;
@@ -100,6 +113,7 @@ void replace_session(Workbench<D>& bench, Session<D> session) {
 template void traversal_changed<2>(Workbench<2>&);
 template void change_settings<2>(Workbench<2>&, const Settings&, const std::string&);
 template void change_view<2>(Workbench<2>&, const ViewSpec<2>&, const std::string&);
+template void change_culling_view<2>(Workbench<2>&, const ViewSpec<2>&, const std::string&);
 template void change_scene<2>(Workbench<2>&, std::shared_ptr<const Scene<2>>, const std::string&,
                               std::span<const std::uint32_t>);
 template void replace_session<2>(Workbench<2>&, Session<2>);

@@ -18,6 +18,10 @@ void change_settings(Workbench<D>& bench, const Settings& settings, const std::s
 template <int D>
 void change_view(Workbench<D>& bench, const ViewSpec<D>& view, const std::string& gesture = "");
 
+/// The culling view, also while frozen: the traversal is made again, the display view stays. Throws like change_view.
+template <int D>
+void change_culling_view(Workbench<D>& bench, const ViewSpec<D>& view, const std::string& gesture = "");
+
 /// Other primitives under the same view and settings. `numbers` has for each old primitive its new number, none where
 /// it is gone, for the selection and the notes; empty: they keep their numbers.
 template <int D>

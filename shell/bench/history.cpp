@@ -29,6 +29,7 @@ void bring_back(Workbench<D>& bench, const Snapshot<D>& to) {
     }
     session.notes = to.notes;
     session.bookmarks = to.bookmarks;
+    bench.selected_note = none;
     traversal_changed(bench);
 }
 

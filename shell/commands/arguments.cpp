@@ -69,6 +69,18 @@ std::uint32_t primitive_argument(const Workbench<D>& bench, Text text) {
 }
 
 template <int D>
+std::uint32_t note_argument(const Workbench<D>& bench, Text text) {
+    const std::size_t count = bench.session.notes.size();
+    if (text == "selected") {
+        if (bench.selected_note >= count) throw InputError("no note is selected");
+        return bench.selected_note;
+    }
+    const std::uint32_t n = whole_argument(text, "the number of a note");
+    if (n < 1 || n > count) throw InputError("there is no note " + text + ", only " + std::to_string(count));
+    return n - 1;
+}
+
+template <int D>
 Vec<D> parse_point(Text text, const Scene<D>& scene) {
     Vec<D> point{};
     std::string_view rest = text;
@@ -91,6 +103,7 @@ std::string point_text(const Vec<D>& point, const Scene<D>& scene) {
 
 template std::uint32_t cell_argument<2>(const Workbench<2>&, Text);
 template std::uint32_t primitive_argument<2>(const Workbench<2>&, Text);
+template std::uint32_t note_argument<2>(const Workbench<2>&, Text);
 template Vec<2> parse_point<2>(Text, const Scene<2>&);
 template std::string point_text<2>(const Vec<2>&, const Scene<2>&);
 

@@ -30,6 +30,10 @@ std::uint32_t cell_argument(const Workbench<D>& bench, Text text);
 template <int D>
 std::uint32_t primitive_argument(const Workbench<D>& bench, Text text);
 
+/// A number from 1, or "selected"; the index of the note. Throws InputError when there is no such note.
+template <int D>
+std::uint32_t note_argument(const Workbench<D>& bench, Text text);
+
 /// A point of the scene's file, as people write it ("X,Y"), in the coordinates of the session.
 template <int D>
 Vec<D> parse_point(Text text, const Scene<D>& scene);

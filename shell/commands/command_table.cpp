@@ -15,8 +15,12 @@ namespace {
 std::vector<std::string> split_commands(std::string_view text) {
     std::vector<std::string> parts(1);
     bool quoted = false;
-    for (const char c : text) {
-        if (c == '"') {
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (quoted && text.substr(i, 2) == "\"\"") {
+            parts.back() += c;
+            ++i;
+        } else if (c == '"') {
             quoted = !quoted;
         } else if (c == ';' && !quoted) {
             parts.emplace_back();
@@ -35,14 +39,20 @@ std::vector<std::string> split_commands(std::string_view text) {
 
 }  // namespace
 
+std::string quote_command(std::string_view command) {
+    std::string text = "\"";
+    for (const char c : command) text += c == '"' ? "\"\"" : std::string(1, c);
+    return text + "\"";
+}
+
 template <int D>
 std::span<const CommandGroup<D>> command_groups() {
     static const std::array groups{
         CommandGroup<D>{"Move", move_commands<D>()},     CommandGroup<D>{"View", view_commands<D>()},
         CommandGroup<D>{"Change", change_commands<D>()}, CommandGroup<D>{"Compare", compare_commands<D>()},
         CommandGroup<D>{"Edit", edit_commands<D>()},     CommandGroup<D>{"Mark", mark_commands<D>()},
-        CommandGroup<D>{"Say", say_commands<D>()},       CommandGroup<D>{"File", file_commands<D>()},
-        CommandGroup<D>{"Window", desk_commands<D>()},
+        CommandGroup<D>{"Note", note_commands<D>()},     CommandGroup<D>{"Say", say_commands<D>()},
+        CommandGroup<D>{"File", file_commands<D>()},     CommandGroup<D>{"Window", desk_commands<D>()},
     };
     return groups;
 }

@@ -28,9 +28,12 @@ std::span<const Command<D>> command_table();
 template <int D>
 const Command<D>* find_command(std::string_view id);
 
-/// Runs "COMMAND; COMMAND; …" until the end or quit. A ';' inside double quotes does not separate. Throws InputError
-/// that names the command; those before it have been carried out.
+/// Runs "COMMAND; COMMAND; …" until the end or quit. A ';' inside double quotes does not separate, and two double
+/// quotes there are one. Throws InputError that names the command; those before it have been carried out.
 template <int D>
 void run_commands(Workbench<D>& bench, std::string_view text);
+
+/// One command as run_commands takes it, whatever characters it has.
+std::string quote_command(std::string_view command);
 
 }  // namespace sightline

@@ -80,7 +80,7 @@ std::span<const Command<D>> desk_commands() {
     static constexpr std::array table{
         Command<D>{"scenes", "", "choose a scene", "O", flip<&Desk::chooser, D>},
         Command<D>{"show", "PANEL", "show or hide a panel, the timeline or the legend",
-                   "1=why 2=code 3=front 4=inversions 5=breakpoints 6=notes 7=settings Tab=timeline", show<D>},
+                   "1=why 2=code 3=front 4=inversions 5=breakpoints 6=notes 7=settings Tab=timeline E=legend", show<D>},
         Command<D>{"tool", "select | segment | text | arrow | ring | callout", "what the mouse does on the picture",
                    "V=select G=segment T=text A=arrow R=ring C=callout",
                    [](Workbench<D>& bench, Text text) {

@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "shell/bench/edit.h"
 #include "shell/commands/arguments.h"
+#include "shell/commands/command_table.h"
 #include "shell/commands/groups.h"
 
 namespace sightline {
@@ -28,6 +29,11 @@ void edit_segment(Workbench<2>& bench, Text text) {
     delete_segment(bench, index);
 }
 
+void delete_selected(Workbench<2>& bench, Text) {
+    const bool note = bench.selected_note < bench.session.notes.size();
+    run_commands(bench, note ? "note-edit selected delete" : "segment delete");
+}
+
 void edit_scene(Workbench<2>& bench, Text text) {
     constexpr auto words = std::to_array<std::string_view>({"new", "save"});
     const auto [what, file] = split_word(text);
@@ -44,7 +50,8 @@ std::span<const Command<2>> edit_commands<2>() {
     static constexpr std::array table{
         Command<2>{"segment", "add X,Y X,Y | move ID X,Y X,Y | delete [ID]",
                    "change the segments; ID is a number or selected, delete alone takes the selected one",
-                   "Delete=delete", edit_segment},
+                   "", edit_segment},
+        Command<2>{"delete", "", "delete the selected note or segment", "Delete", delete_selected},
         Command<2>{"scene", "new | save FILE", "an empty scene, or write this one", "Ctrl+N=new", edit_scene},
     };
     return table;

@@ -21,6 +21,8 @@ std::span<const Command<D>> edit_commands();
 template <int D>
 std::span<const Command<D>> mark_commands();
 template <int D>
+std::span<const Command<D>> note_commands();
+template <int D>
 std::span<const Command<D>> say_commands();
 template <int D>
 std::span<const Command<D>> file_commands();

@@ -1,8 +1,10 @@
 // Commands that change where the traversal looks from, and how much of it the picture shows.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/draw/shown_world.h"
 #include "core/error.h"
 #include "core/number.h"
 #include "shell/bench/change.h"
+#include "shell/bench/zoom.h"
 #include "shell/bench/moves.h"
 #include "shell/commands/arguments.h"
 #include "shell/commands/groups.h"
@@ -46,6 +48,17 @@ void unfreeze(Workbench<D>& bench, Text) {
     moved(bench);
 }
 
+/// By shares of what the picture shows.
+template <int D>
+void pan(Workbench<D>& bench, Text text) {
+    const std::size_t comma = text.find(',');
+    const auto x = comma == std::string::npos ? std::nullopt : parse_number(text.substr(0, comma));
+    const auto y = !x ? std::nullopt : parse_number(text.substr(comma + 1));
+    if (!x || !y) throw InputError("write the shares of the picture to move by as DX,DY");
+    const Box<2> world = shown_world(bench.session);
+    centre_on(bench, world.centre() + Vec<2>(*x, *y) * world.extent());
+}
+
 }  // namespace
 
 template <int D>
@@ -54,6 +67,11 @@ std::span<const Command<D>> view_commands() {
         Command<D>{"eye", D == 2 ? "X,Y" : "X,Y,Z", "move the eye; while frozen, of the display view only", "", eye<D>},
         Command<D>{"look", D == 2 ? "X,Y" : "X,Y,Z", "turn the view towards a point", "", look<D>},
         Command<D>{"fov", "DEGREES", "open the view; 360 looks all round", "", fov<D>},
+        Command<D>{"fit", "", "show the whole scene again", "0", [](Workbench<D>& bench, Text) { fit(bench); }},
+        Command<D>{"zoom", "FACTOR", "magnify the picture about its middle", "+=1.25 -=0.8",
+                   [](Workbench<D>& bench, Text text) { zoom(bench, number_argument(text, "a factor")); }},
+        Command<D>{"pan", "DX,DY", "move over the scene, by shares of what is shown: 0.1,0 to the right",
+                   "Alt+Right=0.1,0 Alt+Left=-0.1,0 Alt+Up=0,0.1 Alt+Down=0,-0.1", pan<D>},
         Command<D>{"freeze", "", "keep the culling view; eye, look and fov move the display view", "F", freeze<D>},
         Command<D>{"unfreeze", "", "the display view is the culling view again", "Shift+F", unfreeze<D>},
     };

@@ -25,8 +25,8 @@ void status_line(Ui& ui, Workbench<D>& bench, const Area& area);
 template <int D>
 void panel_column(Ui& ui, Workbench<D>& bench, Column side, const Area& area);
 
-/// The rows of a panel as they are.
-void draw_rows(Ui& ui, const std::vector<Row>& rows, std::uint32_t& hovered_cell);
+/// The rows of a panel as they are; those about the hovered cell stand out.
+void draw_rows(Ui& ui, const std::vector<Row>& rows, std::uint32_t hovered_cell);
 
 /// The settings panel: a widget per row of the settings table, and the presets.
 template <int D>

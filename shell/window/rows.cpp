@@ -24,7 +24,7 @@ void begin_part(const char* name, const Area& area, ImGuiWindowFlags flags) {
                      ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav | flags);
 }
 
-void draw_rows(Ui& ui, const std::vector<Row>& rows, std::uint32_t& hovered_cell) {
+void draw_rows(Ui& ui, const std::vector<Row>& rows, std::uint32_t hovered_cell) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float room = ImGui::GetContentRegionAvail().x, top = ImGui::GetWindowPos().y,
                 bottom = top + ImGui::GetWindowHeight();
@@ -56,7 +56,7 @@ void draw_rows(Ui& ui, const std::vector<Row>& rows, std::uint32_t& hovered_cell
                          row.text.c_str(), nullptr, wrap);
         }
         ImGui::PopFont();
-        if (hovered && row.cell != none) hovered_cell = row.cell;
+        if (hovered && row.cell != none) ui.hovering = row.cell;
         if (hovered && !row.tip.empty()) {
             ImGui::BeginTooltip();
             ImGui::PushTextWrapPos(30 * ImGui::GetFontSize());

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shell/window/theme.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
 #include "core/error.h"
 #include "shell/figure/font.h"
+#include "shell/window/halo.h"
 #include "shell/window/imgui_backend.h"
 
 namespace sightline {
@@ -52,9 +54,12 @@ Fonts load_theme(float text_size, float label_size, float unit, float framebuffe
     if (!std::filesystem::exists(bold)) bold = sans;
     ImGuiIO& io = ImGui::GetIO();
     io.Fonts->Clear();
-    const auto load = [&](const std::string& file, float size) {
+    // One point, but never so thin that a pattern shows through.
+    const int halo = std::clamp(static_cast<int>(std::lround(1.5f * unit * framebuffer)), 2, 5);
+    io.Fonts->TexGlyphPadding = 2 * halo + 1;
+    const auto load = [&](const std::string& file, float size, int oversample = 2) {
         ImFontConfig config;
-        config.OversampleH = 2;
+        config.OversampleH = oversample;
         config.OversampleV = 1;
         config.PixelSnapH = true;
         ImFont* font = io.Fonts->AddFontFromFileTTF(file.c_str(), std::round(size * framebuffer), &config, characters);
@@ -65,11 +70,12 @@ Fonts load_theme(float text_size, float label_size, float unit, float framebuffe
     fonts.text = load(sans, text_size);
     fonts.bold = load(bold, text_size);
     fonts.mono = load(mono, text_size * 0.93f);
-    fonts.label = load(bold, label_size);
+    fonts.label = load(bold, label_size, 1);
     fonts.banner = load(sans, text_size * 1.25f);
     io.FontGlobalScale = 1 / framebuffer;
     ImGui_ImplOpenGL3_DestroyFontsTexture();
     io.Fonts->Build();
+    fonts.label_halo = std::make_shared<const FontHalo>(*fonts.label, halo);
     ImGui_ImplOpenGL3_CreateFontsTexture();
     set_style(unit);
     return fonts;

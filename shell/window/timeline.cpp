@@ -17,7 +17,7 @@ using Drag = TimelineData::Drag;
 
 template <int D>
 void go_to(Ui& ui, Workbench<D>& bench, std::uint32_t step) {
-    if (step == bench.session.position()) return;
+    if (step == bench.session.position() && !bench.substep) return;
     pause(bench);
     go_to_step(bench, step);
     ++ui.revision;
@@ -145,6 +145,7 @@ void header(Ui& ui, Workbench<D>& bench, const TimelineLayout& layout) {
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip("%s", steps ? "count rendered primitives instead" : "count steps instead");
     const auto tip = [&](const Area& lane, const char* id, const char* text) {
+        if (lane.h == 0) return;
         ImGui::SetCursorScreenPos({layout.header.x, lane.y});
         ImGui::InvisibleButton(id, {layout.header.w, lane.h});
         if (!ImGui::IsItemHovered()) return;

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "core/session/lanes.h"
+#include "shell/bench/comparison.h"
 
 namespace sightline {
 
@@ -54,8 +55,11 @@ void update_run(TimelineData& data, const Workbench<D>& bench) {
 template <int D>
 void update_marks(TimelineData& data, const Workbench<D>& bench) {
     const Session<D>& session = bench.session;
-    if (data.bookmarks == session.bookmarks && data.breakpoints == session.breakpoints && data.matched == bench.marked)
+    const std::uint32_t difference = bench.other ? first_difference(bench).step : none;
+    if (data.bookmarks == session.bookmarks && data.breakpoints == session.breakpoints &&
+        data.matched == bench.marked && data.difference == difference)
         return;
+    data.difference = difference;
     data.bookmarks = session.bookmarks;
     data.breakpoints = session.breakpoints;
     data.matched = bench.marked;

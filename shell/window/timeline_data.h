@@ -32,6 +32,7 @@ struct TimelineData {
     std::vector<Bookmark> bookmarks;
     std::vector<Breakpoint> breakpoints;
     std::vector<std::uint32_t> matched;
+    std::uint32_t difference = none;
     std::vector<TimelineMark> marks;
 
     // Of the part that is shown.

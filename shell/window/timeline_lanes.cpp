@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "core/number.h"
 #include "shell/window/theme.h"
@@ -131,14 +132,18 @@ TimelineLayout timeline_layout(const Ui& ui, const Area& area) {
     layout.header = {area.x, area.y, left, area.h};
     layout.ruler = {plot, area.y, w, layout.text + 5 * unit};
     layout.marks = {plot, layout.ruler.y + layout.ruler.h, w, mark_rows * layout.mark_row + 2 * unit};
-    constexpr std::array share{1.45f, 1.0f, 1.0f, 1.15f};
-    const float top = layout.marks.y + layout.marks.h + gap;
-    const float room = area.y + area.h - top - gap * (TimelineLayout::lane_count - 1);
+    std::array share{1.45f, 1.0f, 1.0f, 1.15f};
+    const float top = layout.marks.y + layout.marks.h + gap, room = area.y + area.h - top;
+    // Two titles need two lines.
+    const float both = 2 * (1.8f * layout.text + gap), one = layout.text + gap;
+    if (room < both + 2 * one) share[TimelineLayout::front] = 0;
+    if (room < both + one) share[TimelineLayout::key] = 0;
+    const float whole = std::accumulate(share.begin(), share.end(), 0.0f);
     float y = top;
     for (std::size_t i = 0; i < share.size(); ++i) {
-        const float h = std::max(std::floor(room * share[i] / (1.45f + 1.0f + 1.0f + 1.15f)), unit);
+        const float h = share[i] == 0 ? 0 : std::max(std::floor(room * share[i] / whole - gap), unit);
         layout.lanes[i] = {plot, y, w, h};
-        y += h + gap;
+        if (h > 0) y += h + gap;
     }
     return layout;
 }
@@ -190,19 +195,20 @@ void draw_lanes(ImDrawList& list, const Ui& ui, const TimelineLayout& layout, co
     titles(list, ui, layout, rendered, {{"new, visible", visible}, {"new, hidden", hidden}}, colours.background);
     scale_labels(list, ui, layout, rendered, short_number(up), short_number(down));
 
-    const Area& key = layout.lanes[TimelineLayout::key];
-    const double low = lowest(data, Curve::key), high = highest(data, Curve::key);
-    const Colour& last = stroke(colours, Look::last);
-    staircase(list, spans(data, Curve::key), fit(key, low, high, pad), line, colour(last));
-    titles(list, ui, layout, key, {{"popped key", last}}, colours.background);
-    scale_labels(list, ui, layout, key, short_number(high), short_number(low));
-
-    const Area& front = layout.lanes[TimelineLayout::front];
-    const Colour& enqueued = fill(colours, Look::enqueued);
-    bars(list, spans(data, Curve::front), fit(front, 0, highest(data, Curve::front), pad), 1, unit, colour(enqueued));
-    titles(list, ui, layout, front, {{"front size", enqueued}}, colours.background);
-    scale_labels(list, ui, layout, front, short_number(highest(data, Curve::front)), "0");
-
+    if (const Area& key = layout.lanes[TimelineLayout::key]; key.h > 0) {
+        const double low = lowest(data, Curve::key), high = highest(data, Curve::key);
+        const Colour& last = stroke(colours, Look::last);
+        staircase(list, spans(data, Curve::key), fit(key, low, high, pad), line, colour(last));
+        titles(list, ui, layout, key, {{"popped key", last}}, colours.background);
+        scale_labels(list, ui, layout, key, short_number(high), short_number(low));
+    }
+    if (const Area& front = layout.lanes[TimelineLayout::front]; front.h > 0) {
+        const Colour& enqueued = fill(colours, Look::enqueued);
+        const double high = highest(data, Curve::front);
+        bars(list, spans(data, Curve::front), fit(front, 0, high, pad), 1, unit, colour(enqueued));
+        titles(list, ui, layout, front, {{"front size", enqueued}}, colours.background);
+        scale_labels(list, ui, layout, front, short_number(high), "0");
+    }
     const Area& coverage = layout.lanes[TimelineLayout::coverage];
     const Colour& best = stroke(colours, Look::other);
     if (spans(data, Curve::coverage).empty()) {
@@ -215,7 +221,8 @@ void draw_lanes(ImDrawList& list, const Ui& ui, const TimelineLayout& layout, co
     }
     titles(list, ui, layout, coverage, {{"coverage", visible}, {"oracle", best, true}}, colours.background);
     scale_labels(list, ui, layout, coverage, "1", "0");
-    for (const Area& lane : layout.lanes) list.AddRect(lane.min(), lane.max(), colour(theme::line), 0, 0, unit);
+    for (const Area& lane : layout.lanes)
+        if (lane.h > 0) list.AddRect(lane.min(), lane.max(), colour(theme::line), 0, 0, unit);
 }
 
 void draw_ruler(ImDrawList& list, const Ui& ui, const TimelineLayout& layout, const TimelineData& data) {
@@ -233,7 +240,7 @@ void draw_ruler(ImDrawList& list, const Ui& ui, const TimelineLayout& layout, co
     for (const RulerLabel& label : ruler_labels(data.axis, data.budgets, width, 9 * unit)) {
         const bool budget = label.kind == RulerLabel::Kind::budget, number = label.kind == RulerLabel::Kind::number;
         const float y = ruler.y, handle = x_of_step(data.axis, data.position), half = handle_half(ui, data);
-        if (number && label.left < handle + half && label.left + label.w > handle - half) continue;
+        if (label.left - 3 * unit < handle + half && label.left + label.w + 3 * unit > handle - half) continue;
         if (budget)
             list.AddRectFilled({label.left - 3 * unit, y}, {label.left + label.w + 3 * unit, y + layout.text + unit},
                                colour(theme::lit), 2 * unit);
@@ -276,18 +283,21 @@ void draw_position(ImDrawList& list, const Ui& ui, const TimelineLayout& layout,
                    const Colours& colours) {
     const float unit = ui.unit, right = layout.ruler.x + layout.ruler.w;
     const float x = std::clamp(x_of_step(data.axis, data.position), layout.ruler.x, right);
-    for (const Area& lane : layout.lanes)
-        list.AddRectFilled({x, lane.y}, {right, lane.y + lane.h}, colour(with_alpha(colours.background, 150)));
+    for (const Area& lane : layout.lanes) {
+        const bool words = &lane == &layout.lanes.back() && spans(data, Curve::coverage).empty();
+        if (!words)
+            list.AddRectFilled({x, lane.y}, {right, lane.y + lane.h}, colour(with_alpha(colours.background, 150)));
+    }
     const float at = x_of_step(data.axis, data.position);
     if (at < layout.ruler.x - 1 || at > right + 1) return;
     list.AddRectFilled({x - unit, layout.ruler.y}, {x + unit, layout.bottom()}, colour(theme::accent));
     const std::string text = std::to_string(data.position);
-    const float half = handle_half(ui, data);
-    const float foot = layout.ruler.y + layout.text + unit;
-    list.AddRectFilled({x - half, layout.ruler.y}, {x + half, foot}, colour(theme::accent), 3 * unit);
+    const float half = handle_half(ui, data), foot = layout.ruler.y + layout.text + unit;
+    const float middle = std::min(x, right + 8 * unit - half);  // at the end of the run it stays in the window
+    list.AddRectFilled({middle - half, layout.ruler.y}, {middle + half, foot}, colour(theme::accent), 3 * unit);
     list.AddTriangleFilled({x - 5 * unit, foot - unit}, {x + 5 * unit, foot - unit}, {x, foot + 5 * unit},
                            colour(theme::accent));
-    small_text(list, ui, x, layout.ruler.y, text, {255, 255, 255}, 0.5f);
+    small_text(list, ui, middle, layout.ruler.y, text, {255, 255, 255}, 0.5f);
 }
 
 void draw_hovered_step(ImDrawList& list, const Ui& ui, const TimelineLayout& layout, const TimelineData& data,

@@ -13,8 +13,8 @@ struct TimelineLayout {
     Area header;  ///< titles and scales, left of the plot
     Area ruler, marks;
     enum Lane : std::uint8_t { rendered, key, front, coverage, lane_count };
-    std::array<Area, lane_count> lanes;
-    float text = 0;  ///< height of the small text
+    std::array<Area, lane_count> lanes;  ///< h = 0: left out, there is no room for it
+    float text = 0;                      ///< height of the small text
     float mark_row = 0;
     float bottom() const { return lanes.back().y + lanes.back().h; }
 };

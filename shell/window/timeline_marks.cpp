@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/number.h"
+#include "shell/bench/comparison.h"
 
 namespace sightline {
 
@@ -27,6 +28,9 @@ std::vector<TimelineMark> timeline_marks(const Workbench<D>& bench, const std::v
     }
     for (const Bookmark& bookmark : bench.session.bookmarks)
         marks.push_back({bookmark.step, MarkKind::bookmark, bookmark.label});
+    if (bench.other)
+        if (const std::uint32_t step = first_difference(bench).step; step != none)
+            marks.push_back({step, MarkKind::difference, ""});
     std::erase_if(marks, [&](const TimelineMark& mark) { return mark.step > bench.session.recorded(); });
     std::stable_sort(marks.begin(), marks.end(), [](const TimelineMark& a, const TimelineMark& b) {
         return a.kind != b.kind ? a.kind < b.kind : a.step < b.step;

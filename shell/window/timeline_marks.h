@@ -13,7 +13,7 @@
 
 namespace sightline {
 
-enum class MarkKind : std::uint8_t { penalty, mis_ranked, unreached, matched, breakpoint, bookmark, count };
+enum class MarkKind : std::uint8_t { penalty, mis_ranked, unreached, matched, breakpoint, bookmark, difference, count };
 enum class MarkShape : std::uint8_t { triangle, diamond, ring, cross, disc, flag };
 
 /// How each kind looks, in the order of MarkKind, which is also the order of drawing.
@@ -32,6 +32,7 @@ inline constexpr auto mark_looks = std::to_array<MarkLook>({
     {"match", "the step matches the condition of mark", MarkShape::cross, {0, 110, 90}, 3},
     {"breakpoint", "a breakpoint on this step", MarkShape::disc, {170, 30, 20}, 3},
     {"bookmark", "a step that has a name", MarkShape::flag, {0, 90, 170}, 3},
+    {"difference", "the first step that the two sides do differently", MarkShape::diamond, {0, 0, 0}, 3},
 });
 inline const MarkLook& look(MarkKind kind) { return mark_looks[static_cast<std::size_t>(kind)]; }
 

@@ -150,7 +150,8 @@ void transport_bar(Ui& ui, Workbench<D>& bench, const Area& area) {
     ImGui::Text("%u rendered, coverage %s", s.state().rendered_count, share ? short_number(*share).c_str() : "-");
 
     const std::array panels{std::pair{"scenes", "Scenes"}, std::pair{"show settings", "Settings"},
-                            std::pair{"projector", "Projector"}, std::pair{"help", "Keys"}};
+                            std::pair{"show why", "Why"}, std::pair{"projector", "Projector"},
+                            std::pair{"help", "Keys"}};
     float w = 0;
     for (const auto& [command, title] : panels)
         w += ImGui::CalcTextSize(title).x + 2 * ImGui::GetStyle().FramePadding.x + ImGui::GetStyle().ItemSpacing.x;

@@ -6,12 +6,14 @@
 
 #include <array>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "core/draw/draw_list.h"
 #include "shell/panels/panel.h"
 #include "shell/window/timeline_data.h"
+#include "core/space/tree.h"
 
 namespace sightline {
 
@@ -23,9 +25,12 @@ struct Area {
     ImVec2 max() const { return {x + w, y + h}; }
 };
 
+class FontHalo;
+
 struct Fonts {
     ImFont *text = nullptr, *bold = nullptr, *mono = nullptr;
     ImFont* label = nullptr;   ///< numbers on cells
+    std::shared_ptr<const FontHalo> label_halo;
     ImFont* banner = nullptr;  ///< the formula of the projector mode
 };
 
@@ -53,6 +58,9 @@ struct Ui {
     bool awaits_text = false;          ///< a text field was opened and will take the keyboard: keys are letters already
     std::uint64_t followed = 0;        ///< the revision whose lit line was brought into view
     TimelineData timeline;
+    /// The cell under the mouse: whatever part it is over writes it here, and the next frame has it in
+    /// Workbench::hovered_cell for all parts to outline.
+    std::uint32_t hovering = none;
     /// Runs commands; says what went wrong instead of throwing.
     std::function<void(const std::string& commands)> act;
 };

@@ -247,6 +247,9 @@ void Window<D>::lay_out() {
     Desk& desk = bench_.desk;
     const float unit = ui_.unit, line = ImGui::GetTextLineHeightWithSpacing();
     bench_.places.clear();
+    bench_.hovered_cell = std::exchange(ui_.hovering, none);
+    if (bench_.hovered_cell != none && bench_.hovered_cell >= bench_.session.cells().cell_count())
+        bench_.hovered_cell = none;
     Area middle{0, 0, size.x, size.y};
     if (desk.projector) {
         const float banner = banner_height(ui_);
@@ -260,14 +263,6 @@ void Window<D>::lay_out() {
         middle.h = size.y - middle.y - status;
         status_line(ui_, bench_, {0, size.y - status, size.x, status});
         const float widest = size.x * 0.4f, strip = splitter_width(ui_);
-        if (desk.timeline) {
-            const float highest = middle.h * 0.5f, bottom = middle.y + middle.h;
-            const float h = std::min(static_cast<float>(desk.timeline_height) * unit, highest);
-            middle.h -= h + strip;
-            desk.timeline_height = splitter(ui_, "split timeline", {0, middle.y + middle.h, size.x, strip},
-                                            {false, bottom, least_timeline * unit, highest}, desk.timeline_height);
-            timeline(ui_, bench_, {0, bottom - h, size.x, h});
-        }
         const auto column = [&](Column side, const std::string& shown, double& width) {
             const float w = shown.empty() ? 0 : std::min(static_cast<float>(width) * unit, widest);
             if (w == 0) return;
@@ -282,6 +277,14 @@ void Window<D>::lay_out() {
         };
         column(Column::left, desk.left, desk.left_width);
         column(Column::right, desk.right, desk.right_width);
+        if (desk.timeline) {
+            const float highest = middle.h * 0.5f, bottom = middle.y + middle.h;
+            const float h = std::min(static_cast<float>(desk.timeline_height) * unit, highest);
+            middle.h -= h + strip;
+            desk.timeline_height = splitter(ui_, "split timeline", {middle.x, middle.y + middle.h, middle.w, strip},
+                                            {false, bottom, least_timeline * unit, highest}, desk.timeline_height);
+            timeline(ui_, bench_, {middle.x, bottom - h, middle.w, h});
+        }
     }
     if (stage.interact && middle.w > 8 && middle.h > 8) {
         bench_.places.push_back({"picture", middle.x, middle.y, middle.w, middle.h});
@@ -304,8 +307,9 @@ template <int D>
 void Window<D>::frame(double seconds) {
     take_events();
     if (bench_.transport.playing) {
+        const std::uint32_t before = bench_.session.position();
         advance_clock(bench_, seconds);
-        ++ui_.revision;
+        ui_.revision += bench_.session.position() != before;
     }
     if (fullscreen_ != bench_.desk.fullscreen) {
         fullscreen_ = bench_.desk.fullscreen;

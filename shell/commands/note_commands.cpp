@@ -1,0 +1,126 @@
+// Commands about notes.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include "core/error.h"
+#include "core/number.h"
+#include "shell/bench/history.h"
+#include "shell/bench/moves.h"
+#include "shell/commands/arguments.h"
+#include "shell/commands/groups.h"
+
+namespace sightline {
+
+namespace {
+
+/// "[DX,DY] words" -> the offset, and words without it.
+std::optional<Vec<2>> take_offset(std::string& words) {
+    if (!words.starts_with('[')) return std::nullopt;
+    const std::size_t end = words.find(']'), comma = words.find(',');
+    const std::string_view view = words;
+    const auto x = end == std::string::npos || comma > end ? std::nullopt : parse_number(view.substr(1, comma - 1));
+    const auto y = !x ? std::nullopt : parse_number(view.substr(comma + 1, end - comma - 1));
+    if (!x || !y) throw InputError("write the offset in points as [DX,DY]");
+    const std::size_t start = words.find_first_not_of(' ', end + 1);
+    words = start == std::string::npos ? "" : words.substr(start);
+    return Vec<2>{*x, *y};
+}
+
+/// "{FROM-TO} words" -> the steps in which a note shows, and words without them.
+std::optional<std::array<std::uint32_t, 2>> take_steps(std::string& words) {
+    if (!words.starts_with('{')) return std::nullopt;
+    const std::size_t end = words.find('}'), dash = words.find('-');
+    const std::string_view view = words;
+    if (end == std::string::npos || dash > end) throw InputError("write the steps of a note as {FROM-TO} or {FROM-}");
+    const auto first = parse_whole(view.substr(1, dash - 1));
+    const std::string_view to = view.substr(dash + 1, end - dash - 1);
+    const auto last = to.empty() ? std::optional(none) : parse_whole(to);
+    if (!first || !last) throw InputError("write the steps of a note as {FROM-TO} or {FROM-}");
+    const std::size_t start = words.find_first_not_of(' ', end + 1);
+    words = start == std::string::npos ? "" : words.substr(start);
+    return std::array{*first, *last};
+}
+
+/// X,Y, cell:ID or primitive:ID.
+template <int D>
+void set_anchor(const Workbench<D>& bench, Note<D>& note, Text anchor) {
+    using Anchor = typename Note<D>::Anchor;
+    if (anchor.starts_with("cell:")) {
+        note.anchor = Anchor::cell;
+        note.index = cell_argument(bench, anchor.substr(5));
+    } else if (anchor.starts_with("primitive:")) {
+        note.anchor = Anchor::primitive;
+        note.index = primitive_argument(bench, anchor.substr(10));
+    } else {
+        note.anchor = Anchor::point;
+        note.point = parse_point(anchor, bench.session.scene());
+    }
+}
+
+/// KIND ANCHOR [DX,DY] {FROM-TO} TEXT
+template <int D>
+void note(Workbench<D>& bench, Text text) {
+    Note<D> note;
+    const auto [kind, rest] = split_word(text);
+    note.kind = static_cast<typename Note<D>::Kind>(word_argument(kind, note_kind_words));
+    auto [anchor, words] = split_word(rest);
+    set_anchor(bench, note, anchor);
+    if (const auto offset = take_offset(words)) note.offset_pt = *offset;
+    if (const auto steps = take_steps(words)) std::tie(note.first_step, note.last_step) = std::tuple_cat(*steps);
+    note.text = words;
+    if (note.kind == Note<D>::Kind::callout)
+        for (const Note<D>& other : bench.session.notes) note.number = std::max(note.number, other.number);
+    note.number += note.kind == Note<D>::Kind::callout;
+    remember(bench);
+    bench.session.notes.push_back(note);
+    take_along(bench);
+}
+
+/// N delete, N at ANCHOR, or N [DX,DY] {FROM-TO} TEXT, any of these; N from 1, or selected.
+template <int D>
+void edit_note(Workbench<D>& bench, Text text) {
+    const auto [number, what] = split_word(text);
+    const std::uint32_t index = note_argument(bench, number);
+    auto& notes = bench.session.notes;
+    Note<D> note = notes[index];
+    std::string words = what;
+    const bool deletes = words == "delete";
+    if (words.starts_with("at ")) {
+        set_anchor(bench, note, words.substr(3));
+    } else if (!deletes) {
+        const auto offset = take_offset(words);
+        const auto steps = take_steps(words);
+        if (words.empty() && !steps && !offset)
+            throw InputError("write the new text, [DX,DY], {FROM-TO}, at ANCHOR, or delete");
+        if (offset) note.offset_pt = *offset;
+        if (steps) std::tie(note.first_step, note.last_step) = std::tuple_cat(*steps);
+        if (!words.empty()) note.text = words;
+    }
+    remember(bench);
+    if (deletes) {
+        notes.erase(notes.begin() + index);
+        bench.selected_note = none;
+    } else {
+        notes[index] = note;
+    }
+    take_along(bench);
+}
+
+}  // namespace
+
+template <int D>
+std::span<const Command<D>> note_commands() {
+    static constexpr std::array table{
+        Command<D>{"note", "KIND ANCHOR [[DX,DY]] [{FROM-TO}] TEXT",
+                   "text, arrow, ring or callout at X,Y, cell:ID, cell:last or primitive:ID, text shifted in points, "
+                   "shown in these steps",
+                   "", note<D>},
+        Command<D>{"note-edit", "N TEXT | N [DX,DY] | N {FROM-TO} | N at ANCHOR | N delete",
+                   "change, move or delete the note of this number, or the selected one", "", edit_note<D>},
+    };
+    return table;
+}
+
+template std::span<const Command<2>> note_commands<2>();
+
+}  // namespace sightline

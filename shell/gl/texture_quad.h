@@ -1,0 +1,24 @@
+// A texture laid over a rectangle of the framebuffer.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "shell/gl/handles.h"
+
+namespace sightline {
+
+/// Made, used and destroyed while one OpenGL 3.3 context is current.
+class TextureQuad {
+public:
+    TextureQuad();
+
+    /// Fills the rectangle (framebuffer pixels, y up) with all of the texture. `blended`: over what is there, for a
+    /// texture of colours already multiplied by their opacity, which drawing onto transparent black gives. Leaves
+    /// behind: this viewport, no blending, no program, no scissor test.
+    void draw(GLuint texture, int x, int y, int w, int h, bool blended) const;
+
+private:
+    GlProgram program_;
+    GlVertexArray layout_;
+};
+
+}  // namespace sightline

@@ -1,0 +1,64 @@
+// One session's picture in the window: lists, OpenGL and labels, made again only when they change.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/draw/picture.h"
+#include "shell/gl/list_renderer.h"
+#include "shell/gl/target.h"
+#include "shell/gl/texture_quad.h"
+#include "shell/window/legend.h"
+#include "viewer2d/camera.h"
+
+namespace sightline {
+
+class Pane2d {
+public:
+    /// Brings everything up to date. `options.world` fills the area. A new `revision` says that the session or the
+    /// options may have changed. Draws off screen; leaves the default framebuffer bound.
+    void update(const Ui& ui, const Session<2>& session, const PictureOptions& options, std::uint64_t revision,
+                const Area& area, bool projector, bool with_legend);
+
+    /// Lays the picture onto the default framebuffer.
+    void draw() const;
+    /// Labels of the picture and texts of the legend.
+    void draw_texts(ImDrawList& list, const Ui& ui) const;
+
+    const Camera& camera() const { return camera_; }
+    /// Where the labels stand; those of notes have the numbers of the current notes (core/draw/notes.h).
+    const std::vector<LabelSpot>& spots() const { return spots_; }
+
+private:
+    struct Size {
+        int x = 0, y = 0, w = 0, h = 0;  ///< framebuffer pixels, y up
+        double px_per_pt = 0, line_scale = 1;
+        bool operator==(const Size&) const = default;
+    };
+    /// What the layer of borders was drawn from.
+    struct Borders {
+        std::vector<Vec<2>> points;
+        std::vector<std::uint32_t> facet_points;
+        Palette palette{};
+        Box<2> world;
+        Size size;
+    };
+
+    void make_legend_box(const Ui& ui, const Session<2>& session, const PictureOptions& options);
+    void draw_borders(const Session<2>& session, const PictureOptions& options, const ListView& view);
+    void render(const Session<2>& session, const PictureOptions& options);
+    ListView view(const Box<2>& world) const;
+
+    Camera camera_;
+    Size size_;
+    std::uint64_t revision_ = 0;
+    DrawList below_, above_;
+    ListRenderer below_renderer_, border_renderer_, above_renderer_, legend_renderer_;
+    TextureQuad quad_;
+    std::optional<GlTarget> picture_, border_picture_;
+    Borders borders_;
+    LegendBox legend_;
+    Area legend_area_;
+    std::vector<LabelSpot> spots_, legend_spots_;
+    LabelMemory memory_;
+};
+
+}  // namespace sightline

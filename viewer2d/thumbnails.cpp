@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "viewer2d/thumbnails.h"
+
+#include <exception>
+
+#include "core/draw/palette.h"
+#include "core/draw/picture.h"
+#include "core/draw/shown_world.h"
+#include "core/scene/catalogue.h"
+#include "core/scene/load.h"
+#include "shell/bench/open.h"
+
+namespace sightline {
+
+namespace {
+
+constexpr int samples = 4;
+
+DrawList at_the_end(const CatalogueRow& row, double aspect) {
+    Settings settings = start_settings(row.id);
+    settings.show_tessellation = Switch::off;
+    Session<2> session(std::make_shared<const Scene<2>>(make_scene(row)), row.view, settings);
+    session.run();
+    PictureOptions options;
+    options.aspect = aspect;
+    return make_picture(session, options);
+}
+
+DrawList segments_alone(const Scene<2>& scene, double aspect) {
+    DrawList list;
+    list.world = widened(bounds<2>(scene.primitives), aspect);
+    list.styles = colours(Palette::standard).looks;
+    for (const Primitive<2>& segment : scene.primitives)
+        list.add(ShapeKind::polyline, static_cast<std::uint16_t>(Look::other), {segment[0], segment[1]});
+    return list;
+}
+
+}  // namespace
+
+GLuint Thumbnails::texture(const SceneChoice& scene, int width, int height) {
+    const auto found = made_.find(scene.name);
+    const bool there = found != made_.end() &&
+                       (!found->second || (found->second->width() == width && found->second->height() == height));
+    if (there) return found->second ? found->second->texture() : 0;
+    if (made_one_ || width < 1 || height < 1) return 0;
+    made_one_ = true;
+    std::unique_ptr<GlTarget>& target = made_[scene.name];
+    target.reset();
+    try {
+        const double aspect = static_cast<double>(width) / height;
+        const CatalogueRow* const row = find_in_catalogue(scene.name);
+        const DrawList list = row ? at_the_end(*row, aspect) : segments_alone(load_scene(scene.name), aspect);
+        target = std::make_unique<GlTarget>(width, height, samples);
+        target->bind();
+        glClearColor(1, 1, 1, 1);
+        glClear(GL_COLOR_BUFFER_BIT);
+        renderer_.set(list);
+        // Thinner than in a picture of full size.
+        renderer_.draw({list.world, 0, 0, width, height, 0.7, 1});
+        target->resolve();
+    } catch (const std::exception&) {
+        return 0;  // the chooser shows an empty frame; opening the scene says why
+    }
+    return target->texture();
+}
+
+}  // namespace sightline
