@@ -19,8 +19,7 @@ state() {
 }
 
 state 01-street streets --headless --do "seek start"
-state 02-bottleneck bottleneck --headless \
-    --do "note callout cell:26 [-70,40] {7-15} hidden, and yet first; note callout cell:13 [-70,10] {7-15} visible, and waits"
+state 02-bottleneck bottleneck --headless --do "seek start"
 state 03-one-step bottleneck --headless --do "seek 6"
 state 04-penalty bottleneck --headless --do "compare penalty=multiply"
 state 05-forgotten-wall forget --headless --set show_chain=on --do "seek 104; select last"
