@@ -428,7 +428,8 @@ TEST_F(Commands, EveryOneOfTheTableDoesWhatItSays) {
              run("undo; undo; undo; select 4; seek 10");
              EXPECT_EQ(session().scene().primitives.size(), segments);
              EXPECT_EQ(session().selected_primitive, none);
-             test::expect_input_error([&] { run("delete"); }, "command 'delete': command 'segment delete': no primitive is selected");
+             test::expect_input_error([&] { run("delete"); },
+                                      "command 'delete': command 'segment delete': no primitive is selected");
              run("select none");
          }},
         {"note-edit",

@@ -30,7 +30,7 @@ TEST_F(GlContextTest, CollectsAnErrorOnce) {
 }
 
 TEST_F(GlContextTest, OffScreenIsNoDisplay) {
-    EXPECT_FALSE(has_display());
+    EXPECT_FALSE(Display().found());
     EXPECT_THROW(GlContext(GlContext::Place::window, "window", 64, 64), WorkError);
     context->make_current();  // the one that there is works on
     EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));

@@ -21,7 +21,8 @@ void add_view(const ViewSpec<2>& view, const Camera& camera, float unit, bool fr
     const ImVec2 eye = camera.to_window(view.eye);
     const Vec<2> d = glm::normalize(view.look_at - view.eye);
     const auto at = [&](double angle, double distance) {
-        const Vec<2> turned(d.x * std::cos(angle) - d.y * std::sin(angle), d.x * std::sin(angle) + d.y * std::cos(angle));
+        const Vec<2> turned(d.x * std::cos(angle) - d.y * std::sin(angle),
+                            d.x * std::sin(angle) + d.y * std::cos(angle));
         return ImVec2(eye.x + static_cast<float>(turned.x * distance) * unit,
                       eye.y - static_cast<float>(turned.y * distance) * unit);
     };

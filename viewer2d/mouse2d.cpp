@@ -62,8 +62,7 @@ void Mouse2d::look_under(Ui& ui, std::span<const MousePane> panes) {
     if (!pane_) return;
     if (pane_->session->culling_view() == bench_.session.culling_view() || pane_->lead)
         handles_ = handle_points(bench_.session, pane_->camera, ui.unit);
-    if (!pane_->lead)
-        std::erase_if(handles_, [](const HandlePoint& h) { return h.handle >= Handle::segment_start; });
+    if (!pane_->lead) std::erase_if(handles_, [](const HandlePoint& h) { return h.handle >= Handle::segment_start; });
     const std::vector<ShownNote> notes = shown_notes(*pane_);
     for (const ShownNote& shown : notes)
         if (shown.note == bench_.selected_note) handles_.push_back({Handle::note_anchor, shown.spot->anchor});
@@ -86,8 +85,8 @@ void Mouse2d::wheel(Ui& ui) {
 
 void Mouse2d::press(Ui&) {
     const ImGuiIO& io = ImGui::GetIO();
-    Drag drag{DragKind::pan, Handle::none, none, pane_->camera.to_scene(io.MousePos), pane_->camera,
-              begin_gesture(bench_)};
+    Drag drag{DragKind::pan, Handle::none,         none, pane_->camera.to_scene(io.MousePos),
+              pane_->camera, begin_gesture(bench_)};
     if (io.MouseClicked[ImGuiMouseButton_Left]) {
         drag.handle = pick_.handle;
         drag.note = note_;
@@ -104,13 +103,12 @@ void Mouse2d::place_note(Ui& ui) {
     const Session<2>& session = bench_.session;
     const Vec<2> at = pane_->camera.to_scene(mouse);
     const std::uint32_t cell = centre_near(session, pane_->camera, at, ui.unit);
-    const std::string anchor =
-        cell != none ? "cell:" + std::to_string(cell) : point_text(at, session.scene());
+    const std::string anchor = cell != none ? "cell:" + std::to_string(cell) : point_text(at, session.scene());
     const Tool tool = bench_.desk.tool;
-    field_.open(mouse,
-                "note " + std::string(tool_words[static_cast<std::size_t>(tool)]) + " " + anchor + " " +
-                    first_offset(tool),
-                "tool select");
+    field_.open(
+        mouse,
+        "note " + std::string(tool_words[static_cast<std::size_t>(tool)]) + " " + anchor + " " + first_offset(tool),
+        "tool select");
 }
 
 void Mouse2d::edit_note(std::uint32_t index, const ImVec2& at) {

@@ -5,8 +5,8 @@
 #include <optional>
 #include <span>
 
-#include "shell/window/note_field.h"
 #include "shell/window/labels.h"
+#include "shell/window/note_field.h"
 #include "viewer2d/drag2d.h"
 
 namespace sightline {
@@ -15,8 +15,8 @@ namespace sightline {
 struct MousePane {
     const Session<2>* session = nullptr;
     Camera camera;
-    bool lead = true;        ///< it is the bench's own session: with handles and notes
-    bool same_cells = true;  ///< cells have the numbers of the bench's session
+    bool lead = true;                       ///< it is the bench's own session: with handles and notes
+    bool same_cells = true;                 ///< cells have the numbers of the bench's session
     std::span<const LabelSpot> note_spots;  ///< of the current notes
 };
 

@@ -62,9 +62,9 @@ void Pane2d::update(const Ui& ui, const Session<2>& session, const PictureOption
     legend_area_ = {};
     if (with_legend) make_legend_box(ui, session, options);
     const std::array<Area, 1> taken{legend_area_};
-    spots_ = place_labels(
-        above_.labels, label_paper(ui, area, [this](const Vec<2>& p) { return camera_.to_window(p); }),
-        legend_.w > 0 ? std::span<const Area>(taken) : std::span<const Area>(), memory_);
+    spots_ =
+        place_labels(above_.labels, label_paper(ui, area, [this](const Vec<2>& p) { return camera_.to_window(p); }),
+                     legend_.w > 0 ? std::span<const Area>(taken) : std::span<const Area>(), memory_);
     render(session, options);
 }
 
@@ -73,7 +73,7 @@ void Pane2d::make_legend_box(const Ui& ui, const Session<2>& session, const Pict
     const auto rows = legend_rows(lists, session.settings(), current_notes(session));
     LabelPaper paper = label_paper(ui, camera_.area, [](const Vec<2>&) { return ImVec2(); });
     legend_ = make_legend(rows, colour_bar(session, options), colours(session.settings().palette), paper.measure,
-                          ui.unit);
+                          ui.unit, size_.line_scale);
     // A legend that would take most of the picture helps nobody.
     if (legend_.h > camera_.area.h - 20 * ui.unit || legend_.w > camera_.area.w / 2) legend_ = {};
     if (legend_.w == 0) return;

@@ -78,7 +78,7 @@ void Picture2d::outline(const Ui& ui, const MousePane& pane, std::uint32_t cell)
     std::vector<ImVec2> corners;
     for (const std::uint32_t p : cells.corners_of(cell)) corners.push_back(pane.camera.to_window(cells.points[p]));
     const Colours& palette = colours(bench_.session.settings().palette);
-    const float width = (bench_.desk.projector ? 2.0f : 1.0f) * ui.unit;
+    const float width = (bench_.desk.projector ? 1.5f : 1.0f) * ui.unit;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     // Lines with round joints: the corners of slivers would grow into spikes.
     const auto ring = [&](ImU32 ink, float thickness) {
@@ -138,7 +138,8 @@ void Picture2d::draw_over(Ui& ui, const std::vector<MousePane>& panes, const Are
 }
 
 void Picture2d::interact(Ui& ui, const Area& area) {
-    ImGui::InvisibleButton("scene", {area.w, area.h}, ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle);
+    ImGui::InvisibleButton("scene", {area.w, area.h},
+                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle);
     mouse_.frame(ui, mouse_panes(area));
     update(ui, area);
     draw_over(ui, mouse_panes(area), area);

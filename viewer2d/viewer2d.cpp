@@ -3,6 +3,7 @@
 
 #include <iostream>
 #include <new>
+#include <optional>
 
 #include "core/error.h"
 #include "core/file.h"
@@ -161,7 +162,9 @@ void print_summary(const Workbench<2>& bench) {
 }
 
 void obey(const Options& o, std::span<const Method<2>> methods) {
-    const bool window = !o.headless && has_display();
+    std::optional<Display> display;
+    if (!o.headless) display.emplace();
+    const bool window = display && display->found();
     if (!o.headless && !window) std::cerr << "viewer2d: no display found; doing the same as with --headless\n";
     Recalled recalled;
     const std::filesystem::path memory = memory_file("viewer2d");

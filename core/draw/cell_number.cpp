@@ -40,20 +40,21 @@ std::vector<std::optional<double>> cell_numbers(const Session<2>& session, CellN
 }
 
 std::optional<std::array<double, 2>> number_range(const Session<2>& session, CellNumber what) {
-    std::vector<std::optional<double>> numbers;
-    if (what == CellNumber::solidity || what == CellNumber::order) {
-        Session<2> at_end = session;
-        at_end.seek(session.recorded());
-        numbers = cell_numbers(at_end, what);
-    } else {
-        numbers = cell_numbers(session, what);  // the same at each step
-    }
     std::optional<std::array<double, 2>> range;
-    for (const auto& number : numbers) {
-        if (!number) continue;
-        if (!range) range = {*number, *number};
-        range = {std::min((*range)[0], *number), std::max((*range)[1], *number)};
+    const auto add = [&range](double number) {
+        if (!range) range = {number, number};
+        range = {std::min((*range)[0], number), std::max((*range)[1], number)};
+    };
+    Session<2> at_end = session;
+    if (what == CellNumber::solidity || what == CellNumber::order) {  // the others are the same at each step
+        at_end.set_time_stop(none);
+        at_end.seek(session.recorded());
     }
+    for (const auto& number : cell_numbers(at_end, what))
+        if (number) add(*number);
+    if (what == CellNumber::solidity)  // keys that were replaced later
+        for (const FacetRecord& record : at_end.timeline().facets)
+            if (record.state == CellState::enqueued || record.state == CellState::projected) add(record.key);
     return range;
 }
 

@@ -45,8 +45,8 @@ struct Workbench {
     History<D> history{};
     std::vector<std::uint32_t> marked{};  ///< steps that `mark` found
     std::string marked_by{};              ///< its condition
-    std::uint32_t hovered_cell = none;   ///< under the mouse, in whatever part of the window
-    std::uint32_t selected_note = none;  ///< index; being moved or edited
+    std::uint32_t hovered_cell = none;    ///< under the mouse, in whatever part of the window
+    std::uint32_t selected_note = none;   ///< index; being moved or edited
     Desk desk{};
     Clipboard clipboard{};
     std::vector<std::string> recent{};  ///< what `open` took, newest first

@@ -49,8 +49,8 @@ template <>
 std::span<const Command<2>> edit_commands<2>() {
     static constexpr std::array table{
         Command<2>{"segment", "add X,Y X,Y | move ID X,Y X,Y | delete [ID]",
-                   "change the segments; ID is a number or selected, delete alone takes the selected one",
-                   "", edit_segment},
+                   "change the segments; ID is a number or selected, delete alone takes the selected one", "",
+                   edit_segment},
         Command<2>{"delete", "", "delete the selected note or segment", "Delete", delete_selected},
         Command<2>{"scene", "new | save FILE", "an empty scene, or write this one", "Ctrl+N=new", edit_scene},
     };

@@ -87,7 +87,8 @@ void mark_all(Workbench<D>& bench, Text text) {
 template <int D>
 std::span<const Command<D>> mark_commands() {
     static constexpr std::array table{
-        Command<D>{"select", "ID | last | primitive:ID | note:N | none", "select a cell, a primitive or a note", "J=last", select<D>},
+        Command<D>{"select", "ID | last | primitive:ID | note:N | none", "select a cell, a primitive or a note",
+                   "J=last", select<D>},
         Command<D>{"bookmark", "LABEL", "name this step", "B=?", bookmark<D>},
         Command<D>{"break", "CONDITION | selected | here | none", "set a breakpoint, or take it away",
                    "F9=? Shift+F9=selected", set_breakpoint<D>},

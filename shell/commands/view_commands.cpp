@@ -4,8 +4,8 @@
 #include "core/error.h"
 #include "core/number.h"
 #include "shell/bench/change.h"
-#include "shell/bench/zoom.h"
 #include "shell/bench/moves.h"
+#include "shell/bench/zoom.h"
 #include "shell/commands/arguments.h"
 #include "shell/commands/groups.h"
 

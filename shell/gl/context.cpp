@@ -59,20 +59,29 @@ std::string version_found(SDL_Window* window) {
 
 }  // namespace
 
-bool has_display() {
-    if (SDL_WasInit(SDL_INIT_VIDEO)) return is_window_system(SDL_GetCurrentVideoDriver());
-    const char* asked = SDL_GetHint(SDL_HINT_VIDEODRIVER);
-    const auto opens = [](std::string_view driver) {
+Display::Display() {
+    const char* before = SDL_GetHint(SDL_HINT_VIDEODRIVER);
+    const std::string asked = before ? before : "";
+    const auto connect = [&](const std::string& driver) {
         // Its library complains on standard error where it cannot be at all.
         if (driver == "wayland" && !std::getenv("XDG_RUNTIME_DIR")) return false;
-        if (!is_window_system(driver) || SDL_VideoInit(driver.data()) != 0) return false;
-        SDL_VideoQuit();
-        return true;
+        if (!is_window_system(driver)) return false;
+        SDL_SetHintWithPriority(SDL_HINT_VIDEODRIVER, driver.c_str(), SDL_HINT_OVERRIDE);
+        const bool good = SDL_InitSubSystem(SDL_INIT_VIDEO) == 0;
+        SDL_SetHintWithPriority(SDL_HINT_VIDEODRIVER, asked.c_str(), SDL_HINT_OVERRIDE);
+        if (!good || is_window_system(SDL_GetCurrentVideoDriver())) return good;
+        SDL_QuitSubSystem(SDL_INIT_VIDEO);  // that of a context off screen
+        return false;
     };
-    if (asked && *asked) return opens(asked);
-    for (int i = 0; i < SDL_GetNumVideoDrivers(); ++i)
-        if (opens(SDL_GetVideoDriver(i))) return true;
-    return false;
+    if (!asked.empty()) {
+        found_ = connect(asked);
+        return;
+    }
+    for (int i = 0; i < SDL_GetNumVideoDrivers() && !found_; ++i) found_ = connect(SDL_GetVideoDriver(i));
+}
+
+Display::~Display() {
+    if (found_) SDL_QuitSubSystem(SDL_INIT_VIDEO);
 }
 
 GlContext::Video::Video(Place place) {

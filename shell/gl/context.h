@@ -10,10 +10,21 @@
 
 namespace sightline {
 
-/// Whether SDL finds a window system (X11, Wayland, …) that windows can be opened on. SDL's off-screen drivers do not
-/// count, nor does the bare console, which a program started from a distance must not seize. SDL_VIDEODRIVER narrows
-/// the choice as usual. Before or after, not during, the life of a GlContext off screen, where it is false.
-bool has_display();
+/// A window system (X11, Wayland, …) that windows can be opened on, if SDL finds one, and the connection to it: not
+/// given up and taken again between looking and opening a window, which some servers do not bear. SDL's off-screen
+/// drivers do not count, nor does the bare console, which a program started from a distance must not seize.
+/// SDL_VIDEODRIVER narrows the choice as usual. None is found during the life of a GlContext off screen.
+class Display {
+public:
+    Display();
+    ~Display();
+    Display(const Display&) = delete;
+    Display& operator=(const Display&) = delete;
+    bool found() const { return found_; }
+
+private:
+    bool found_ = false;
+};
 
 class GlContext {
 public:

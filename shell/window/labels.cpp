@@ -149,8 +149,7 @@ void draw_labels(ImDrawList& list, const Ui& ui, std::span<const Label> labels, 
     for (const LabelSpot& spot : spots) {
         const Label& label = labels[spot.label];
         const Area& b = spot.box;
-        if (label.disc)
-            list.AddCircleFilled({b.x + b.w / 2, b.y + b.h / 2}, spot.radius, colour(*label.disc), 32);
+        if (label.disc) list.AddCircleFilled({b.x + b.w / 2, b.y + b.h / 2}, spot.radius, colour(*label.disc), 32);
         list.AddText(font, size, spot.text, colour(label.colour), label.text.c_str());
     }
 }

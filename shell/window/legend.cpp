@@ -11,8 +11,8 @@ namespace {
 /// Puts swatches and texts down from above.
 class Block {
 public:
-    Block(const Colours& colours, const std::function<ImVec2(const std::string&)>& measure, float unit)
-        : ink_(colours.ink), measure_(measure), unit_(unit), line_(measure("X").y) {}
+    Block(const Colours& colours, const std::function<ImVec2(const std::string&)>& measure, double point)
+        : ink_(colours.ink), measure_(measure), point_(point), line_(measure("X").y) {}
 
     void row(const LegendRow& row) {
         down(1.22 * line_);
@@ -86,7 +86,7 @@ public:
 private:
     double pad() const { return 0.5 * line_; }
     double swatch() const { return 1.8 * line_; }
-    double points(double units) const { return units / (4.0 / 3 * unit_); }
+    double points(double units) const { return units / point_; }
     double measured(const std::string& text) const { return measure_(text).x; }
     void down(double by) { y_ -= by; }
     void wide(double w) { widest_ = std::max(widest_, w); }
@@ -110,15 +110,16 @@ private:
 
     Colour ink_;
     const std::function<ImVec2(const std::string&)>& measure_;
-    double unit_, line_, y_ = 0, widest_ = 0;
+    double point_;  ///< of marks, in units
+    double line_, y_ = 0, widest_ = 0;
     LegendBox box_;
 };
 
 }  // namespace
 
 LegendBox make_legend(std::span<const LegendRow> rows, const std::optional<ColourBar>& bar, const Colours& colours,
-                      const std::function<ImVec2(const std::string&)>& measure, float unit) {
-    Block block(colours, measure, unit);
+                      const std::function<ImVec2(const std::string&)>& measure, float unit, double line_scale) {
+    Block block(colours, measure, 4.0 / 3 * unit * line_scale);
     for (const LegendRow& row : rows) block.row(row);
     if (bar && bar->stops.size() > 1) block.bar(*bar);
     return block.take(colours.background);

@@ -17,9 +17,9 @@ struct LegendBox {
 };
 
 /// Rows from above, then the colour bar, on paper of the palette's background. `measure` in ImGui units, for the texts;
-/// `unit` as Ui::unit. Empty without rows and bar.
+/// `unit` as Ui::unit, `line_scale` as the list is drawn with (ListView). Empty without rows and bar.
 LegendBox make_legend(std::span<const LegendRow> rows, const std::optional<ColourBar>& bar, const Colours& colours,
-                      const std::function<ImVec2(const std::string&)>& measure, float unit);
+                      const std::function<ImVec2(const std::string&)>& measure, float unit, double line_scale = 1);
 
 /// The corner of the area where it hides none of the points: the lower left one, else the next that is free, going
 /// round; the lower left one when none is.

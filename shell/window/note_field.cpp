@@ -49,7 +49,7 @@ void NoteField::draw(Ui& ui, const Area& area) {
         ImGui::TextUnformatted(label);
         ImGui::SameLine();
         ImGui::SetNextItemWidth(4.5f * font);
-        done |= ImGui::InputTextWithHint(hint, hint, &value,
+        done |= ImGui::InputTextWithHint((std::string("##") + hint).c_str(), hint, &value,
                                          ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CharsDecimal);
     };
     step("from step", "start", from_);

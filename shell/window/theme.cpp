@@ -53,6 +53,7 @@ Fonts load_theme(float text_size, float label_size, float unit, float framebuffe
     std::string bold = (std::filesystem::path(sans).parent_path() / "DejaVuSans-Bold.ttf").string();
     if (!std::filesystem::exists(bold)) bold = sans;
     ImGuiIO& io = ImGui::GetIO();
+    const bool again = io.Fonts->TexID != nullptr;  // the first texture is made with the first frame
     io.Fonts->Clear();
     // One point, but never so thin that a pattern shows through.
     const int halo = std::clamp(static_cast<int>(std::lround(1.5f * unit * framebuffer)), 2, 5);
@@ -73,8 +74,9 @@ Fonts load_theme(float text_size, float label_size, float unit, float framebuffe
     fonts.label = load(bold, label_size, 1);
     fonts.banner = load(sans, text_size * 1.25f);
     io.FontGlobalScale = 1 / framebuffer;
-    ImGui_ImplOpenGL3_DestroyFontsTexture();
+    if (again) ImGui_ImplOpenGL3_DestroyFontsTexture();
     io.Fonts->Build();
+    if (again) ImGui_ImplOpenGL3_CreateFontsTexture();
     fonts.label_halo = std::make_shared<const FontHalo>(*fonts.label, halo);
     ImGui_ImplOpenGL3_CreateFontsTexture();
     set_style(unit);

@@ -29,7 +29,7 @@ class FontHalo;
 
 struct Fonts {
     ImFont *text = nullptr, *bold = nullptr, *mono = nullptr;
-    ImFont* label = nullptr;   ///< numbers on cells
+    ImFont* label = nullptr;  ///< numbers on cells
     std::shared_ptr<const FontHalo> label_halo;
     ImFont* banner = nullptr;  ///< the formula of the projector mode
 };

@@ -303,6 +303,14 @@ void Window<D>::lay_out() {
     if (stage.draw && middle.w > 8 && middle.h > 8) stage.draw(ui_, middle);
 }
 
+/// The backend asks for the pointer's place on the desktop, which X11 does not tell while a button holds the pointer.
+template <int D>
+void Window<D>::follow_pointer() {
+    int x = 0, y = 0;
+    if (SDL_GetMouseState(&x, &y) != 0 && SDL_GetMouseFocus() == context_.window())
+        ImGui::GetIO().MousePos = {static_cast<float>(x), static_cast<float>(y)};
+}
+
 template <int D>
 void Window<D>::frame(double seconds) {
     take_events();
@@ -318,6 +326,7 @@ void Window<D>::frame(double seconds) {
     fit_theme();
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplSDL2_NewFrame();
+    follow_pointer();
     ImGui::NewFrame();
     int w = 0, h = 0;
     SDL_GL_GetDrawableSize(context_.window(), &w, &h);

@@ -54,6 +54,7 @@ private:
     void press(const std::string& key);
     void escape();
     void fit_theme();
+    void follow_pointer();
     void lay_out();
     void wait_for_something();
 

@@ -1,5 +1,5 @@
-// The whole window at 1280 x 800 over 20,000 cells and about 1,000 labels; LIBGL_ALWAYS_SOFTWARE=1 asks for the software
-// renderer. And a change of settings on 5,000 segments, until the picture's lists are there.
+// The whole window at 1280 x 800 over 20,000 cells and about 1,000 labels; LIBGL_ALWAYS_SOFTWARE=1 asks for the
+// software renderer. And a change of settings on 5,000 segments, until the picture's lists are there.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <benchmark/benchmark.h>
 
@@ -20,8 +20,8 @@ Workbench<2> city(std::size_t segments, double error_bound) {
     Settings settings;
     settings.error_bound = error_bound;
     const Box<2> box = bounds<2>(scene.primitives);
-    Workbench<2> bench{Session<2>(std::make_shared<const Scene<2>>(std::move(scene)), {box.centre(), box.max, 120},
-                                  settings)};
+    Workbench<2> bench{
+        Session<2>(std::make_shared<const Scene<2>>(std::move(scene)), {box.centre(), box.max, 120}, settings)};
     bench.say = [](const std::string&) {};
     return bench;
 }
