@@ -71,17 +71,17 @@ TEST(CellNumbers, CellNumbersAreWhatTheySay) {
             ASSERT_EQ(count_of[cell], session.cells().count(cell));
         }
         // A scale covers every number of the recording, wherever the session stands, and no more.
-        std::optional<std::array<double, 2>> keys;
+        std::optional<std::array<double, 2>> all;
         Session<2> walk = session;
         walk.seek(0);
         do {
             for (const auto& number : cell_numbers(walk, CellNumber::solidity))
                 if (number) {
-                    if (!keys) keys = {*number, *number};
-                    keys = {std::min((*keys)[0], *number), std::max((*keys)[1], *number)};
+                    if (!all) all = {*number, *number};
+                    all = {std::min((*all)[0], *number), std::max((*all)[1], *number)};
                 }
         } while (walk.position() < session.recorded() && walk.step() == Stop::none);
-        ASSERT_EQ(number_range(session, CellNumber::solidity), keys);
+        ASSERT_EQ(number_range(session, CellNumber::solidity), all);
         const auto range = number_range(session, CellNumber::order);
         const std::uint32_t recorded = session.recorded();
         session.seek(session.position() / 2);

@@ -103,15 +103,10 @@ void mouse(Ui& ui, Workbench<D>& bench, const TimelineLayout& layout) {
     if (hovered && io.MouseWheel != 0) show(bench, zoomed(data.axis, io.MousePos.x, std::pow(1.25, io.MouseWheel)));
     if (hovered && layout.ruler.contains(io.MousePos) && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
         ui.act("zoom-timeline all");
-    if (!hovered || data.drag == Drag::pan) {
-        if (data.hovered) bench.hovered_cell = none;
-        data.hovered = false;
-        return;
-    }
-    data.hovered = true;
+    if (!hovered || data.drag == Drag::pan) return;
     const MarkGroup* const marks = group_at(data, layout, io.MousePos, ui.unit);
     const std::uint32_t step = marks ? data.marks[marks->first].step : step_at(data.axis, io.MousePos.x);
-    bench.hovered_cell = step == 0 ? none : data.cell[step - 1];
+    if (step > 0) ui.hovering = data.cell[step - 1];
     draw_hovered_step(*ImGui::GetWindowDrawList(), ui, layout, data, step);
     const std::string tip = marks ? mark_tip(data, bench, *marks) : step_tip(data, step);
     ImGui::SetTooltip("%s", tip.c_str());

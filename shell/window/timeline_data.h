@@ -45,7 +45,6 @@ struct TimelineData {
     // Of the mouse and the last frame.
     enum class Drag : std::uint8_t { none, seek, handle, pan } drag = Drag::none;
     std::uint32_t position = 0;
-    bool hovered = false;  ///< Workbench::hovered_cell comes from here
 };
 
 /// Most spans per curve: the screen shows no more, and a frame stays cheap.
