@@ -129,6 +129,7 @@ TEST(BenchComparison, FindsTheFirstDifferenceOfTheWholeRuns) {
         Settings settings = bench.session.settings();
         if (i % 4 > 0) settings.jitter = settings.jitter > 0 ? 0 : 0.25;
         compare_settings(bench, settings, "jitter");
+        if (random.below(2)) test::record_ahead(bench);  // a window opened on both
         const auto expected = first_difference(at_the_end(bench.session), at_the_end(bench.other->session));
         const std::uint32_t before = bench.session.position();
         go_to_difference(bench);

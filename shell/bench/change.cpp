@@ -45,7 +45,10 @@ void traversal_changed(Workbench<D>& bench) {
     bench.marked_by.clear();
     if (bench.hovered_cell != none && bench.hovered_cell >= bench.session.cells().cell_count())
         bench.hovered_cell = none;
-    if (bench.record_ahead) record_whole_run(bench.session);
+    if (bench.record_ahead) {
+        record_whole_run(bench.session);
+        if (bench.other) record_whole_run(bench.other->session);
+    }
     moved(bench);
 }
 
