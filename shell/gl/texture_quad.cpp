@@ -9,23 +9,24 @@ namespace {
 
 // One triangle that covers the viewport.
 constexpr const char* vertex_shader = R"(#version 330 core
-out vec2 uv;
 void main() {
-    uv = vec2(gl_VertexID == 1 ? 2.0 : 0.0, gl_VertexID == 2 ? 2.0 : 0.0);
-    gl_Position = vec4(uv * 2.0 - 1.0, 0.0, 1.0);
+    gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0);
 }
 )";
 
+// Pixel by pixel: a software renderer takes far longer for filtered samples.
 constexpr const char* fragment_shader = R"(#version 330 core
-in vec2 uv;
 uniform sampler2D picture;
+uniform ivec2 corner;
 out vec4 result;
-void main() { result = texture(picture, uv); }
+void main() { result = texelFetch(picture, ivec2(gl_FragCoord.xy) - corner, 0); }
 )";
 
 }  // namespace
 
-TextureQuad::TextureQuad() : program_(make_program(vertex_shader, fragment_shader)) {}
+TextureQuad::TextureQuad()
+    : program_(make_program(vertex_shader, fragment_shader)), corner_(glGetUniformLocation(program_.name(), "corner")) {
+}
 
 void TextureQuad::draw(GLuint texture, int x, int y, int w, int h, bool blended) const {
     if (w <= 0 || h <= 0) return;
@@ -40,6 +41,7 @@ void TextureQuad::draw(GLuint texture, int x, int y, int w, int h, bool blended)
         glDisable(GL_BLEND);
     }
     glUseProgram(program_.name());  // its sampler is unit 0
+    glUniform2i(corner_, x, y);
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, texture);
     glBindVertexArray(layout_.name());

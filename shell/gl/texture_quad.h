@@ -11,13 +11,14 @@ class TextureQuad {
 public:
     TextureQuad();
 
-    /// Fills the rectangle (framebuffer pixels, y up) with all of the texture. `blended`: over what is there, for a
+    /// Fills the rectangle (framebuffer pixels, y up) with the texture, which has as many pixels. `blended`: over what is there, for a
     /// texture of colours already multiplied by their opacity, which drawing onto transparent black gives. Leaves
     /// behind: this viewport, no blending, no program, no scissor test.
     void draw(GLuint texture, int x, int y, int w, int h, bool blended) const;
 
 private:
     GlProgram program_;
+    GLint corner_;
     GlVertexArray layout_;
 };
 

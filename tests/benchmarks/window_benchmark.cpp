@@ -28,9 +28,9 @@ Workbench<2> city(std::size_t segments, double error_bound) {
 
 /// The window with its picture, after half of the run.
 struct CityWindow {
-    explicit CityWindow(bool panels) : bench(city(6200, 0.0125)) {
+    explicit CityWindow(bool panels) : bench(city(8100, 0.0125)) {
         Settings settings = bench.session.settings();
-        settings.label = CellNumber::solidity;
+        settings.label = CellNumber::count;  // short enough that a thousand of them have room
         settings.label_where = LabelWhere::all;
         change_settings(bench, settings);
         if (!panels) {
@@ -55,7 +55,7 @@ struct CityWindow {
 
     Workbench<2> bench;
     std::optional<std::uint32_t> mouse;
-    Window<2> window{bench, {GlContext::Place::off_screen, 1280, 800, 1}};
+    Window<2> window{bench, {.place = GlContext::Place::off_screen, .placement = {1280, 800, {}, false}, .scale = 1}};
     Picture2d picture{bench};
 };
 
