@@ -63,9 +63,9 @@ ViewSpec<2> apply_options(ViewSpec<2> view, const Options& o, const Scene<2>& sc
 
 void warn(const std::string& line) { std::cerr << "warning: " << line << "\n"; }
 
-Session<2> open_session(const Options& o, std::span<const Method<2>> methods) {
+Session<2> open_session(const Options& o, bool in_window, std::span<const Method<2>> methods) {
     const std::string name = o.scene.empty() ? first_scene : o.scene;
-    Settings settings = start_settings(name);
+    Settings settings = start_settings(name, in_window);
     apply_options(settings, o);
     Session<2> session = open_scene(name, settings, methods, warn);
     const ViewSpec<2> view = apply_options(session.culling_view(), o, session.scene());
@@ -74,11 +74,11 @@ Session<2> open_session(const Options& o, std::span<const Method<2>> methods) {
     return session;
 }
 
-Workbench<2> open_bench(const Options& o, std::span<const Method<2>> methods) {
+Workbench<2> open_bench(const Options& o, bool in_window, std::span<const Method<2>> methods) {
     // JSON on standard output stays alone there.
     std::ostream& out = o.stats == "-" || o.trace == "-" ? std::cerr : std::cout;
     const auto say = [&out](const std::string& line) { out << line << "\n"; };
-    if (o.state.empty()) return {open_session(o, methods), {}, Stop::steps, false, say, methods};
+    if (o.state.empty()) return {open_session(o, in_window, methods), {}, Stop::steps, false, say, methods};
     OpenedState opened = open_state(read_file(o.state), o.state, methods);
     for (const std::string& warning : opened.warnings) warn(warning);
     for (const std::string& warning : opened.session.scene().warnings) warn(warning);
@@ -95,15 +95,16 @@ Workbench<2> open_bench(const Options& o, std::span<const Method<2>> methods) {
 }
 
 /// As open_bench. Where no scene was asked for: the one that was opened last, or the first one where that is gone.
-Workbench<2> open_last(const Options& o, Recalled& recalled, std::span<const Method<2>> methods) {
-    if (!o.scene.empty() || !o.state.empty() || recalled.memory.recent.empty()) return open_bench(o, methods);
+Workbench<2> open_last(const Options& o, bool in_window, Recalled& recalled, std::span<const Method<2>> methods) {
+    if (!o.scene.empty() || !o.state.empty() || recalled.memory.recent.empty())
+        return open_bench(o, in_window, methods);
     const std::string& last = recalled.memory.recent.front();
     try {
         Options again = o;
         (state_text(last) ? again.state : again.scene) = last;
-        return open_bench(again, methods);
+        return open_bench(again, in_window, methods);
     } catch (const InputError& error) {
-        Workbench<2> bench = open_bench(o, methods);  // throws again where the options are to blame
+        Workbench<2> bench = open_bench(o, in_window, methods);  // throws again where the options are to blame
         recalled.word +=
             (recalled.word.empty() ? "" : "; ") + std::string("the last scene does not open: ") + error.what();
         recalled.memory.recent.erase(recalled.memory.recent.begin());
@@ -169,7 +170,7 @@ void obey(const Options& o, std::span<const Method<2>> methods) {
     Recalled recalled;
     const std::filesystem::path memory = memory_file("viewer2d");
     if (window) recalled = recall<2>(memory);
-    Workbench<2> bench = open_last(o, recalled, methods);
+    Workbench<2> bench = open_last(o, window, recalled, methods);
     if (window) arrange(bench, o, recalled);
     if (!o.size.empty()) set_figure_size(bench, o.size);
     if (o.font_pt) bench.figure.font_pt = *o.font_pt;

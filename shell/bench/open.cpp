@@ -23,8 +23,9 @@ std::optional<std::string> state_text(const std::string& name) {
     return text;
 }
 
-Settings start_settings(const std::string& name) {
+Settings start_settings(const std::string& name, bool in_window) {
     Settings settings;
+    if (in_window) settings.label = CellNumber::solidity;
     const CatalogueRow* row = find_in_catalogue(name);
     if (!row) return settings;
     settings.error_bound = row->error_bound;
@@ -71,7 +72,7 @@ void open_state_text(Workbench<2>& bench, const std::string& text, const std::st
 
 void open(Workbench<2>& bench, const std::string& name) {
     if (const auto text = state_text(name)) return open_state_text(bench, *text, name);
-    Session<2> session = open_scene(name, start_settings(name), bench.methods,
+    Session<2> session = open_scene(name, start_settings(name, bench.record_ahead), bench.methods,
                                     [&](const std::string& line) { bench.say("warning: " + line); });
     add_bookmarks(session);
     replace_session(bench, std::move(session));
@@ -81,7 +82,9 @@ void open(Workbench<2>& bench, const std::string& name) {
 void compare_file(Workbench<2>& bench, const std::string& name) {
     const auto warn = [&](const std::string& line) { bench.say("warning: " + line); };
     const auto text = state_text(name);
-    if (!text) return compare_with(bench, open_scene(name, start_settings(name), bench.methods, warn), name);
+    if (!text)
+        return compare_with(bench, open_scene(name, start_settings(name, bench.record_ahead), bench.methods, warn),
+                            name);
     OpenedState opened = open_state(*text, name, bench.methods);
     for (const std::string& warning : opened.warnings) warn(warning);
     compare_with(bench, std::move(opened.session), name);

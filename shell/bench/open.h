@@ -17,7 +17,8 @@ inline constexpr const char* first_scene = "bottleneck";
 std::optional<std::string> state_text(const std::string& name);
 
 /// What a scene starts with: the catalogue's settings, or the defaults for a file.
-Settings start_settings(const std::string& name);
+/// In a window the front is numbered, so that a step can be followed.
+Settings start_settings(const std::string& name, bool in_window = false);
 
 /// Loads a scene by any name that load_scene takes and stays at step 0 of its start view. `warn` gets a line for each
 /// thing that was left out or looks odd. Throws InputError.
