@@ -13,6 +13,12 @@ class Viewer2dBorder : public Viewer2dRun {};
 
 TEST_F(Viewer2dBorder, WrongUsageIsOneLineAndExitTwo) {
     bad({"--nonsense"}, "nonsense");
+    for (const char* size :
+         {"1280", "x", "1280x", "x720", "639x400", "640x399", "1280x99999", "-1280x720", "1280x720x2"})
+        bad({"--window", size}, "--window");
+    bad({"--window", "1280x720"}, "--headless");
+    for (const char* scale : {"0", "0.49", "4.01", "-1", "nan", "1e999", "big"}) bad({"--scale", scale}, "--scale");
+    bad({"--scale", "2"}, "--headless");
     bad({"bottleneck", "streets"}, "streets");
     bad({"bottleneck", "--method"}, "--method");
     bad({"bottleneck", "--method", "nothing"}, "nothing");

@@ -252,6 +252,7 @@ void Mouse2d::draw(Ui& ui, std::span<const MousePane> panes, const Area& area) {
     }
     tooltip(ui);
     field_.draw(ui, area);
+    ui.awaits_text = field_.is_open();
 }
 
 }  // namespace sightline

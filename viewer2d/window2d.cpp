@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "viewer2d/window2d.h"
 
+#include <iostream>
 #include <memory>
 
 #include "core/error.h"
@@ -44,17 +45,21 @@ void run_window(Workbench<2>& bench, const Placement& placement, const std::file
                 const std::string& word) {
     Window<2> window(bench, {.placement = placement});
     window.stage = stage2d(bench);
-    if (!word.empty()) window.ui().messages.push_back({word, true});
+    if (!word.empty()) window.tell({word, true});
     const auto remember = [&] { keep(memory, {window.placement(), lasting(bench.desk), bench.recent}); };
     window.opened = [&] {
         try {
             remember();
         } catch (const WorkError& error) {
-            window.ui().messages.push_back({error.what(), true});
+            window.tell({error.what(), true});
         }
     };
     window.run();
-    remember();
+    try {
+        remember();
+    } catch (const WorkError& error) {
+        std::cerr << "warning: " << error.what() << "\n";
+    }
 }
 
 }  // namespace sightline

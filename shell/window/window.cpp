@@ -13,6 +13,7 @@
 #include "shell/window/imgui_backend.h"
 #include "shell/window/keys.h"
 #include "shell/window/parts.h"
+#include "shell/window/screen_density.h"
 #include "shell/window/splitter.h"
 #include "shell/window/theme.h"
 
@@ -32,15 +33,6 @@ std::string clipboard_text() {
     std::string copy = text ? text : "";
     SDL_free(text);
     return copy;
-}
-
-/// How many times the usual 96 dots per inch the screen has, in quarters; 1 where it does not say.
-double screen_density(SDL_Window* window) {
-    float dpi = 96;
-    const int display = SDL_GetWindowDisplayIndex(window);
-    if (display < 0 || SDL_GetDisplayDPI(display, nullptr, &dpi, nullptr) != 0) return 1;
-    const double density = std::round(dpi / 96 * 4) / 4;
-    return density >= 1.5 && density <= 4 ? density : 1;  // below, monitors are read from afar or say nonsense
 }
 
 float pixels_per_unit(SDL_Window* window) {
@@ -96,10 +88,7 @@ Window<D>::Window(Workbench<D>& bench, const WindowOptions& options)
       gui_(context_),
       options_(options) {
     ui_.act = [this](const std::string& commands) { act(commands); };
-    bench_.say = [this](const std::string& text) {
-        if (ui_.messages.size() == most_messages) ui_.messages.erase(ui_.messages.begin());
-        ui_.messages.push_back({text, false});
-    };
+    bench_.say = [this](const std::string& text) { tell({text, false}); };
     bench_.clipboard = {clipboard_text, [](const std::string& text) { SDL_SetClipboardText(text.c_str()); }};
     bench_.record_ahead = true;
     traversal_changed(bench_);
@@ -132,12 +121,18 @@ Placement Window<D>::placement() const {
 }
 
 template <int D>
+void Window<D>::tell(Message message) {
+    if (ui_.messages.size() >= most_messages) ui_.messages.erase(ui_.messages.begin());
+    ui_.messages.push_back(std::move(message));
+}
+
+template <int D>
 void Window<D>::act(const std::string& commands) {
     ++ui_.revision;
     try {
         run_commands(bench_, commands);
     } catch (const std::exception& error) {
-        ui_.messages.push_back({error.what(), true});
+        tell({error.what(), true});
     }
 }
 
@@ -146,6 +141,7 @@ void Window<D>::escape() {
     Desk& desk = bench_.desk;
     if (desk.help || desk.chooser || desk.console) {
         desk.help = desk.chooser = desk.console = false;
+        desk.console_text.clear();
         return;
     }
     if (stage.cancel && stage.cancel()) {
@@ -178,8 +174,8 @@ bool Window<D>::expects_text() const {
     return bench_.desk.console || ui_.awaits_text;
 }
 
-/// Dear ImGui sees the state of keys once a frame: a press and its release need two. And what is typed around the key
-/// that opens or closes a text field waits until the keyboard has gone over.
+/// Dear ImGui sees the state of keys and mouse once a frame: a press and its release need two. And what is typed around
+/// the key that opens or closes a text field waits until the keyboard has gone over.
 template <int D>
 void Window<D>::take_events() {
     constexpr int most_frames = 6;  // a field that never takes the keyboard must not hold events for ever
@@ -191,13 +187,16 @@ void Window<D>::take_events() {
     frames_in_between_ = in_between() ? frames_in_between_ + 1 : 0;
     expected_text_ = expects_text();
     std::vector<SDL_Keycode> pressed;
+    mouse_.begin();
     const auto take = [&](const SDL_Event& event) {
-        if (event.type == SDL_KEYUP &&
-            std::find(pressed.begin(), pressed.end(), event.key.keysym.sym) != pressed.end()) {
+        const bool early_key =
+            event.type == SDL_KEYUP && std::find(pressed.begin(), pressed.end(), event.key.keysym.sym) != pressed.end();
+        if (early_key || mouse_.waits(event)) {
             later_ = event;
             return;
         }
         if (event.type == SDL_KEYDOWN) pressed.push_back(event.key.keysym.sym);
+        mouse_.take(event);
         handle(event);
     };
     if (later_) take(*std::exchange(later_, std::nullopt));
@@ -303,14 +302,6 @@ void Window<D>::lay_out() {
     if (stage.draw && middle.w > 8 && middle.h > 8) stage.draw(ui_, middle);
 }
 
-/// The backend asks for the pointer's place on the desktop, which X11 does not tell while a button holds the pointer.
-template <int D>
-void Window<D>::follow_pointer() {
-    int x = 0, y = 0;
-    if (SDL_GetMouseState(&x, &y) != 0 && SDL_GetMouseFocus() == context_.window())
-        ImGui::GetIO().MousePos = {static_cast<float>(x), static_cast<float>(y)};
-}
-
 template <int D>
 void Window<D>::frame(double seconds) {
     take_events();
@@ -326,7 +317,7 @@ void Window<D>::frame(double seconds) {
     fit_theme();
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplSDL2_NewFrame();
-    follow_pointer();
+    mouse_.give(ImGui::GetIO());
     ImGui::NewFrame();
     int w = 0, h = 0;
     SDL_GL_GetDrawableSize(context_.window(), &w, &h);

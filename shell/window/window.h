@@ -7,6 +7,7 @@
 
 #include "shell/bench/workbench.h"
 #include "shell/gl/context.h"
+#include "shell/window/mouse_state.h"
 #include "shell/window/placement.h"
 #include "shell/window/stage.h"
 
@@ -38,6 +39,9 @@ public:
 
     /// Where it stands; while it fills the screen, where it would go back to.
     Placement placement() const;
+    /// A line for the person.
+    void tell(Message message);
+
     const GlContext& context() const { return context_; }
     Ui& ui() { return ui_; }
 
@@ -54,7 +58,6 @@ private:
     void press(const std::string& key);
     void escape();
     void fit_theme();
-    void follow_pointer();
     void lay_out();
     void wait_for_something();
 
@@ -65,11 +68,12 @@ private:
     Ui ui_;
     float theme_unit_ = 0, theme_text_ = 0, theme_framebuffer_ = 0;
     bool fullscreen_ = false;
-    std::optional<SDL_Event> later_;   ///< a key's release that must not fall into the frame of its press
-    bool expected_text_ = false;       ///< in the frame before
-    int frames_in_between_ = 0;        ///< since a text field was opened or closed and the keyboard has not followed
     std::vector<std::string> recent_;  ///< of the bench, at the last frame
-    int lively_frames_ = 0;            ///< ImGui needs a few frames after an event
+    MouseState mouse_;
+    std::optional<SDL_Event> later_;  ///< a release that must not fall into the frame of what came before
+    bool expected_text_ = false;      ///< in the frame before
+    int frames_in_between_ = 0;       ///< since a text field was opened or closed and the keyboard has not followed
+    int lively_frames_ = 0;           ///< ImGui needs a few frames after an event
 };
 
 }  // namespace sightline
