@@ -173,7 +173,7 @@ void Mouse2d::frame(Ui& ui, std::span<const MousePane> panes) {
         const float moved = drag_threshold * ui.unit;
         release(ui, io.MouseReleased[ImGuiMouseButton_Left] && io.MouseDragMaxDistanceSqr[0] < moved * moved);
     }
-    if (hovered_ && !drag_ && pane_ && pane_->same_cells) ui.hovering = pick_.cell;
+    if (hovered_ && ui.mouse_awake && !drag_ && pane_ && pane_->same_cells) ui.hovering = pick_.cell;
 }
 
 bool Mouse2d::cancel() {
@@ -225,7 +225,7 @@ void Mouse2d::draw_handles(Ui& ui, const MousePane& pane) {
 }
 
 void Mouse2d::tooltip(Ui& ui) {
-    if (!hovered_ || drag_ || !pane_ || field_.is_open()) return;
+    if (!hovered_ || !ui.mouse_awake || drag_ || !pane_ || field_.is_open()) return;
     std::string text = handle_tip(pick_.handle);
     if (text.empty() && pick_.cell != none) text = cell_tip(*pane_->session, pick_.cell);
     if (text.empty()) return;

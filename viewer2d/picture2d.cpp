@@ -112,6 +112,12 @@ void Picture2d::draw_over(Ui& ui, const std::vector<MousePane>& panes, const Are
         const Area& a = panes[i].camera.area;
         list.PushClipRect(a.min(), a.max(), true);
         if (bench_.hovered_cell != none) outline(ui, panes[i], bench_.hovered_cell);
+        list.PopClipRect();
+    }
+    mouse_.draw(ui, panes, area);
+    for (std::size_t i = 0; i < panes.size(); ++i) {  // numbers are read, handles are only found
+        const Area& a = panes[i].camera.area;
+        list.PushClipRect(a.min(), a.max(), true);
         panes_[i].draw_texts(list, ui);
         list.PopClipRect();
     }
@@ -133,7 +139,6 @@ void Picture2d::draw_over(Ui& ui, const std::vector<MousePane>& panes, const Are
             list.PopClipRect();
         }
     }
-    mouse_.draw(ui, panes, area);
     list.PopClipRect();
 }
 

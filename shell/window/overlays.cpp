@@ -1,4 +1,4 @@
-// What comes over the picture: scene chooser, help sheet, console.
+// What comes over the picture: scene chooser and console; the help sheet is help_sheet.cpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <imgui.h>
 #include <imgui_stdlib.h>
@@ -7,26 +7,12 @@
 #include <utility>
 
 #include "shell/commands/command_table.h"
-#include "shell/window/keys.h"
 #include "shell/window/parts.h"
 #include "shell/window/theme.h"
 
 namespace sightline {
 
 namespace {
-
-constexpr ImGuiWindowFlags overlay_flags =
-    ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav;
-
-bool begin_overlay(const char* name, const Area& area) {
-    ImGui::SetNextWindowPos(area.min());
-    ImGui::SetNextWindowSize({area.w, area.h});
-    ImGui::SetNextWindowFocus();
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, colour(theme::paper));
-    const bool shown = ImGui::Begin(name, nullptr, overlay_flags & ~ImGuiWindowFlags_NoScrollbar);
-    ImGui::PopStyleColor();
-    return shown;
-}
 
 template <int D>
 void chooser(Ui& ui, Workbench<D>& bench, const Stage& stage, const Area& area) {
@@ -72,55 +58,6 @@ void chooser(Ui& ui, Workbench<D>& bench, const Stage& stage, const Area& area) 
         list.PopClipRect();
     }
     ImGui::EndChild();
-    ImGui::End();
-}
-
-/// Lines of the help sheet: a heading, or a key with what it does.
-template <int D>
-std::vector<std::pair<std::string, std::string>> help_lines() {
-    std::vector<std::pair<std::string, std::string>> lines;
-    for (const CommandGroup<D>& group : command_groups<D>()) {
-        lines.push_back({"", std::string(group.title)});
-        for (const Command<D>& command : group.commands)
-            for (const KeyBinding& binding : key_bindings(command.id, command.keys)) {
-                const std::string text = binding.command == command.id ? std::string(command.text) : binding.command;
-                if (lines.back().second == text)
-                    lines.back().first += ", " + binding.key;
-                else
-                    lines.push_back({binding.key, text});
-            }
-    }
-    return lines;
-}
-
-template <int D>
-void help(Ui& ui, const Area& area) {
-    begin_overlay("help", area);
-    ImGui::PushFont(ui.fonts.bold);
-    ImGui::TextUnformatted("Keys");
-    ImGui::PopFont();
-    ImGui::SameLine();
-    ImGui::TextDisabled("Esc leaves. The mouse: click selects, double-click runs to a cell, drag pans, wheel zooms.");
-    const auto lines = help_lines<D>();
-    const float step = ImGui::GetTextLineHeightWithSpacing(), key_width = 10.5f * ImGui::GetFontSize();
-    const auto rows = static_cast<std::size_t>(std::max(8.0f, (area.h - 3 * step) / step));
-    const std::size_t columns = (lines.size() + rows - 1) / rows;
-    const float w = std::max(22 * ImGui::GetFontSize(), area.w / static_cast<float>(std::max<std::size_t>(columns, 1)));
-    const ImVec2 top = ImGui::GetCursorScreenPos();
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-        const auto& [key, text] = lines[i];
-        const ImVec2 at{top.x + static_cast<float>(i / rows) * w, top.y + static_cast<float>(i % rows) * step};
-        list.PushClipRect(at, {at.x + w - 8 * ui.unit, at.y + step});
-        if (key.empty()) {
-            list.AddText(ui.fonts.bold, ImGui::GetFontSize(), at, colour(theme::ink), text.c_str());
-        } else {
-            list.AddText(at, colour(theme::accent), key.c_str());
-            list.AddText({at.x + key_width, at.y}, colour(theme::ink), text.c_str());
-        }
-        list.PopClipRect();
-    }
-    ImGui::Dummy({w * static_cast<float>(columns), step * static_cast<float>(std::min(rows, lines.size()))});
     ImGui::End();
 }
 
@@ -183,7 +120,7 @@ void console(Ui& ui, Workbench<D>& bench, const Area& area) {
 template <int D>
 void overlays(Ui& ui, Workbench<D>& bench, const Stage& stage, const Area& area) {
     if (bench.desk.chooser) chooser(ui, bench, stage, area);
-    if (bench.desk.help) help<D>(ui, area);
+    if (bench.desk.help) help_sheet<D>(ui, area);
     if (bench.desk.console) console(ui, bench, area);
 }
 

@@ -40,6 +40,10 @@ void timeline(Ui& ui, Workbench<D>& bench, const Area& area);
 template <int D>
 void overlays(Ui& ui, Workbench<D>& bench, const Stage& stage, const Area& area);
 
+/// All keys with what they do.
+template <int D>
+void help_sheet(Ui& ui, const Area& area);
+
 /// The line under the picture in projector mode.
 template <int D>
 void projector_banner(Ui& ui, Workbench<D>& bench, const Area& area);
@@ -47,6 +51,9 @@ float banner_height(const Ui& ui);
 
 /// Begins an ImGui window without decoration that covers the area; end it with ImGui::End.
 void begin_part(const char* name, const Area& area, ImGuiWindowFlags flags = 0);
+
+/// The same over the picture, in front of everything, with a scroll bar where it needs one.
+void begin_overlay(const char* name, const Area& area);
 
 /// Notes where the last item stands, for the text dump and for scripts.
 template <int D>

@@ -16,14 +16,6 @@ Colour tone_colour(Tone tone) {
 
 }  // namespace
 
-void begin_part(const char* name, const Area& area, ImGuiWindowFlags flags) {
-    ImGui::SetNextWindowPos(area.min());
-    ImGui::SetNextWindowSize({area.w, area.h});
-    ImGui::Begin(name, nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                     ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav | flags);
-}
-
 void draw_rows(Ui& ui, const std::vector<Row>& rows, std::uint32_t hovered_cell) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float room = ImGui::GetContentRegionAvail().x, top = ImGui::GetWindowPos().y,

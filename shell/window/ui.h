@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "core/draw/draw_list.h"
+#include "core/space/tree.h"
 #include "shell/panels/panel.h"
 #include "shell/window/timeline_data.h"
-#include "core/space/tree.h"
 
 namespace sightline {
 
@@ -61,6 +61,8 @@ struct Ui {
     /// The cell under the mouse: whatever part it is over writes it here, and the next frame has it in
     /// Workbench::hovered_cell for all parts to outline.
     std::uint32_t hovering = none;
+    /// The mouse was moved since the last key: otherwise what lies under it is not what the person looks at.
+    bool mouse_awake = false;
     /// Runs commands; says what went wrong instead of throwing.
     std::function<void(const std::string& commands)> act;
 };

@@ -208,6 +208,9 @@ void Window<D>::take_events() {
 template <int D>
 void Window<D>::handle(const SDL_Event& event) {
     lively_frames_ = 3;
+    if (event.type == SDL_MOUSEMOTION || event.type == SDL_MOUSEBUTTONDOWN || event.type == SDL_MOUSEWHEEL)
+        ui_.mouse_awake = true;
+    if (event.type == SDL_KEYDOWN) ui_.mouse_awake = false;
     const bool typing = ImGui::GetIO().WantTextInput || expects_text();
     ImGui_ImplSDL2_ProcessEvent(&event);
     if (event.type == SDL_QUIT) bench_.quit = true;
