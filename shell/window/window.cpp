@@ -56,8 +56,17 @@ void place(SDL_Window* window, const Placement& placement, double density) {
     }
     SDL_Rect room{0, 0, largest_size, largest_size};
     SDL_GetDisplayUsableBounds(display, &room);
-    SDL_SetWindowSize(window, std::min(width, room.w), std::min(height, room.h));
-    if (placed) SDL_SetWindowPosition(window, (*placement.at)[0], (*placement.at)[1]);
+    const int w = std::min(width, room.w), h = std::min(height, room.h);
+    SDL_SetWindowSize(window, w, h);
+    int x = 0, y = 0;
+    SDL_GetWindowPosition(window, &x, &y);
+    if (placed) {
+        x = (*placement.at)[0];
+        y = (*placement.at)[1];
+    }
+    // All of it on the screen: a window that was opened taller begins above it.
+    SDL_SetWindowPosition(window, std::clamp(x, room.x, room.x + room.w - w),
+                          std::clamp(y, room.y, room.y + room.h - h));
     if (placement.maximised) SDL_MaximizeWindow(window);
 }
 
