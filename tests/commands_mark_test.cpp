@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/error.h"
 #include "tests/commands_support.h"
 
 namespace sightline {
@@ -37,6 +38,8 @@ TEST_F(EachCommand, mark) {
     run("mark visible_share == 0");
     EXPECT_FALSE(bench->marked.empty());
     const std::uint32_t first = bench->marked.front();
+    EXPECT_THROW(run("mark rho >"), InputError);
+    EXPECT_EQ(bench->marked.front(), first) << "marks stay where the new condition is none";
     run("seek 0; until visible_share == 0");
     EXPECT_EQ(session().position(), first);
     run("mark none");
