@@ -2,6 +2,7 @@
 #include "core/file.h"
 #include "core/session/state_file.h"
 #include "shell/bench/moves.h"
+#include "shell/panels/panel.h"
 #include "tests/commands_support.h"
 
 namespace sightline {
@@ -36,7 +37,15 @@ TEST_F(EachCommand, align) {
     EXPECT_EQ(other().align, Align::rendered);
     EXPECT_GE(other().session.state().rendered_count, session().state().rendered_count);
     EXPECT_NE(other().session.position(), 6u);
+    const auto aligned = [&] {  // the line of the panel that says so
+        std::string begins;
+        for (const Row& row : find_panel<2>("compare")->rows(*bench))
+            if (row.text.ends_with("(aligned)")) begins += row.text.substr(0, row.text.find(':'));
+        return begins;
+    };
+    EXPECT_EQ(aligned(), "rendered");
     run("align step");
+    EXPECT_EQ(aligned(), "step");
     EXPECT_EQ(other().session.position(), 6u);
 }
 

@@ -13,8 +13,10 @@ using test::EachCommand;
 TEST_F(EachCommand, open) {
     run("save " + file("o.json"));
     const std::uint64_t hash = session().hash();
-    run("open streets");
+    run("zoom-timeline 2-20; open streets");
     EXPECT_EQ(session().scene().id, "streets");
+    EXPECT_EQ(bench->desk.timeline_from, 0) << "another run is shown as a whole";
+    EXPECT_EQ(bench->desk.timeline_to, 1);
     run("open " + file("o.json"));
     EXPECT_EQ(session().hash(), hash);
     EXPECT_EQ(session().position(), 10u);
