@@ -6,6 +6,7 @@
 #include <array>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <regex>
 #include <string>
 #include <vector>
@@ -120,13 +121,41 @@ TEST(Structure, ArrowsInCorePointDown) {
     }
 }
 
-TEST(Structure, FiguresNeedOnlyCore) {
+TEST(Structure, ArrowsInShellPointDown) {
+    // Figures and GL stand side by side: neither knows the other.
+    const std::map<std::string, int> levels{{"figure", 0}, {"gl", 0},       {"bench", 1},
+                                            {"panels", 2}, {"commands", 3}, {"window", 4}};
+    const auto folder = [](const std::string& path) { return path.substr(0, path.rfind('/')); };
+    const auto level = [&](const std::string& path) {  // shell/FOLDER/FILE
+        const auto found = levels.find(folder(path).substr(std::string("shell/").size()));
+        EXPECT_NE(found, levels.end()) << path << " lies in a folder that the order does not name";
+        return found == levels.end() ? -1 : found->second;
+    };
     for (const Source& source : sources()) {
-        if (!in(source, "shell/figure")) continue;
+        if (!in(source, "shell")) continue;
         for (const std::string& include : source.includes)
-            EXPECT_FALSE(include.starts_with("shell/") && !include.starts_with("shell/figure/"))
-                << source.path << " includes " << include;
+            if (include.starts_with("shell/") && folder(include) != folder(source.path)) {
+                EXPECT_LT(level(include), level(source.path)) << source.path << " includes " << include;
+            }
     }
+}
+
+TEST(Structure, OnlyTheWindowAndTheProgramsKnowImGuiAndOnlyTheyAndGlKnowSdlAndOpenGl) {
+    // The tests drive the real window.
+    static const std::regex widgets(".*imgui.*", std::regex::icase), screen("(SDL|GL/|GLES|glad|epoxy).*");
+    int seen = 0;
+    for (const Source& source : sources()) {
+        if (in(source, "tests")) continue;
+        const bool program = in(source, "viewer2d"), window = in(source, "shell/window");
+        for (const std::string& include : source.includes) {
+            const bool widget = std::regex_match(include, widgets), drawn = std::regex_match(include, screen);
+            seen += widget || drawn;
+            EXPECT_TRUE(!widget || window || program) << source.path << " includes " << include;
+            EXPECT_TRUE(!drawn || window || program || in(source, "shell/gl"))
+                << source.path << " includes " << include;
+        }
+    }
+    EXPECT_GT(seen, 5);
 }
 
 TEST(Structure, EveryFileNamesItsLicence) {
@@ -141,7 +170,6 @@ TEST(Structure, EveryFileNamesItsLicence) {
 
 TEST(Structure, FilesStayShortAndHeadersAreGuarded) {
     for (const Source& source : sources()) {
-        if (in(source, "tests")) continue;
         EXPECT_LE(source.lines.size(), 500u) << source.path;
         if (!is_header(source)) continue;
         EXPECT_NE(std::find(source.lines.begin(), source.lines.end(), "#pragma once"), source.lines.end())

@@ -45,11 +45,8 @@ std::optional<std::array<double, 2>> number_range(const Session<2>& session, Cel
         if (!range) range = {number, number};
         range = {std::min((*range)[0], number), std::max((*range)[1], number)};
     };
-    Session<2> at_end = session;
-    if (what == CellNumber::solidity || what == CellNumber::order) {  // the others are the same at each step
-        at_end.set_time_stop(none);
-        at_end.seek(session.recorded());
-    }
+    const bool changes = what == CellNumber::solidity || what == CellNumber::order;  // from step to step
+    const Session<2> at_end = changes ? copy_at(session, session.recorded()) : session;
     for (const auto& number : cell_numbers(at_end, what))
         if (number) add(*number);
     if (what == CellNumber::solidity)  // keys that were replaced later

@@ -23,10 +23,6 @@ Box<2> whole_world(const Session<2>& session) {
 
 }  // namespace
 
-std::uint32_t last_cell(const Session<2>& session) {
-    return session.position() > 0 ? session.timeline().steps[session.position() - 1].cell : none;
-}
-
 Box<2> shown_world(const Session<2>& session) {
     const Box<2> box = whole_world(session);
     const Settings& settings = session.settings();

@@ -6,9 +6,6 @@
 
 namespace sightline {
 
-/// The cell that the session's last step projected; none at the start and for methods that order primitives.
-std::uint32_t last_cell(const Session<2>& session);
-
 /// What the picture settings zoom, zoom_at, zoom_x and zoom_y show.
 Box<2> shown_world(const Session<2>& session);
 

@@ -23,15 +23,6 @@ std::vector<std::uint32_t> rendered_in(const Session<D>& session, std::uint32_t 
     return primitives;
 }
 
-/// A copy before a step, or at the end of the recording where it has no such step.
-template <int D>
-Session<D> before_step(const Session<D>& session, std::uint32_t step) {
-    Session<D> copy = session;
-    copy.set_time_stop(none);
-    copy.seek(std::min(step - 1, session.recorded()));
-    return copy;
-}
-
 /// What one side does in a step. `theirs` is the cell that the other side pops, none where cell ids do not compare.
 template <int D>
 std::string what_it_does(const Session<D>& session, const std::string& name, std::uint32_t step, std::uint32_t theirs,
@@ -46,7 +37,7 @@ std::string what_it_does(const Session<D>& session, const std::string& name, std
                (primitives.size() == 1 ? " primitive" : " primitives") +
                (primitives.empty() ? "" : ", first " + std::to_string(primitives.front()));
     }
-    const Session<D> before = before_step(session, step);
+    const Session<D> before = copy_at(session, step - 1);
     std::string text = name + " projects cell " + std::to_string(cell) + " with key " +
                        short_number(before.state().mark(cell).key, digits);
     if (theirs == none || theirs == cell) return text;
@@ -64,7 +55,7 @@ int digits_of(const Session<D>& session, std::uint32_t step, std::uint32_t their
     if (step > session.recorded()) return 3;
     const std::uint32_t cell = session.timeline().steps[step - 1].cell;
     if (cell == none || theirs == none) return 3;
-    const Session<D> before = before_step(session, step);
+    const Session<D> before = copy_at(session, step - 1);
     const CellMark mark = before.state().mark(theirs);
     return mark.state == CellState::enqueued ? separating_digits(before.state().mark(cell).key, mark.key) : 3;
 }

@@ -172,11 +172,14 @@ bool Condition<D>::holds(const Session<D>& session) const {
 }
 
 template <int D>
+Stop run_until(Session<D>& session, const Condition<D>& condition) {
+    return session.run_until([&](const Session<D>& s) { return condition.holds(s); });
+}
+
+template <int D>
 std::vector<std::uint32_t> matches(const Session<D>& session, const Condition<D>& condition) {
     std::vector<std::uint32_t> steps;
-    Session<D> walker = session;
-    walker.set_time_stop(none);
-    walker.seek(0);
+    Session<D> walker = copy_at(session, 0);
     for (std::uint32_t step = 1; step <= session.recorded(); ++step) {
         walker.seek(step);
         if (condition.holds(walker)) steps.push_back(step);
@@ -186,6 +189,7 @@ std::vector<std::uint32_t> matches(const Session<D>& session, const Condition<D>
 
 template std::span<const RecordField<2>> record_fields<2>();
 template class Condition<2>;
+template Stop run_until<2>(Session<2>&, const Condition<2>&);
 template std::vector<std::uint32_t> matches<2>(const Session<2>&, const Condition<2>&);
 
 }  // namespace sightline

@@ -45,6 +45,10 @@ private:
 
 extern template class Condition<2>;
 
+/// As Session::run_until.
+template <int D>
+Stop run_until(Session<D>& session, const Condition<D>& condition);
+
 /// Every recorded step, rising, after which the condition holds, wherever the session stands.
 template <int D>
 std::vector<std::uint32_t> matches(const Session<D>& session, const Condition<D>& condition);

@@ -15,9 +15,7 @@ PrimitiveExplanation explain_primitive(const Session<D>& session, std::uint32_t 
         const auto held = cells.primitives_of(cell);
         if (std::find(held.begin(), held.end(), primitive) != held.end()) e.cells.push_back(cell);
     }
-    Session<D> end = session;
-    end.set_time_stop(none);
-    end.seek(end.recorded());
+    const Session<D> end = copy_at(session, session.recorded());
     const State<D>& state = end.state();
     for (std::uint32_t i = 0; i < state.touched_count; ++i) {
         if ((state.touched[i] & ~State<D>::culled_bit) != primitive) continue;

@@ -21,7 +21,8 @@ struct PrimitiveExplanation {
 template <int D>
 PrimitiveExplanation explain_primitive(const Session<D>& session, std::uint32_t primitive);
 
-/// "Segment 12 is visible; step 7 of this run renders it; it lies in cells 3 and 4."
+/// `position` tells what is done from what is to come: "Segment 12 is visible; step 7 will render it; it lies in cells
+/// 3 and 4."
 template <int D>
 std::string sentence(const PrimitiveExplanation& primitive, std::uint32_t position);
 

@@ -10,9 +10,7 @@ template <int D>
 Lanes make_lanes(const Session<D>& session) {
     constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
     // The keys of cells projected after the position are known at the end of the recording.
-    Session<D> end = session;
-    end.set_time_stop(none);
-    end.seek(session.recorded());
+    const Session<D> end = copy_at(session, session.recorded());
 
     const Reference& reference = session.reference();
     const Timeline& timeline = end.timeline();

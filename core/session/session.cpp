@@ -227,9 +227,7 @@ std::vector<Marker> Session<D>::markers() const {
     std::vector<Marker> markers;
     if (method_.terms) {
         // The keys of cells projected later are known where all is done.
-        Session end = *this;
-        end.set_time_stop(none);
-        end.seek(recorded());
+        const Session end = copy_at(*this, recorded());
         for (std::uint32_t step = 1; step <= end.position(); ++step)
             if (const std::size_t penalised = end.penalised_facets(step).size(); penalised > 0)
                 markers.push_back({step, Marker::Kind::penalty, std::to_string(penalised) + " penalised"});

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <string>
@@ -94,8 +95,8 @@ public:
     Invalidates change(const Settings& settings);
     /// Moves the culling view, or while frozen the display view only.
     void set_view(const ViewSpec<D>& view);
-    /// Another soup of primitives under the same views and settings, e.g. after an edit. What referred to a primitive or
-    /// a cell that no longer exists is dropped.
+    /// Another soup of primitives under the same views and settings, e.g. after an edit. What referred to a primitive
+    /// or a cell that no longer exists is dropped.
     void set_scene(std::shared_ptr<const Scene<D>> scene);
     const std::shared_ptr<const Scene<D>>& shared_scene() const { return scene_; }
     void freeze();
@@ -147,5 +148,21 @@ private:
 };
 
 extern template class Session<2>;
+
+/// The cell that the last step projected; none at step 0 and for orders of primitives.
+template <int D>
+std::uint32_t last_cell(const Session<D>& session) {
+    return session.position() > 0 ? session.timeline().steps[session.position() - 1].cell : none;
+}
+
+/// A copy at a recorded step, or at the last one where there are fewer, wherever a budget in milliseconds ended the
+/// run.
+template <int D>
+Session<D> copy_at(const Session<D>& session, std::uint32_t step) {
+    Session<D> copy = session;
+    copy.set_time_stop(none);
+    copy.seek(std::min(step, session.recorded()));
+    return copy;
+}
 
 }  // namespace sightline

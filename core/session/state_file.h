@@ -14,8 +14,8 @@
 
 namespace sightline {
 
-/// A scene whose JSON is at most this long travels inside the state file; a larger one by id, seed and hash,
-/// unless it was edited: then it lies nowhere else.
+/// A scene whose JSON is at most this long travels inside the state file; a larger one by id, seed and hash, unless
+/// it was edited: then it lies nowhere else.
 inline constexpr std::size_t embed_limit_bytes = 1'000'000;
 
 /// `other`: a session that stands beside the first one, moved along as `align` says.
@@ -31,8 +31,7 @@ struct OpenedState {
 };
 
 /// `name` begins every error line. Throws InputError when the text is no state file, when the scene it names cannot be
-/// found or is another one (by hash), when a setting does not exist, or when a
-/// breakpoint is no condition.
+/// found or is another one (by hash), when a setting does not exist, or when a breakpoint is no condition.
 OpenedState open_state(std::string_view text, const std::string& name,
                        std::span<const Method<2>> methods = method_table<2>());
 

@@ -14,6 +14,12 @@ namespace {
 /// Differences in more settings than these make no title.
 constexpr std::size_t most_in_title = 2;
 
+template <int D>
+Other<D>& need_other(Workbench<D>& bench) {
+    if (!bench.other) throw InputError("there is nothing to compare with; write compare first");
+    return *bench.other;
+}
+
 /// Scene and view of the left side, what is frozen, noted and selected there; true when the traversal was made again.
 template <int D>
 bool take_over(const Session<D>& lead, Other<D>& other) {
@@ -81,8 +87,7 @@ void take_along(Workbench<D>& bench) {
 
 template <int D>
 void align_with(Workbench<D>& bench, Align align) {
-    if (!bench.other) throw InputError("there is nothing to compare with; write compare first");
-    bench.other->align = align;
+    need_other(bench).align = align;
     moved(bench);
 }
 
@@ -104,25 +109,25 @@ const Difference& first_difference(const Workbench<D>& bench) {
 
 template <int D>
 void go_to_difference(Workbench<D>& bench) {
-    if (!bench.other) throw InputError("there is nothing to compare with; write compare first");
+    Other<D>& other = need_other(bench);
     const Difference difference = first_difference(bench);
     bench.say(difference.sentence);
     if (difference.step == none) return;
     go_to_step(bench, difference.step);
-    bench.other->session.seek(difference.step);  // whatever the right side is aligned by
+    other.session.seek(difference.step);  // whatever the right side is aligned by
 }
 
 template <int D>
 void swap_sides(Workbench<D>& bench) {
-    if (!bench.other) throw InputError("there is nothing to compare with; write compare first");
-    Session<D>&left = bench.session, &right = bench.other->session;
+    Other<D>& other = need_other(bench);
+    Session<D>&left = bench.session, &right = other.session;
     const auto titles = side_titles(bench);
     std::swap(left, right);
     std::swap(left.breakpoints, right.breakpoints);
     std::swap(left.bookmarks, right.bookmarks);
-    bench.other->title = titles[0];
-    bench.other->lead_scene = left.shared_scene();
-    bench.other->lead_view = left.culling_view();
+    other.title = titles[0];
+    other.lead_scene = left.shared_scene();
+    other.lead_view = left.culling_view();
     bench.history = {};
     traversal_changed(bench);
 }

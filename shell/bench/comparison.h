@@ -7,6 +7,8 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "core/session/comparison.h"
 
@@ -48,11 +50,12 @@ void compare_settings(Workbench<D>& bench, const Settings& settings, const std::
 template <int D>
 void compare_off(Workbench<D>& bench);
 
-/// Moves the right one along; part of moved(). It gets the left one's new scene and view when both had the same scene.
+/// Moves the right one along; part of moved(), and alone after changes of notes and selection, which leave the middle
+/// of a step as it is. The right one gets the left one's new scene and view when both had the same scene.
 template <int D>
 void take_along(Workbench<D>& bench);
 
-/// How the right one is moved along.
+/// How the right one is moved along. This and the next two throw InputError when there is none.
 template <int D>
 void align_with(Workbench<D>& bench, Align align);
 

@@ -33,7 +33,7 @@ void go_to_place(Session<2>& session, const std::string& place) {
     } else if (place.starts_with("until ")) {
         const Condition<2> condition(place.substr(6));
         session.seek(0);
-        if (session.run_until([&](const Session<2>& s) { return condition.holds(s); }) != Stop::breakpoint)
+        if (run_until(session, condition) != Stop::breakpoint)
             throw InputError("panel '" + place + "': the condition never holds before the run ends");
         return;
     }

@@ -33,6 +33,17 @@ void bring_back(Workbench<D>& bench, const Snapshot<D>& to) {
     traversal_changed(bench);
 }
 
+/// Brings the last entry of `from` back; what was there until now goes to `to`. False when there is none.
+template <int D>
+bool exchange(Workbench<D>& bench, std::vector<Snapshot<D>>& from, std::vector<Snapshot<D>>& to) {
+    if (from.empty()) return false;
+    to.push_back(snapshot(bench.session));
+    bring_back(bench, from.back());
+    from.pop_back();
+    end_gesture(bench);
+    return true;
+}
+
 }  // namespace
 
 template <int D>
@@ -47,24 +58,12 @@ void remember(Workbench<D>& bench, const std::string& gesture) {
 
 template <int D>
 bool undo(Workbench<D>& bench) {
-    History<D>& history = bench.history;
-    if (history.past.empty()) return false;
-    history.future.push_back(snapshot(bench.session));
-    bring_back(bench, history.past.back());
-    history.past.pop_back();
-    history.gesture.clear();
-    return true;
+    return exchange(bench, bench.history.past, bench.history.future);
 }
 
 template <int D>
 bool redo(Workbench<D>& bench) {
-    History<D>& history = bench.history;
-    if (history.future.empty()) return false;
-    history.past.push_back(snapshot(bench.session));
-    bring_back(bench, history.future.back());
-    history.future.pop_back();
-    history.gesture.clear();
-    return true;
+    return exchange(bench, bench.history.future, bench.history.past);
 }
 
 template void remember<2>(Workbench<2>&, const std::string&);

@@ -37,7 +37,7 @@ void run_to_end(Workbench<D>& bench) {
 
 template <int D>
 void run_until(Workbench<D>& bench, const Condition<D>& condition) {
-    bench.last_stop = bench.session.run_until([&](const Session<D>& s) { return condition.holds(s); });
+    bench.last_stop = run_until(bench.session, condition);
     moved(bench);
 }
 

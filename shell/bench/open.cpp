@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shell/bench/open.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "core/error.h"
@@ -57,14 +58,23 @@ void add_bookmarks(Session<2>& session) {
     for (const CatalogueBookmark& bookmark : row->bookmarks) {
         const Condition<2> condition(bookmark.condition);
         scout.seek(0);
-        if (scout.run_until([&](const Session<2>& s) { return condition.holds(s); }) == Stop::breakpoint)
+        if (run_until(scout, condition) == Stop::breakpoint)
             session.bookmarks.push_back({scout.position(), bookmark.label});
     }
 }
 
+namespace {
+
+/// For warnings about what is read.
+auto warner(const Workbench<2>& bench) {
+    return [&bench](const std::string& line) { bench.say("warning: " + line); };
+}
+
+}  // namespace
+
 void open_state_text(Workbench<2>& bench, const std::string& text, const std::string& name) {
     OpenedState opened = open_state(text, name, bench.methods);
-    for (const std::string& warning : opened.warnings) bench.say("warning: " + warning);
+    std::for_each(opened.warnings.begin(), opened.warnings.end(), warner(bench));
     replace_session(bench, std::move(opened.session));
     bench.figure = std::move(opened.figure);
     if (opened.other) compare_with(bench, std::move(*opened.other), "right", opened.align);
@@ -72,21 +82,19 @@ void open_state_text(Workbench<2>& bench, const std::string& text, const std::st
 
 void open(Workbench<2>& bench, const std::string& name) {
     if (const auto text = state_text(name)) return open_state_text(bench, *text, name);
-    Session<2> session = open_scene(name, start_settings(name, bench.record_ahead), bench.methods,
-                                    [&](const std::string& line) { bench.say("warning: " + line); });
+    Session<2> session = open_scene(name, start_settings(name, bench.record_ahead), bench.methods, warner(bench));
     add_bookmarks(session);
     replace_session(bench, std::move(session));
     bench.figure = {};
 }
 
 void compare_file(Workbench<2>& bench, const std::string& name) {
-    const auto warn = [&](const std::string& line) { bench.say("warning: " + line); };
     const auto text = state_text(name);
     if (!text)
-        return compare_with(bench, open_scene(name, start_settings(name, bench.record_ahead), bench.methods, warn),
-                            name);
+        return compare_with(
+            bench, open_scene(name, start_settings(name, bench.record_ahead), bench.methods, warner(bench)), name);
     OpenedState opened = open_state(*text, name, bench.methods);
-    for (const std::string& warning : opened.warnings) warn(warning);
+    std::for_each(opened.warnings.begin(), opened.warnings.end(), warner(bench));
     compare_with(bench, std::move(opened.session), name);
 }
 

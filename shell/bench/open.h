@@ -31,11 +31,11 @@ void add_bookmarks(Session<2>& session);
 /// Puts a scene (by any name) or a state file (by its name) on the bench. Throws InputError; then nothing has changed.
 void open(Workbench<2>& bench, const std::string& name);
 
-/// Compares with what a scene or a state file holds. Throws InputError; then nothing has changed.
-void compare_file(Workbench<2>& bench, const std::string& name);
-
 /// The same for the text of a state file; `name` begins error lines.
 void open_state_text(Workbench<2>& bench, const std::string& text, const std::string& name);
+
+/// Compares with what a scene or a state file holds. Throws InputError; then nothing has changed.
+void compare_file(Workbench<2>& bench, const std::string& name);
 
 /// The scene read again as these settings ask; the same one where they do not matter to it.
 std::shared_ptr<const Scene<2>> reread(const std::shared_ptr<const Scene<2>>& scene, const Settings& settings);

@@ -3,8 +3,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -31,12 +33,12 @@ struct Place {
 
 template <int D>
 struct Workbench {
-    Session<D> session;
-    FigureSpec figure{};
+    Session<D> session;           ///< where it stands, and what is noted, marked and selected in it
+    FigureSpec figure{};          ///< how figures are written
     Stop last_stop = Stop::none;  ///< why the last move ended
     bool quit = false;
-    std::function<void(const std::string&)> say{};  ///< one line for the person
-    std::span<const Method<D>> methods = method_table<D>();
+    std::function<void(const std::string&)> say{};           ///< one line for the person
+    std::span<const Method<D>> methods = method_table<D>();  ///< those that `method` can choose
 
     std::optional<std::uint32_t> substep{};  ///< where in the last step (step into); none: between two steps
     std::optional<Other<D>> other{};         ///< a second session, on the right

@@ -35,13 +35,32 @@ std::size_t word_argument(Text text, std::span<const std::string_view> words) {
     throw InputError("'" + text + "' is not one of " + known);
 }
 
+std::optional<std::array<std::uint32_t, 2>> parse_steps(std::string_view text) {
+    const std::size_t dash = text.find('-');
+    if (dash == std::string_view::npos) return std::nullopt;
+    const auto from = parse_whole(text.substr(0, dash)), to = parse_whole(text.substr(dash + 1));
+    if (!from || !to) return std::nullopt;
+    return std::array{*from, *to};
+}
+
+std::optional<Vec<2>> parse_pair(std::string_view text) {
+    const std::size_t comma = text.find(',');
+    if (comma == std::string_view::npos) return std::nullopt;
+    const auto x = parse_number(text.substr(0, comma)), y = parse_number(text.substr(comma + 1));
+    if (!x || !y) return std::nullopt;
+    return Vec<2>(*x, *y);
+}
+
+const std::string& file_argument(Text text) {
+    if (text.empty()) throw InputError("a file name is missing");
+    return text;
+}
+
 template <int D>
 std::uint32_t cell_argument(const Workbench<D>& bench, Text text) {
     const Session<D>& session = bench.session;
     if (text == "last") {
-        if (session.position() > 0)
-            if (const std::uint32_t cell = session.timeline().steps[session.position() - 1].cell; cell != none)
-                return cell;
+        if (const std::uint32_t cell = last_cell(session); cell != none) return cell;
         throw InputError("no cell has been projected yet");
     }
     if (text == "selected") {

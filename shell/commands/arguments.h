@@ -3,7 +3,11 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 
 #include "shell/bench/workbench.h"
 
@@ -21,6 +25,15 @@ double number_argument(Text text, const char* what);
 
 /// One of the words of an enum. Throws InputError that lists them.
 std::size_t word_argument(Text text, std::span<const std::string_view> words);
+
+/// "FROM-TO"; nothing for what is none.
+std::optional<std::array<std::uint32_t, 2>> parse_steps(std::string_view text);
+
+/// "X,Y", two numbers; nothing for what is none.
+std::optional<Vec<2>> parse_pair(std::string_view text);
+
+/// Throws InputError when there is no name.
+const std::string& file_argument(Text text);
 
 /// A number, "last" (the cell of the last step) or "selected". Throws InputError when there is no such cell.
 template <int D>

@@ -69,22 +69,15 @@ std::span<const Command<D>> command_table() {
 }
 
 template <int D>
-const Command<D>* find_command(std::string_view id) {
-    const auto table = command_table<D>();
-    const auto found = std::find_if(table.begin(), table.end(), [&](const Command<D>& c) { return c.id == id; });
-    return found == table.end() ? nullptr : &*found;
-}
-
-template <int D>
 void run_commands(Workbench<D>& bench, std::string_view text) {
     for (const std::string& part : split_commands(text)) {
         const auto words = split_word(part);
         const std::string &word = words[0], &argument = words[1];
-        const Command<D>* found = find_command<D>(word);
-        if (!found) {
+        const auto table = command_table<D>();
+        const auto found = std::find_if(table.begin(), table.end(), [&](const Command<D>& c) { return c.id == word; });
+        if (found == table.end()) {
             std::string known;
-            for (const Command<D>& command : command_table<D>())
-                known += (known.empty() ? "" : ", ") + std::string(command.id);
+            for (const Command<D>& command : table) known += (known.empty() ? "" : ", ") + std::string(command.id);
             throw InputError("command '" + word + "' does not exist; there are " + known);
         }
         try {
@@ -98,7 +91,6 @@ void run_commands(Workbench<D>& bench, std::string_view text) {
 
 template std::span<const CommandGroup<2>> command_groups<2>();
 template std::span<const Command<2>> command_table<2>();
-template const Command<2>* find_command<2>(std::string_view);
 template void run_commands<2>(Workbench<2>&, std::string_view);
 
 }  // namespace sightline

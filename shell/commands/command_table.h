@@ -24,10 +24,6 @@ std::span<const CommandGroup<D>> command_groups();
 template <int D>
 std::span<const Command<D>> command_table();
 
-/// nullptr when there is no command of this id.
-template <int D>
-const Command<D>* find_command(std::string_view id);
-
 /// Runs "COMMAND; COMMAND; …" until the end or quit. A ';' inside double quotes does not separate, and two double
 /// quotes there are one. Throws InputError that names the command; those before it have been carried out.
 template <int D>

@@ -55,17 +55,15 @@ void zoom_timeline(Workbench<D>& bench, Text text) {
         desk.timeline_to = 1;
         return;
     }
-    const std::size_t dash = text.find('-');
-    const std::string_view words = text;
-    const auto from = parse_whole(words.substr(0, dash));
-    const auto to = dash == std::string::npos ? std::nullopt : parse_whole(words.substr(dash + 1));
-    if (!from || !to || *from >= *to) throw InputError("'" + text + "' is not FROM-TO in steps, or all");
+    const auto range = parse_steps(text);
+    if (!range || (*range)[0] >= (*range)[1]) throw InputError("'" + text + "' is not FROM-TO in steps, or all");
+    const auto& [from, to] = *range;
     const double steps = whole_run(bench);
-    if (*from >= steps)
-        throw InputError("step " + std::to_string(*from) + " is not before the end of the run at step " +
+    if (from >= steps)
+        throw InputError("step " + std::to_string(from) + " is not before the end of the run at step " +
                          number_text(steps));
-    desk.timeline_from = *from / steps;
-    desk.timeline_to = std::min<double>(*to, steps) / steps;
+    desk.timeline_from = from / steps;
+    desk.timeline_to = std::min<double>(to, steps) / steps;
 }
 
 template <bool Desk::*flag, int D>

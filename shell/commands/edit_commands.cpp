@@ -38,8 +38,7 @@ void edit_scene(Workbench<2>& bench, Text text) {
     constexpr auto words = std::to_array<std::string_view>({"new", "save"});
     const auto [what, file] = split_word(text);
     if (word_argument(what, words) == 0) return new_scene(bench);
-    if (file.empty()) throw InputError("a file name is missing");
-    save_scene(bench, file);
+    save_scene(bench, file_argument(file));
     bench.say("wrote " + file);
 }
 

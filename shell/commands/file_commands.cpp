@@ -1,7 +1,6 @@
 // Commands that read and write files.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/error.h"
-#include "core/number.h"
 #include "core/session/report.h"
 #include "shell/bench/export.h"
 #include "shell/bench/film.h"
@@ -14,28 +13,20 @@ namespace sightline {
 
 namespace {
 
-std::string need_file(Text text) {
-    if (text.empty()) throw InputError("a file name is missing");
-    return text;
-}
-
 /// FROM-TO FILE [4fps]
 template <int D>
 void film(Workbench<D>& bench, Text text) {
     const auto [steps, rest] = split_word(text);
-    const std::string_view range = steps;
-    const std::size_t dash = range.find('-');
-    const auto first = parse_whole(range.substr(0, dash));
-    const auto last = dash == std::string::npos ? std::nullopt : parse_whole(range.substr(dash + 1));
-    if (!first || !last) throw InputError("write the steps of a film as FROM-TO");
-    FilmSpec spec{*first, *last, rest};
+    const auto range = parse_steps(steps);
+    if (!range) throw InputError("write the steps of a film as FROM-TO");
+    FilmSpec spec{(*range)[0], (*range)[1], rest};
     const std::size_t space = rest.rfind(' ');
     if (space != std::string::npos && rest.ends_with("fps")) {
         const std::string speed = rest.substr(space + 1, rest.size() - space - 4);
         spec.frames_per_second = number_argument(speed, "a speed such as 4fps");
         spec.file = rest.substr(0, rest.find_last_not_of(' ', space) + 1);
     }
-    need_file(spec.file);
+    file_argument(spec.file);
     write_film(bench, spec);
 }
 
@@ -60,22 +51,22 @@ std::span<const Command<D>> file_commands() {
     static constexpr std::array table{
         Command<D>{"open", "SCENE | FILE", "open a scene by any name, or a state file", "Ctrl+O=?",
                    [](Workbench<D>& bench, Text text) {
-                       open(bench, need_file(text));
+                       open(bench, file_argument(text));
                        note_opened(bench.recent, text);
                    }},
         Command<D>{"size", "84mm | WxH", "size of figures", "",
                    [](Workbench<D>& bench, Text text) { set_figure_size(bench, text); }},
         Command<D>{"shot", "FILE", "write a figure (.png, .svg, .pdf) and its sidecar", "Ctrl+E=?",
-                   [](Workbench<D>& bench, Text text) { write_shot(bench, need_file(text)); }},
+                   [](Workbench<D>& bench, Text text) { write_shot(bench, file_argument(text)); }},
         Command<D>{"film", "FROM-TO FILE [4fps]",
                    "write steps as numbered .png, as pages of a .pdf, as .gif or as .mp4", "", film<D>},
         Command<D>{"save", "FILE", "write a state file", "Ctrl+S=?",
-                   [](Workbench<D>& bench, Text text) { write_text(need_file(text), bench_state(bench)); }},
+                   [](Workbench<D>& bench, Text text) { write_text(file_argument(text), bench_state(bench)); }},
         Command<D>{"trace", "FILE", "write the records of the steps so far", "",
-                   [](Workbench<D>& bench, Text text) { write_text(need_file(text), trace_json(bench.session)); }},
+                   [](Workbench<D>& bench, Text text) { write_text(file_argument(text), trace_json(bench.session)); }},
         Command<D>{"stats", "FILE", "write the statistics", "",
                    [](Workbench<D>& bench, Text text) {
-                       write_text(need_file(text), stats_json(bench.session, bench.last_stop));
+                       write_text(file_argument(text), stats_json(bench.session, bench.last_stop));
                    }},
         Command<D>{"copy", "", "the whole state to the clipboard, as text", "Ctrl+C", copy<D>},
         Command<D>{"paste", "", "open the state that the clipboard holds", "Ctrl+V", paste<D>},

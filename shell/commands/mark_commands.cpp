@@ -73,9 +73,11 @@ void switch_breakpoint(Workbench<D>& bench, Text text) {
 
 template <int D>
 void mark_all(Workbench<D>& bench, Text text) {
-    bench.marked.clear();
-    bench.marked_by.clear();
-    if (text == "none") return;
+    if (text == "none") {
+        bench.marked.clear();
+        bench.marked_by.clear();
+        return;
+    }
     const Condition<D> condition(condition_text(bench, text));
     bench.marked = matches(bench.record_ahead ? bench.session : at_the_end(bench.session), condition);
     bench.marked_by = condition.text();

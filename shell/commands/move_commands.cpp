@@ -1,5 +1,7 @@
 // Commands that move along the run.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
 #include "core/error.h"
 #include "core/number.h"
 #include "shell/bench/into.h"

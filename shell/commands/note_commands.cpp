@@ -1,9 +1,9 @@
 // Commands about notes.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <tuple>
 
 #include "core/error.h"
-#include "core/number.h"
 #include "shell/bench/history.h"
 #include "shell/bench/moves.h"
 #include "shell/commands/arguments.h"
@@ -13,32 +13,34 @@ namespace sightline {
 
 namespace {
 
+/// "[what] words" -> what, and words without it; nothing where the bracket is not closed.
+std::optional<std::string> take_bracket(std::string& words, char closing) {
+    const std::size_t end = words.find(closing);
+    if (end == std::string::npos) return std::nullopt;
+    const std::string what = words.substr(1, end - 1);
+    const std::size_t start = words.find_first_not_of(' ', end + 1);
+    words = start == std::string::npos ? "" : words.substr(start);
+    return what;
+}
+
 /// "[DX,DY] words" -> the offset, and words without it.
 std::optional<Vec<2>> take_offset(std::string& words) {
     if (!words.starts_with('[')) return std::nullopt;
-    const std::size_t end = words.find(']'), comma = words.find(',');
-    const std::string_view view = words;
-    const auto x = end == std::string::npos || comma > end ? std::nullopt : parse_number(view.substr(1, comma - 1));
-    const auto y = !x ? std::nullopt : parse_number(view.substr(comma + 1, end - comma - 1));
-    if (!x || !y) throw InputError("write the offset in points as [DX,DY]");
-    const std::size_t start = words.find_first_not_of(' ', end + 1);
-    words = start == std::string::npos ? "" : words.substr(start);
-    return Vec<2>{*x, *y};
+    const auto what = take_bracket(words, ']');
+    const auto offset = what ? parse_pair(*what) : std::nullopt;
+    if (!offset) throw InputError("write the offset in points as [DX,DY]");
+    return offset;
 }
 
 /// "{FROM-TO} words" -> the steps in which a note shows, and words without them.
 std::optional<std::array<std::uint32_t, 2>> take_steps(std::string& words) {
     if (!words.starts_with('{')) return std::nullopt;
-    const std::size_t end = words.find('}'), dash = words.find('-');
-    const std::string_view view = words;
-    if (end == std::string::npos || dash > end) throw InputError("write the steps of a note as {FROM-TO} or {FROM-}");
-    const auto first = parse_whole(view.substr(1, dash - 1));
-    const std::string_view to = view.substr(dash + 1, end - dash - 1);
-    const auto last = to.empty() ? std::optional(none) : parse_whole(to);
-    if (!first || !last) throw InputError("write the steps of a note as {FROM-TO} or {FROM-}");
-    const std::size_t start = words.find_first_not_of(' ', end + 1);
-    words = start == std::string::npos ? "" : words.substr(start);
-    return std::array{*first, *last};
+    const auto what = take_bracket(words, '}');
+    if (what && what->ends_with('-'))
+        return std::array{whole_argument(what->substr(0, what->size() - 1), "the first step of a note"), none};
+    const auto steps = what ? parse_steps(*what) : std::nullopt;
+    if (!steps) throw InputError("write the steps of a note as {FROM-TO} or {FROM-}");
+    return steps;
 }
 
 /// X,Y, cell:ID or primitive:ID.

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/draw/shown_world.h"
 #include "core/error.h"
-#include "core/number.h"
 #include "shell/bench/change.h"
 #include "shell/bench/moves.h"
 #include "shell/bench/zoom.h"
@@ -51,12 +50,10 @@ void unfreeze(Workbench<D>& bench, Text) {
 /// By shares of what the picture shows.
 template <int D>
 void pan(Workbench<D>& bench, Text text) {
-    const std::size_t comma = text.find(',');
-    const auto x = comma == std::string::npos ? std::nullopt : parse_number(text.substr(0, comma));
-    const auto y = !x ? std::nullopt : parse_number(text.substr(comma + 1));
-    if (!x || !y) throw InputError("write the shares of the picture to move by as DX,DY");
+    const auto shares = parse_pair(text);
+    if (!shares) throw InputError("write the shares of the picture to move by as DX,DY");
     const Box<2> world = shown_world(bench.session);
-    centre_on(bench, world.centre() + Vec<2>(*x, *y) * world.extent());
+    centre_on(bench, world.centre() + *shares * world.extent());
 }
 
 }  // namespace

@@ -1,0 +1,62 @@
+// A bench on the first scene that commands are run on.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/scene/catalogue.h"
+#include "shell/commands/command_table.h"
+
+namespace sightline::test {
+
+/// At step 0; nothing is recorded yet.
+class Commands : public ::testing::Test {
+protected:
+    Commands() {
+        const CatalogueRow& row = *find_in_catalogue("bottleneck");
+        Settings settings;
+        settings.error_bound = row.error_bound;
+        bench.reset(
+            new Workbench<2>{Session<2>(std::make_shared<const Scene<2>>(make_scene(row)), row.view, settings)});
+        bench->say = [this](const std::string& line) { said.push_back(line); };
+        std::filesystem::create_directories(folder);
+    }
+    ~Commands() override { std::filesystem::remove_all(folder); }
+
+    void run(const std::string& text) {
+        said.clear();
+        run_commands(*bench, text);
+    }
+    Session<2>& session() { return bench->session; }
+    const Other<2>& other() { return bench->other.value(); }
+    std::string file(const std::string& name) const { return (folder / name).string(); }
+
+    std::filesystem::path folder =
+        std::filesystem::temp_directory_path() / ("sightline-commands-" + std::to_string(getpid()));
+    std::vector<std::string> said;  ///< by the last run()
+    std::unique_ptr<Workbench<2>> bench;
+};
+
+/// One test for each command, named after it with _ for -; commands_test.cpp counts them. At step 10 of a run that is
+/// recorded as a whole.
+class EachCommand : public Commands {
+protected:
+    EachCommand() { run("run; seek 10"); }
+
+    /// The command switches the flag, and switches it back.
+    void flips(const std::string& command, const bool& flag) {
+        const bool before = flag;
+        run(command);
+        EXPECT_NE(flag, before);
+        run(command);
+        EXPECT_EQ(flag, before);
+    }
+};
+
+}  // namespace sightline::test
