@@ -6,6 +6,7 @@
 #include <set>
 
 #include "core/draw/cell_number.h"
+#include "core/draw/shown_world.h"
 #include "shell/figure/layout.h"
 #include "tests/picture_support.h"
 
@@ -197,6 +198,22 @@ TEST(Compose, NotesShowInTheirStepsAtTheirAnchors) {
             return shape.kind == ShapeKind::ring && list.points[shape.first_point] == (p[0] + p[1]) * 0.5;
         }));
     }
+}
+
+TEST(Compose, AFigureHasTheNotesThatAWindowShowsBesideTheScene) {
+    Session<2> session = session_of(*find_in_catalogue("bottleneck"));
+    const Box<2> scene = shown_world(session);
+    Note<2> note;
+    note.text = "beside";
+    note.point = {scene.max.x + 0.4 * scene.extent().x, scene.centre().y};
+    session.notes.push_back(note);
+    note.point = {scene.max.x + 4 * scene.extent().x, scene.centre().y};  // no reason to shrink all
+    session.notes.push_back(note);
+    const Box<2> world = make_figure(std::array{PanelSource{session, ""}}).panels[0].list.world;
+    EXPECT_TRUE(world.contains(session.notes[0].point));
+    EXPECT_FALSE(world.contains(note.point));
+    EXPECT_TRUE(
+        make_film(std::array{PanelSource{session, ""}})[0].panels[0].list.world.contains(session.notes[0].point));
 }
 
 TEST(Compose, TheCaptionNamesTheConditions) {

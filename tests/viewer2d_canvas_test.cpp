@@ -246,6 +246,21 @@ TEST_F(Canvas, DrawnSegmentsSnapToEndsAndFollowLive) {
     EXPECT_EQ(bench.session.scene().primitives.size(), count);
 }
 
+TEST_F(Canvas, ThePictureStaysWhereItIsUnderADrawnSegment) {
+    run_commands(bench, "scene new");
+    for (const auto& [from, to] :
+         {std::array{ImVec2{100, 100}, ImVec2{300, 130}}, {ImVec2{700, 640}, ImVec2{60, 400}}}) {
+        const Camera before = camera();
+        drag_to(bench, begin(Handle::none, from, DragKind::draw_segment), to, 1);
+        const Primitive<2>& drawn = bench.session.scene().primitives.back();
+        EXPECT_LT(distance(camera().to_window(drawn[0]), from), 0.1f);
+        EXPECT_LT(distance(camera().to_window(drawn[1]), to), 0.1f);
+        undo(bench);
+        EXPECT_LT(distance(camera().to_window(before.world.max), before.to_window(before.world.max)), 0.1f);
+        redo(bench);
+    }
+}
+
 TEST_F(Canvas, NotesMoveTheirTextOrTheirAnchor) {
     run_commands(bench, "note arrow cell:3 [30,20] here");
     Drag drag = begin(Handle::note_text, {400, 300});
@@ -333,6 +348,23 @@ TEST(Labels, ThoseThatAreShownStayWhileOthersComeAndGo) {
     spots = place_labels(labels, plain_paper(), {}, memory);
     ASSERT_EQ(spots.size(), 1u);
     EXPECT_EQ(spots[0].label, 0u);
+}
+
+TEST(Labels, MoveWithinTheirRoomAndThenStayThere) {
+    std::vector<Label> labels{yielding(300, 300, "0.25"), yielding(320, 302, "0.5")};
+    LabelMemory memory;
+    EXPECT_EQ(place_labels(labels, plain_paper(), {}, memory).size(), 1u);
+    for (Label& label : labels) label.room = 20;
+    const auto spots = place_labels(labels, plain_paper(), {}, memory);
+    ASSERT_EQ(spots.size(), 2u);
+    EXPECT_FALSE(overlap(spots[0].box, spots[1].box));
+    EXPECT_EQ(spots[0].anchor.x, 300);
+    const LabelSpot moved = spots[1];
+    EXPECT_LE(std::hypot(moved.box.x + moved.box.w / 2 - 320, moved.box.y + moved.box.h / 2 - 302), 20.01);
+    // Its neighbour goes, another number comes.
+    labels.erase(labels.begin());
+    labels[0].text = "0.7";
+    EXPECT_EQ(place_labels(labels, plain_paper(), {}, memory)[0].box.y, moved.box.y);
 }
 
 TEST(Legend, HasARowForEachAndStaysOffTheEye) {

@@ -298,6 +298,42 @@ TEST_F(WindowMouse, ADragWithinOneFrameIsADrag) {
     EXPECT_EQ(bench->session.culling_view(), start);
 }
 
+TEST_F(WindowMouse, TheFieldOfANoteTakesTheMouseFromThePictureForGood) {
+    driver->window().ui().act("seek 6; note text cell:last [0,60] seen; seek 2");
+    driver->frames(2);
+    ASSERT_NE(driver->place("note 1"), nullptr);
+    const Place text = *driver->place("note 1");
+    const double x = text.x + text.w / 2, y = text.y + text.h / 2;
+    driver->click(x, y);
+    driver->click(x, y);
+    driver->frames(2);
+    driver->type("now");
+    driver->frames(2);
+    // Tab goes on to the steps.
+    for (const char* steps : {"1", "9"}) {
+        driver->key(SDLK_TAB);
+        driver->frames(2);
+        driver->type(steps);
+        driver->frames(2);
+    }
+    driver->key(SDLK_RETURN);
+    driver->frames(4);
+    EXPECT_EQ(bench->session.notes[0].text, "now");
+    EXPECT_EQ(bench->session.notes[0].first_step, 1u);
+    EXPECT_EQ(bench->session.notes[0].last_step, 9u);
+    // Escape has no drag to take back, and the next click counts.
+    driver->key(SDLK_RIGHT);
+    driver->frames(2);
+    EXPECT_EQ(bench->session.position(), 3u);
+    driver->key(SDLK_ESCAPE);
+    driver->frames(2);
+    EXPECT_EQ(bench->session.position(), 3u);
+    EXPECT_EQ(bench->session.notes[0].text, "now");
+    driver->click(x + text.w, y);
+    driver->frames(2);
+    EXPECT_NE(bench->session.selected_cell, none);
+}
+
 TEST_P(WindowFrames, NothingFails) {
     for (const Command<2>& command : command_table<2>()) {
         if (leaves_the_program(command.id)) continue;

@@ -78,11 +78,13 @@ void drag_to(Workbench<2>& bench, const Drag& drag, const ImVec2& mouse, float u
         if (drag.kind == DragKind::pan) return centre_on(bench, drag.camera.world.centre() + drag.from - to, gesture);
         if (drag.kind == DragKind::draw_segment) {
             draw_segment(bench, drag, to, unit);
+            hold(bench, drag.camera.world, gesture);
         } else if (drag.handle == Handle::note_text || drag.handle == Handle::note_anchor) {
             return drag_note(bench, drag, to, unit);
         } else if (drag.handle == Handle::segment || drag.handle == Handle::segment_start ||
                    drag.handle == Handle::segment_end) {
             drag_segment(bench, drag, to, unit);
+            hold(bench, drag.camera.world, gesture);
         } else {
             drag_view(bench, drag, to);
         }

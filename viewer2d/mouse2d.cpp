@@ -169,7 +169,8 @@ void Mouse2d::frame(Ui& ui, std::span<const MousePane> panes) {
             ++ui.revision;
         }
     }
-    if (ImGui::IsItemDeactivated() && drag_) {
+    // Also when something else took the mouse away, such as the field that a double click opens.
+    if (drag_ && !ImGui::IsItemActive()) {
         const float moved = drag_threshold * ui.unit;
         release(ui, io.MouseReleased[ImGuiMouseButton_Left] && io.MouseDragMaxDistanceSqr[0] < moved * moved);
     }

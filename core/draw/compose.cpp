@@ -99,7 +99,7 @@ std::vector<Figure> make_film(std::span<const PanelSource> frames) {
     const Settings& settings = frames.front().session.settings();
     Box<2> world;
     for (const PanelSource& frame : frames) {
-        const Box<2> own = shown_world(frame.session);
+        const Box<2> own = figure_world(frame.session);
         world.add(own.min);
         world.add(own.max);
     }

@@ -65,6 +65,7 @@ struct Label {
     std::optional<Colour> disc;  ///< numbered callouts: a filled circle behind the text
     bool leader = false;         ///< an arrow from the text to `at`, in the text's colour
     bool yields = false;         ///< left out where it would overlap an earlier label
+    double room = 0;             ///< scene units by which it may leave `at` rather than be left out
 };
 
 /// Shapes are drawn in order, then the labels.

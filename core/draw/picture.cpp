@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/draw/cell_number.h"
 #include "core/draw/notes.h"
@@ -33,7 +34,7 @@ class Painter {
 public:
     Painter(const Session<2>& session, const PictureOptions& options)
         : session_(session), set_(session.settings()), cells_(session.cells()), colours_(colours(set_.palette)) {
-        list_.world = widened(options.world ? *options.world : shown_world(session), options.aspect);
+        list_.world = widened(options.world ? *options.world : figure_world(session), options.aspect);
         list_.styles = colours_.looks;
         const bool by_state = set_.heat == CellNumber::none && set_.show_states == Switch::on;
         const auto wants = [&](PicturePart part) { return options.part == PicturePart::all || options.part == part; };
@@ -218,6 +219,18 @@ private:
                       {cells_.centres[link.update.from], cells_.centres[link.update.neighbour]}, 4);
     }
 
+    /// Distance from a cell's centre to its nearest edge.
+    double room_about_centre(std::uint32_t cell) const {
+        const auto corners = cells_.corners_of(cell);
+        double room = std::numeric_limits<double>::infinity();
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            const Vec<2> a = cells_.points[corners[i]], edge = cells_.points[corners[(i + 1) % corners.size()]] - a;
+            const Vec<2> d = cells_.centres[cell] - a;
+            room = std::min(room, std::abs(edge.x * d.y - edge.y * d.x) / glm::length(edge));
+        }
+        return room;
+    }
+
     void labels() {
         if (set_.label == CellNumber::none) return;
         const auto numbers = cell_numbers(session_, set_.label);
@@ -234,6 +247,7 @@ private:
             label.scale = 0.8;
             label.colour = colours_.ink;
             label.halo = colours_.halo;
+            label.room = room_about_centre(cell);
             label.yields = cell != last && cell != session_.selected_cell;
             list_.labels.push_back(label);
         }

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <glm/common.hpp>
 
+#include "core/draw/notes.h"
+
 namespace sightline {
 
 namespace {
@@ -52,6 +54,16 @@ Box<2> widened(Box<2> box, double aspect) {
     box.min -= more * 0.5;
     box.max += more * 0.5;
     return box;
+}
+
+Box<2> figure_world(const Session<2>& session) {
+    const Box<2> shown = shown_world(session);
+    constexpr double widest_window = 2.5;
+    const Box<2> beside = widened(shown, widest_window);
+    Box<2> world = shown;
+    for (const Note<2>& note : session.notes)
+        if (const Vec<2> at = anchor_point(session, note); beside.contains(at)) world.add(at);
+    return world;
 }
 
 }  // namespace sightline

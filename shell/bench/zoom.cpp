@@ -2,6 +2,8 @@
 #include "shell/bench/zoom.h"
 
 #include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
 
 #include "core/draw/shown_world.h"
 #include "core/error.h"
@@ -37,6 +39,16 @@ void centre_on(Workbench<2>& bench, const Vec<2>& middle, const std::string& ges
     settings.zoom_x = middle.x;
     settings.zoom_y = middle.y;
     change_settings(bench, settings, gesture);
+}
+
+void hold(Workbench<2>& bench, const Box<2>& world, const std::string& gesture) {
+    const Vec<2> shown = shown_world(bench.session).extent(), held = world.extent();
+    const double factor = std::max(shown.x / held.x, shown.y / held.y);
+    // Nothing that an eye could see: a picture that fits the scene goes on fitting it.
+    const double off = glm::length(shown_world(bench.session).centre() - world.centre()) / glm::length(held);
+    if (std::abs(factor - 1) < 1e-6 && off < 1e-6) return;
+    zoom_about(bench, shown_world(bench.session).centre(), factor, gesture);
+    centre_on(bench, world.centre(), gesture);
 }
 
 void fit(Workbench<2>& bench) {

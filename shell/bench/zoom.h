@@ -16,6 +16,10 @@ void zoom(Workbench<2>& bench, double factor);
 /// Puts this scene point into the middle of the picture.
 void centre_on(Workbench<2>& bench, const Vec<2>& middle, const std::string& gesture = "");
 
+/// Shows this box again, as the picture did before the scene's extent changed: what is drawn must not slip away from
+/// under the hand that draws it.
+void hold(Workbench<2>& bench, const Box<2>& world, const std::string& gesture = "");
+
 /// Shows all again.
 void fit(Workbench<2>& bench);
 

@@ -2,6 +2,7 @@
 #include "shell/window/labels.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "shell/window/halo.h"
@@ -56,6 +57,21 @@ float kept_inside(float low, float extent, float frame_low, float frame_extent) 
     return std::clamp(low, frame_low, frame_low + frame_extent - extent);
 }
 
+/// Where a label may stand, in shares of its room: at its point, or else a little beside it. The order is fixed.
+constexpr std::array<std::array<float, 2>, 13> shifts{{{0, 0},
+                                                       {0, -0.5f},
+                                                       {0, 0.5f},
+                                                       {-0.5f, 0},
+                                                       {0.5f, 0},
+                                                       {0, -1},
+                                                       {0, 1},
+                                                       {-1, 0},
+                                                       {1, 0},
+                                                       {-0.7f, -0.7f},
+                                                       {0.7f, -0.7f},
+                                                       {-0.7f, 0.7f},
+                                                       {0.7f, 0.7f}}};
+
 /// As in figures (shell/figure/label.h).
 LabelSpot spot_of(const Label& label, std::size_t index, const ImVec2& anchor, const LabelPaper& paper) {
     const ImVec2 extent = paper.measure(label.text);
@@ -102,28 +118,49 @@ std::vector<LabelSpot> place_labels(std::span<const Label> labels, const LabelPa
     TakenPlaces places(paper.area);
     for (const Area& area : taken) places.take(area);
     std::vector<LabelSpot> spots;
-    const auto place = [&](std::size_t i) {
-        const ImVec2 anchor = paper.to_window(labels[i].at);
-        if (!paper.area.contains(anchor)) return;
-        const LabelSpot spot = spot_of(labels[i], i, anchor, paper);
-        if (labels[i].yields && !places.is_free(spot.box)) return;
+    LabelMemory shown;
+    const auto place_at = [&](std::size_t i, const ImVec2& anchor, const ImVec2& to, std::size_t shift) {
+        LabelSpot spot = spot_of(labels[i], i, to, paper);
+        spot.anchor = anchor;
+        if (labels[i].yields && !places.is_free(spot.box)) return false;
         places.take(spot.box);
         spots.push_back(spot);
+        shown.push_back({labels[i].at.x, labels[i].at.y, shift});
+        return true;
+    };
+    /// From this one of its places on.
+    const auto place = [&](std::size_t i, std::size_t first) {
+        const Label& label = labels[i];
+        const ImVec2 anchor = paper.to_window(label.at);
+        if (!paper.area.contains(anchor)) return;
+        const float room = paper.to_window(label.at + Vec<2>(label.room, 0)).x - anchor.x;
+        const std::size_t count = room > 2 * paper.halo ? shifts.size() : 1;  // less would not help
+        for (std::size_t k = 0; k < count; ++k) {
+            const std::size_t shift = (first + k) % count;
+            const ImVec2 to{anchor.x + shifts[shift][0] * room, anchor.y + shifts[shift][1] * room};
+            if (place_at(i, anchor, to, shift)) return;
+        }
     };
     const auto remembered = [&](const Label& label) {
-        return std::binary_search(memory.begin(), memory.end(), std::array{label.at.x, label.at.y});
+        const auto found = std::lower_bound(memory.begin(), memory.end(), ShownLabel{label.at.x, label.at.y, 0});
+        return found != memory.end() && found->x == label.at.x && found->y == label.at.y ? &*found : nullptr;
     };
     std::vector<std::size_t> later;
     for (std::size_t i = 0; i < labels.size(); ++i)
-        if (!labels[i].yields) place(i);
+        if (!labels[i].yields) {
+            const ShownLabel* const before = remembered(labels[i]);
+            place(i, before ? before->shift : 0);
+        }
     for (std::size_t i = 0; i < labels.size(); ++i) {
         if (!labels[i].yields) continue;
-        remembered(labels[i]) ? place(i) : later.push_back(i);
+        if (const ShownLabel* const before = remembered(labels[i]))
+            place(i, before->shift);
+        else
+            later.push_back(i);
     }
-    for (const std::size_t i : later) place(i);
-    memory.clear();
-    for (const LabelSpot& spot : spots) memory.push_back({labels[spot.label].at.x, labels[spot.label].at.y});
-    std::sort(memory.begin(), memory.end());
+    for (const std::size_t i : later) place(i, 0);
+    std::sort(shown.begin(), shown.end());
+    memory = std::move(shown);
     return spots;
 }
 

@@ -39,7 +39,7 @@ void NoteField::draw(Ui& ui, const Area& area) {
     if (focus_) ImGui::SetNextWindowFocus();
     ImGui::Begin("note", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                     ImGuiWindowFlags_NoNav);
+                     ImGuiWindowFlags_NoNavFocus);  // but Tab goes from field to field
     if (focus_) ImGui::SetKeyboardFocusHere();
     focus_ = false;
     ImGui::SetNextItemWidth(-1);

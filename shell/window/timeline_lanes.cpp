@@ -102,6 +102,7 @@ void titles(ImDrawList& list, const Ui& ui, const TimelineLayout& layout, const 
             std::initializer_list<KeyRow> rows, const Colour& background) {
     const float x = layout.header.x, sample = 12 * ui.unit;
     const auto n = static_cast<float>(rows.size());
+    if (lane.h < 0.8f * n * layout.text) return;  // its tooltip is left
     const float line = std::min(layout.text, lane.h / n);
     float y = lane.y + (lane.h - n * line) / 2;
     for (const KeyRow& row : rows) {

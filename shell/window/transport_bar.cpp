@@ -147,7 +147,14 @@ void transport_bar(Ui& ui, Workbench<D>& bench, const Area& area) {
     ImGui::SameLine(0, 18 * ui.unit);
     const Session<D>& s = bench.session;
     const auto share = coverage(s.reference(), s.visible_rendered());
-    ImGui::Text("%u rendered, coverage %s", s.state().rendered_count, share ? short_number(*share).c_str() : "-");
+    const std::string done =
+        std::to_string(s.state().rendered_count) + " rendered, coverage " + (share ? short_number(*share) : "-");
+    // Whole or not at all: the panel of the run says it too, and the menus have what the buttons do.
+    const auto fits = [&](float width) { return ImGui::GetCursorPosX() + width <= area.w; };
+    if (fits(ImGui::CalcTextSize(done.c_str()).x)) {
+        ImGui::TextUnformatted(done.c_str());
+        ImGui::SameLine();
+    }
 
     const std::array panels{std::pair{"scenes", "Scenes"}, std::pair{"show settings", "Settings"},
                             std::pair{"show why", "Why"}, std::pair{"projector", "Projector"},
@@ -155,9 +162,9 @@ void transport_bar(Ui& ui, Workbench<D>& bench, const Area& area) {
     float w = 0;
     for (const auto& [command, title] : panels)
         w += ImGui::CalcTextSize(title).x + 2 * ImGui::GetStyle().FramePadding.x + ImGui::GetStyle().ItemSpacing.x;
-    ImGui::SameLine();
     ImGui::SetCursorPosX(std::max(ImGui::GetCursorPosX(), area.w - w - ImGui::GetStyle().WindowPadding.x));
     for (const auto& [command, title] : panels) {
+        if (!fits(ImGui::CalcTextSize(title).x + 2 * ImGui::GetStyle().FramePadding.x)) break;
         if (ImGui::Button(title)) ui.act(command);
         note_place(bench, "button " + std::string(command));
         ImGui::SameLine();

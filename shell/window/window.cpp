@@ -23,7 +23,7 @@ namespace {
 
 constexpr std::size_t most_messages = 500;
 /// Pixels at scale 1.
-constexpr float least_timeline = 150, least_column = 180;
+constexpr float least_timeline = 150, least_column = 180, least_timeline_em = 36;
 constexpr float text_pixels = 15, label_pixels = 12;
 /// Of the projector mode, in a window 1080 pixels high.
 constexpr float projector_text_pixels = 24, projector_label_pixels = 22;
@@ -286,16 +286,25 @@ void Window<D>::lay_out() {
             middle.w -= w + strip;
             if (left) middle.x += w + strip;
         };
-        column(Column::left, desk.left, desk.left_width);
-        column(Column::right, desk.right, desk.right_width);
-        if (desk.timeline) {
+        const auto timeline_part = [&] {
+            if (!desk.timeline) return;
             const float highest = middle.h * 0.5f, bottom = middle.y + middle.h;
             const float h = std::min(static_cast<float>(desk.timeline_height) * unit, highest);
             middle.h -= h + strip;
             desk.timeline_height = splitter(ui_, "split timeline", {middle.x, middle.y + middle.h, middle.w, strip},
                                             {false, bottom, least_timeline * unit, highest}, desk.timeline_height);
             timeline(ui_, bench_, {middle.x, bottom - h, middle.w, h});
-        }
+        };
+        // Below the columns where its titles would not fit between them.
+        const auto taken = [&](const std::string& shown, double width) {
+            return shown.empty() ? 0 : std::min(static_cast<float>(width) * unit, widest);
+        };
+        const float between = size.x - taken(desk.left, desk.left_width) - taken(desk.right, desk.right_width);
+        const bool below = between < least_timeline_em * ImGui::GetFontSize();
+        if (below) timeline_part();
+        column(Column::left, desk.left, desk.left_width);
+        column(Column::right, desk.right, desk.right_width);
+        if (!below) timeline_part();
     }
     if (stage.interact && middle.w > 8 && middle.h > 8) {
         bench_.places.push_back({"picture", middle.x, middle.y, middle.w, middle.h});
