@@ -137,6 +137,11 @@ void Window<D>::tell(Message message) {
 
 template <int D>
 void Window<D>::act(const std::string& commands) {
+    if (commands.starts_with("film ") && !after_frame_) {
+        tell({"drawing the film: the window answers again when it is written", false});
+        after_frame_ = commands;
+        return;
+    }
     ++ui_.revision;
     try {
         run_commands(bench_, commands);
@@ -326,6 +331,7 @@ void Window<D>::lay_out() {
 template <int D>
 void Window<D>::frame(double seconds) {
     take_events();
+    const std::optional<std::string> slow = after_frame_;
     if (bench_.transport.playing) {
         const std::uint32_t before = bench_.session.position();
         advance_clock(bench_, seconds);
@@ -351,6 +357,10 @@ void Window<D>::frame(double seconds) {
     ImGui::Render();
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     SDL_GL_SwapWindow(context_.window());
+    if (!slow) return;
+    act(*slow);
+    after_frame_.reset();
+    lively_frames_ = 3;
 }
 
 /// Sleeps while nothing moves.

@@ -70,10 +70,11 @@ private:
     bool fullscreen_ = false;
     std::vector<std::string> recent_;  ///< of the bench, at the last frame
     MouseState mouse_;
-    std::optional<SDL_Event> later_;  ///< a release that must not fall into the frame of what came before
-    bool expected_text_ = false;      ///< in the frame before
-    int frames_in_between_ = 0;       ///< since a text field was opened or closed and the keyboard has not followed
-    int lively_frames_ = 0;           ///< ImGui needs a few frames after an event
+    std::optional<SDL_Event> later_;          ///< a release that must not fall into the frame of what came before
+    std::optional<std::string> after_frame_;  ///< a command that takes seconds, until its word has been drawn
+    bool expected_text_ = false;              ///< in the frame before
+    int frames_in_between_ = 0;  ///< since a text field was opened or closed and the keyboard has not followed
+    int lively_frames_ = 0;      ///< ImGui needs a few frames after an event
 };
 
 }  // namespace sightline
