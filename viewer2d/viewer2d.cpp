@@ -116,7 +116,6 @@ Workbench<2> open_last(const Options& o, bool in_window, Recalled& recalled, std
 /// The window as it was the last time, and as the options ask.
 void arrange(Workbench<2>& bench, const Options& o, Recalled& recalled) {
     bench.desk = recalled.memory.desk;
-    if (o.scale) bench.desk.scale = *o.scale;
     if (o.window) recalled.memory.placement = {(*o.window)[0], (*o.window)[1], std::nullopt, false};
     bench.recent = recalled.memory.recent;
     const std::string asked = o.state.empty() ? o.scene : o.state;
@@ -190,7 +189,11 @@ void obey(const Options& o, std::span<const Method<2>> methods) {
     for (const std::string& file : o.shots) write_shot(bench, file);
     if (!o.trace.empty()) write_text(o.trace, trace_json(bench.session));
     if (!o.stats.empty()) write_text(o.stats, stats_json(bench.session, bench.last_stop));
-    if (window && !bench.quit) run_window(bench, recalled.memory.placement, memory, recalled.word);
+    if (window && !bench.quit) {
+        // An asked scale stands for what the screen's density would ask, and is not remembered.
+        const WindowOptions options{.placement = recalled.memory.placement, .scale = o.scale.value_or(0)};
+        run_window(bench, options, memory, recalled.word);
+    }
 }
 
 int report(const char* what, int status) {

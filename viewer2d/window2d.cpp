@@ -41,9 +41,9 @@ Stage stage2d(Workbench<2>& bench) {
     return stage;
 }
 
-void run_window(Workbench<2>& bench, const Placement& placement, const std::filesystem::path& memory,
+void run_window(Workbench<2>& bench, const WindowOptions& options, const std::filesystem::path& memory,
                 const std::string& word) {
-    Window<2> window(bench, {.placement = placement});
+    Window<2> window(bench, options);
     window.stage = stage2d(bench);
     if (!word.empty()) window.tell({word, true});
     const auto remember = [&] { keep(memory, {window.placement(), lasting(bench.desk), bench.recent}); };

@@ -16,7 +16,7 @@ Stage stage2d(Workbench<2>& bench);
 
 /// Opens the window on the bench and stays until the person quits; then, and whenever a scene was opened, the file
 /// keeps what the next start recalls. `word` is said first. Throws WorkError without a display or OpenGL 3.3.
-void run_window(Workbench<2>& bench, const Placement& placement, const std::filesystem::path& memory,
+void run_window(Workbench<2>& bench, const WindowOptions& options, const std::filesystem::path& memory,
                 const std::string& word);
 
 }  // namespace sightline
