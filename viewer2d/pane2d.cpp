@@ -82,7 +82,7 @@ void Pane2d::make_legend_box(const Ui& ui, const Session<2>& session, const Pict
     legend_ = make_legend(rows, colour_bar(session, options), colours(session.settings().palette), paper.measure,
                           ui.unit, size_.line_scale);
     // A legend that would take most of the picture helps nobody.
-    if (legend_.h > camera_.area.h - 20 * ui.unit || legend_.w > camera_.area.w / 2) legend_ = {};
+    if (legend_.h > camera_.area.h - 20 * ui.unit || legend_.w > camera_.area.w * 0.6f) legend_ = {};
     if (legend_.w == 0) return;
     const std::array<ImVec2, 2> eyes{camera_.to_window(session.display_view().eye),
                                      camera_.to_window(session.culling_view().eye)};
