@@ -168,4 +168,12 @@ double contrast(const Colour& a, const Colour& b) {
     return (high + 0.05) / (low + 0.05);
 }
 
+Colour between(const std::vector<Colour>& stops, double share) {
+    const double at = share * static_cast<double>(stops.size() - 1);
+    const auto i = std::min(static_cast<std::size_t>(at), stops.size() - 2);
+    const double t = at - static_cast<double>(i);
+    const auto mix = [&](std::uint8_t a, std::uint8_t b) { return static_cast<std::uint8_t>(a + (b - a) * t + 0.5); };
+    return {mix(stops[i].r, stops[i + 1].r), mix(stops[i].g, stops[i + 1].g), mix(stops[i].b, stops[i + 1].b)};
+}
+
 }  // namespace sightline

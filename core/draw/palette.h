@@ -46,6 +46,9 @@ struct Colours {
 
 const Colours& colours(Palette palette);
 
+/// The colour at a share in [0, 1] of the way along the stops, which are evenly spread; two stops or more.
+Colour between(const std::vector<Colour>& stops, double share);
+
 /// CIE lightness L* in [0, 100] of an opaque colour (sRGB, D65).
 double lightness(const Colour& colour);
 

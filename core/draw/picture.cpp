@@ -21,14 +21,6 @@ constexpr int heat_steps = 32;
 
 std::uint16_t index(Look look) { return static_cast<std::uint16_t>(look); }
 
-Colour between(const std::vector<Colour>& stops, double share) {
-    const double at = share * static_cast<double>(stops.size() - 1);
-    const auto i = std::min(static_cast<std::size_t>(at), stops.size() - 2);
-    const double t = at - static_cast<double>(i);
-    const auto mix = [&](std::uint8_t a, std::uint8_t b) { return static_cast<std::uint8_t>(a + (b - a) * t + 0.5); };
-    return {mix(stops[i].r, stops[i + 1].r), mix(stops[i].g, stops[i + 1].g), mix(stops[i].b, stops[i + 1].b)};
-}
-
 /// Builds one picture, layer by layer from the back to the front.
 class Painter {
 public:

@@ -44,14 +44,7 @@ public:
         constexpr int steps = 48;
         Style style;
         for (int i = 0; i < steps; ++i) {
-            const double share = (i + 0.5) / steps * static_cast<double>(bar.stops.size() - 1);
-            const auto at = std::min(static_cast<std::size_t>(share), bar.stops.size() - 2);
-            const double t = share - static_cast<double>(at);
-            const auto mix = [t](std::uint8_t a, std::uint8_t b) {
-                return static_cast<std::uint8_t>(a + (b - a) * t + 0.5);
-            };
-            const Colour &a = bar.stops[at], &b = bar.stops[at + 1];
-            style.fill = {mix(a.r, b.r), mix(a.g, b.g), mix(a.b, b.b)};
+            style.fill = between(bar.stops, (i + 0.5) / steps);
             rectangle(add_style(style), {pad() + w * i / steps, y_}, {pad() + w * (i + 1) / steps, y_ + 0.7 * line_});
         }
         Style frame;
