@@ -115,7 +115,7 @@ TEST(Session, ChangedSettingsKeepTheStepAndGiveTheSessionOfANewOne) {
             if (random.below(3) == 0)
                 start.settings.label = static_cast<CellNumber>(random.below(7));
             else if (random.below(4) == 0)
-                start.settings.reference_size = 1 + static_cast<int>(random.below(5000));
+                start.settings.reference_size.width = 1 + static_cast<int>(random.below(5000));
             else
                 start.settings = test::random_settings(random);
             if (random.below(2)) {  // the same cells

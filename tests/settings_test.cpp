@@ -23,12 +23,8 @@ struct Range {
     bool whole = false;
 };
 const std::map<std::string_view, Range> ranges{
-    {"error_bound", {0, 1, true}},
-    {"jitter", {0, 0.5, false, true}},
-    {"penalty_amount", {0, 1e6}},
-    {"zoom", {0.01, 1000}},
-    {"seed", {0, 0x1p64, false, true, true}},
-    {"reference_size", {1, 16777216, false, false, true}},
+    {"error_bound", {0, 1, true}}, {"jitter", {0, 0.5, false, true}},        {"penalty_amount", {0, 1e6}},
+    {"zoom", {0.01, 1000}},        {"seed", {0, 0x1p64, false, true, true}},
 };
 
 const std::set<std::string_view> any_number{"zoom_x", "zoom_y"};
@@ -50,6 +46,7 @@ std::vector<std::string> good_values(const SettingRow& row, Random& random) {
         return ids;
     }
     if (row.name == "budget") return {"500", "0", "5%", "0.125%", "100%", "16ms", "0.5ms", "unlimited"};
+    if (row.name == "reference_size") return {"auto", "1", "8192", "16777216", "1x1", "8192x8192", "640x480"};
     if (any_number.contains(row.name))
         return {"0", "-2.5", "1.7976931348623157e+308", "-1e-300", number_text(random.uniform(-1e6, 1e6))};
     const auto range = ranges.find(row.name);
@@ -127,7 +124,7 @@ TEST(Settings, NamesDefaultsAndWordsAreThoseOfTheDesign) {
         {"outside_view", "unseen", "enqueue", "unseen | enqueue"},
         {"culled_cost", "free", "free", "free | charged"},
         {"neighbours_before_break", "yes", "no", "no | yes"},
-        {"reference_size", "8192", nullptr, nullptr},
+        {"reference_size", "auto", nullptr, "auto | 8192 | 1024x768"},
         {"seeds", "one", "one", "one | hull"},
     };
     Settings letter;
@@ -210,9 +207,12 @@ TEST(Settings, BadValuesNameFieldValueAndWhatIsAllowedAndChangeNothing) {
         if (row.name == "method") continue;  // any text; a session refuses unknown ids
         if (!any_number.contains(row.name)) check(row, "-1");
         for (const char* value : {"", "nonsense", "NaN", "inf", "1e999", " 1", "1 ", "0x10", "1,5"}) check(row, value);
+        if (row.name == "reference_size")
+            for (const char* value : {"0", "16777217", "0x5", "8193x1", "1x8193", "1x", "x1", "1X1", "1x1x1"})
+                check(row, value);
         const auto range = ranges.find(row.name);
         if (range == ranges.end()) {
-            if (row.name != "budget" &&
+            if (row.name != "budget" && row.name != "reference_size" &&
                 !any_number.contains(row.name))  // words are not cut, not joined, not in capitals
                 for (std::string word : words_of(row)) {
                     check(row, word + "x");

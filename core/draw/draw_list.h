@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +12,8 @@
 #include "core/geometry/vec.h"
 
 namespace sightline {
+
+struct SolidList;  // core/draw/solid_list.h
 
 struct Colour {
     std::uint8_t r = 0, g = 0, b = 0, a = 255;
@@ -108,7 +111,8 @@ enum class LegendPlace : std::uint8_t {
 struct Figure {
     struct Panel {
         DrawList list;
-        std::string title;  ///< e.g. "(a) step 12"; may be empty
+        std::string title;                         ///< e.g. "(a) step 12"; may be empty
+        std::shared_ptr<const SolidList> solid{};  ///< 3D: lies under the list and fills its world
     };
     std::vector<Panel> panels;
     std::vector<LegendRow> legend;

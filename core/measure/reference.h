@@ -5,24 +5,34 @@
 #include <string>
 #include <vector>
 
+#include "core/measure/id_image.h"
 #include "core/measure/visible_set.h"
 #include "core/space/cell_complex.h"
 
 namespace sightline {
 
 struct Reference {
-    std::string name;                   ///< "exact" or "item buffer W"
+    std::string name;                   ///< "exact" or "item buffer WxH"
     std::vector<std::uint8_t> visible;  ///< per primitive
     std::size_t count = 0;              ///< |V|
     /// Per cell: the part of the visible angle (2D) or pixels (3D) that lies inside it; 0: hidden. A piece on the
     /// border of two cells counts in both.
     std::vector<double> cell_share;
-    std::size_t eye_on = 0;  ///< primitives that contain the eye (visible_set.h)
-    std::vector<VisiblePiece> pieces;
+    std::size_t eye_on = 0;               ///< primitives that contain the eye (visible_set.h)
+    std::vector<VisiblePiece> pieces{};   ///< 2D
+    IdImage image{};                      ///< 3D: the exact image
+    std::vector<std::uint32_t> pixels{};  ///< 3D, per primitive: how many pixels show it
 };
 
 /// The exact reference in 2D.
 Reference exact_reference(const std::vector<Primitive<2>>& primitives, const CellComplex<2>& cells,
                           const View<2>& view);
+
+/// Where the ray through a pixel's centre meets the image plane through look_at; rows from the top.
+Vec<3> pixel_centre(const View<3>& view, const ImageSize& size, int x, int y);
+
+/// The reference in 3D from the image that `view` sees. A pixel lies in the cell that holds the point seen through its
+/// centre.
+Reference image_reference(IdImage image, const Scene<3>& scene, const CellComplex<3>& cells, const View<3>& view);
 
 }  // namespace sightline

@@ -11,6 +11,7 @@
 
 #include "core/geometry/hash.h"
 #include "core/geometry/vec.h"
+#include "core/scene/flight_path.h"
 
 namespace sightline {
 
@@ -21,19 +22,11 @@ using Primitive = std::array<Vec<D>, D>;
 /// What a reader left out, each kind counted once per primitive.
 struct Dropped {
     std::size_t degenerate = 0;  ///< zero length (2D) or zero area (3D)
-    std::size_t duplicate = 0;   ///< the same points as an earlier primitive, in either direction
+    std::size_t duplicate =
+        0;  ///< the same points as an earlier primitive: in either direction (2D), turning alike (3D)
     std::size_t not_finite = 0;  ///< a coordinate is NaN or infinite
     std::size_t total() const { return degenerate + duplicate + not_finite; }
     bool operator==(const Dropped&) const = default;
-};
-
-/// Where to look from, in scene units. fov in degrees: 2D (0, 180) or 360 for all round; 3D vertical.
-template <int D>
-struct ViewSpec {
-    Vec<D> eye{};
-    Vec<D> look_at{};
-    double fov = 60;
-    bool operator==(const ViewSpec&) const = default;
 };
 
 template <int D>
@@ -45,8 +38,13 @@ struct Scene {
     std::string name;    ///< what load_scene took for it; empty when it came another way
     std::uint64_t seed = 0;
     std::vector<Primitive<D>> primitives;
-    Vec<D> origin{};  ///< added to a coordinate gives that of the file
+    /// 3D, per primitive: 1 for one that is seen from both sides; empty: none is. Others are seen from the side on
+    /// which their corners turn counter-clockwise.
+    std::vector<std::uint8_t> two_sided;
+    int up_axis = D - 1;  ///< 3D: the axis that points up, 1 or 2
+    Vec<D> origin{};      ///< added to a coordinate gives that of the file
     std::optional<ViewSpec<D>> start_view;
+    std::vector<FlightPath<D>> paths;  ///< 3D: those that come with the scene
     Dropped dropped;
     std::vector<std::string> warnings;  ///< one line each: what was ignored or looks odd; the scene is usable
 };

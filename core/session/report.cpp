@@ -26,7 +26,7 @@ std::uint32_t budget_in_primitives(const Session<2>& session) {
 Json item_buffer_stats(const Session<2>& session) {
     const View<2> view = make_view(session.culling_view());
     // An all-round view has four image lines of equal width.
-    int width = session.settings().reference_size;
+    int width = image_size<2>(session.settings().reference_size).width;
     if (view.all_round) width = std::max(4, width / 4 * 4);
     const ItemBuffer buffer = item_buffer(session.scene().primitives, view, width);
     Reference reference;

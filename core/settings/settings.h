@@ -69,6 +69,12 @@ inline constexpr auto words<ZoomAt> = std::to_array<std::string_view>({"view", "
 template <>
 inline constexpr auto words<Legend> = std::to_array<std::string_view>({"outside", "inside", "off"});
 
+/// Pixels of a reference; 0: what the dimension asks for. 2D references have a width only.
+struct ImageSize {
+    int width = 0, height = 0;
+    bool operator==(const ImageSize&) const = default;
+};
+
 struct Settings {
     // scene
     Switch two_sided = Switch::off;
@@ -96,7 +102,7 @@ struct Settings {
     Seeds seeds = Seeds::one;
 
     // reference
-    int reference_size = 8192;
+    ImageSize reference_size;
 
     // picture
     Palette palette = Palette::standard;

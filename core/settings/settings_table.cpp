@@ -47,6 +47,8 @@ struct Field<member> {
             return s.*member;
         else if constexpr (std::is_same_v<T, Budget>)
             return budget_text(s.*member);
+        else if constexpr (std::is_same_v<T, ImageSize>)
+            return (s.*member).width == 0 ? "auto" : image_size_text(s.*member);
         else if constexpr (std::is_integral_v<T>)
             return std::to_string(s.*member);
         else
@@ -117,6 +119,18 @@ SettingRow whole(std::string_view name, Invalidates invalidates, std::string_vie
             }};
 }
 
+/// Widths to 2^24 alone, or both sides to 8192.
+ImageSize parse_image_size(std::string_view text) {
+    if (text == "auto") return {};
+    const std::size_t x = text.find('x');
+    const auto width = parse_whole(text.substr(0, x));
+    if (x == std::string_view::npos && width && *width >= 1 && *width <= 1u << 24) return {static_cast<int>(*width), 0};
+    if (x != std::string_view::npos && width && *width >= 1 && *width <= 8192)
+        if (const auto height = parse_whole(text.substr(x + 1)); height && *height >= 1 && *height <= 8192)
+            return {static_cast<int>(*width), static_cast<int>(*height)};
+    throw InputError("'" + std::string(text) + "' is not auto, a width in [1, 16777216] or WxH in [1, 8192]");
+}
+
 using S = Settings;
 
 const std::vector<SettingRow>& rows() {
@@ -164,8 +178,12 @@ const std::vector<SettingRow>& rows() {
         choice<&S::seeds>("seeds", Invalidates::traversal, "docs/algorithm.md, seeds",
                           "an eye outside starts from the nearest cell, or from every hull cell that faces it"),
 
-        whole<&S::reference_size, 1, 16777216>("reference_size", Invalidates::reference, "[1, 16777216] pixels",
-                                               "TVCG 4.4", "pixels of the 1D item buffer"),
+        SettingRow{
+            "reference_size",
+            "pixels of the item buffer: a width in 2D (auto: 8192), width x height in 3D (auto: 1024x768), where "
+            "it also gives the view its aspect",
+            "TVCG 4.4", Invalidates::reference, "auto | 8192 | 1024x768", Field<&S::reference_size>::get,
+            [](Settings& s, std::string_view value) { s.reference_size = parse_image_size(value); }},
 
         choice<&S::palette>("palette", Invalidates::picture, "TR figs 1, 2, 4",
                             "colours: safe for colour-blind readers, as in the papers, or for print"),
@@ -206,6 +224,23 @@ const std::vector<SettingRow>& rows() {
 }  // namespace
 
 std::span<const SettingRow> settings_table() { return rows(); }
+
+template <>
+ImageSize image_size<2>(const ImageSize& asked) {
+    return {asked.width == 0 ? 8192 : asked.width, 1};
+}
+
+template <>
+ImageSize image_size<3>(const ImageSize& asked) {
+    if (asked.width == 0) return {1024, 768};
+    // A width alone has the aspect of the default; more than an image can have is cut.
+    const int width = std::min(asked.width, 8192);
+    return {width, asked.height > 0 ? asked.height : std::max(1, width * 3 / 4)};
+}
+
+std::string image_size_text(const ImageSize& size) {
+    return std::to_string(size.width) + (size.height > 0 ? "x" + std::to_string(size.height) : "");
+}
 
 const SettingRow& setting_row(std::string_view name) {
     for (const SettingRow& row : rows())

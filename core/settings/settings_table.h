@@ -25,7 +25,15 @@ struct SettingRow {
     /// Throws InputError naming the field, the value and what is allowed; then the settings are unchanged.
     std::function<void(Settings&, std::string_view value)> set;
     std::span<const std::string_view> words = {};  ///< of a choice; empty for numbers and free text
+    int dimension = 0;                             ///< 2 or 3: only there; 0: in both
 };
+
+/// The size that "auto" stands for, or the asked one: D = 2 width x 1, D = 3 width x height.
+template <int D>
+ImageSize image_size(const ImageSize& asked);
+
+/// The same in words: "8192" or "1024x768".
+std::string image_size_text(const ImageSize& size);
 
 std::span<const SettingRow> settings_table();
 

@@ -72,10 +72,10 @@ std::size_t CellComplex<D>::reference_memory_bytes() const {
 }
 
 template <int D>
-std::uint32_t locate(const CellComplex<D>& cells, const Vec<D>& p) {
+std::uint32_t locate(const CellComplex<D>& cells, const Vec<D>& p, std::uint32_t near) {
     if (cells.cell_count() == 0) return none;
     if (cells.kind == Tessellation::tree && !cells.tree.root_box().contains(p)) return none;
-    std::uint32_t cell = cells.leaf_cell[cells.tree.leaf_at(p)];
+    std::uint32_t cell = near != none ? near : cells.leaf_cell[cells.tree.leaf_at(p)];
     // Visibility walk: on a Delaunay triangulation it ends (no cycle), in a tree it starts at its end.
     for (bool moved = true; moved;) {
         moved = false;
@@ -132,8 +132,8 @@ CellComplex<2> build_cells(const Scene<2>& scene, const Settings& settings) {
 
 template struct CellComplex<2>;
 template struct CellComplex<3>;
-template std::uint32_t locate<2>(const CellComplex<2>&, const Vec<2>&);
-template std::uint32_t locate<3>(const CellComplex<3>&, const Vec<3>&);
+template std::uint32_t locate<2>(const CellComplex<2>&, const Vec<2>&, std::uint32_t);
+template std::uint32_t locate<3>(const CellComplex<3>&, const Vec<3>&, std::uint32_t);
 template double distance_to_facet<2>(const CellComplex<2>&, std::uint32_t, const Vec<2>&);
 template double distance_to_facet<3>(const CellComplex<3>&, std::uint32_t, const Vec<3>&);
 template void set_cell_primitives<2>(CellComplex<2>&, std::span<const std::pair<std::uint32_t, std::uint32_t>>);

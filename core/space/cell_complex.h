@@ -95,8 +95,9 @@ inline int facet_side(const CellComplex<3>& cells, const HalfFacet& half, const 
 }
 
 /// The cell whose closure holds p (the lowest index where several do), or none outside the tessellation. Exact.
+/// `near`: a cell to start looking from, which makes it fast for points that lie close together; none: anywhere.
 template <int D>
-std::uint32_t locate(const CellComplex<D>& cells, const Vec<D>& p);
+std::uint32_t locate(const CellComplex<D>& cells, const Vec<D>& p, std::uint32_t near = none);
 
 /// Distance from p to the facet, rounded.
 template <int D>

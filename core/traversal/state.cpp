@@ -7,8 +7,9 @@ namespace sightline {
 
 template <int D>
 Frame<D> make_frame(const std::vector<Primitive<D>>& primitives, const CellComplex<D>& cells, const View<D>& view,
-                    const Settings& settings) {
+                    const Settings& settings, std::span<const std::uint8_t> two_sided) {
     Frame<D> frame{&primitives, &cells, view, settings};
+    frame.two_sided = two_sided;
     frame.budget = settings.budget.primitives(primitives.size());
     const bool p95 = settings.solidity_scale == SolidityScale::p95;
     frame.solidity_scale = std::max<double>(1, p95 ? cells.rho_p95 : cells.rho_max);
@@ -110,7 +111,7 @@ std::vector<std::uint32_t> seed_cells(const Frame<D>& frame) {
 
 #define SIGHTLINE_INSTANTIATE(D)                                                                             \
     template Frame<D> make_frame<D>(const std::vector<Primitive<D>>&, const CellComplex<D>&, const View<D>&, \
-                                    const Settings&);                                                        \
+                                    const Settings&, std::span<const std::uint8_t>);                         \
     template void begin_frame<D>(State<D>&, const Frame<D>&);                                                \
     template const Front::Entry* front_top<D>(State<D>&);                                                    \
     template std::uint64_t state_hash<D>(const State<D>&);                                                   \

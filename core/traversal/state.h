@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/settings/settings.h"
@@ -22,16 +23,27 @@ struct Frame {
     const CellComplex<D>* cells = nullptr;
     View<D> view;
     Settings settings;
-    std::uint32_t budget = none;  ///< primitives; none: no limit
-    double solidity_scale = 1;    ///< what |A| is divided by: ρ_max or ρ95, never 0
-    double solidity_limit = 0;    ///< |A| / scale is cut here (1 for p95)
-    Vec<D> forward{};             ///< unit vector
+    std::uint32_t budget = none;                ///< primitives; none: no limit
+    double solidity_scale = 1;                  ///< what |A| is divided by: ρ_max or ρ95, never 0
+    double solidity_limit = 0;                  ///< |A| / scale is cut here (1 for p95)
+    Vec<D> forward{};                           ///< unit vector
+    std::span<const std::uint8_t> two_sided{};  ///< as Scene::two_sided
 };
 
 /// Derives scale, limit, direction and budget from the settings.
 template <int D>
 Frame<D> make_frame(const std::vector<Primitive<D>>& primitives, const CellComplex<D>& cells, const View<D>& view,
-                    const Settings& settings);
+                    const Settings& settings, std::span<const std::uint8_t> two_sided = {});
+
+/// Whether the view can show the primitive: it meets the cone and, in 3D, turns a side to the eye that is seen.
+inline bool shows(const Frame<2>& frame, std::uint32_t primitive) {
+    return in_view(frame.view, (*frame.primitives)[primitive]);
+}
+inline bool shows(const Frame<3>& frame, std::uint32_t primitive) {
+    const Primitive<3>& triangle = (*frame.primitives)[primitive];
+    const bool both = !frame.two_sided.empty() && frame.two_sided[primitive];
+    return (both || faces(frame.view, triangle)) && in_view(frame.view, triangle);
+}
 
 /// Why a run or a step ended.
 enum class Stop : std::uint8_t { none, front_empty, budget, breakpoint, steps };

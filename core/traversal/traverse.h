@@ -23,7 +23,7 @@ inline void prefetch([[maybe_unused]] const void* address) {
 template <int D>
 bool meet_primitive(const Frame<D>& frame, State<D>& state, std::uint32_t primitive, bool cull) {
     if (state.primitive_frame[primitive] == state.frame) return true;
-    const bool culled = cull && !in_view(frame.view, (*frame.primitives)[primitive]);
+    const bool culled = cull && !shows(frame, primitive);
     const bool costs = !culled || frame.settings.culled_cost == CulledCost::charged;
     if (costs && state.spent >= frame.budget) return false;
     state.primitive_frame[primitive] = state.frame;

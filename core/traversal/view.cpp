@@ -47,11 +47,12 @@ View<2> make_view(const ViewSpec<2>& spec) {
     return view;
 }
 
-View<3> make_view(const ViewSpec<3>& spec, double aspect) {
+View<3> make_view(const ViewSpec<3>& spec, double aspect, int up_axis) {
     check(spec);
     View<3> view{spec.eye, spec.look_at, spec.fov, false, {}};
     const Vec<3> forward = view.forward();
-    const Vec<3> up_hint = std::abs(forward.z) < 0.999 ? Vec<3>(0, 0, 1) : Vec<3>(0, 1, 0);
+    Vec<3> up_hint(0);
+    up_hint[std::abs(forward[up_axis]) < 0.999999 ? up_axis : 3 - up_axis] = 1;
     const Vec<3> right =
         glm::cross(forward, up_hint) / std::sqrt(glm::dot(glm::cross(forward, up_hint), glm::cross(forward, up_hint)));
     const Vec<3> up = glm::cross(right, forward);

@@ -5,6 +5,7 @@
 #include <array>
 #include <span>
 
+#include "core/geometry/predicates.h"
 #include "core/scene/scene.h"
 
 namespace sightline {
@@ -27,8 +28,15 @@ struct View {
 /// Builds the view. Throws InputError when a coordinate is not finite, when look_at coincides with the eye or when
 /// fov is outside (0, 180); fov = 360 looks all round (2D only).
 View<2> make_view(const ViewSpec<2>& spec);
-/// As above; `aspect` is width / height of the image, `up` is +z unless the view looks along it.
-View<3> make_view(const ViewSpec<3>& spec, double aspect);
+/// As above; `aspect` is width / height of the image; up_axis (1 or 2) points up unless the view looks along it.
+View<3> make_view(const ViewSpec<3>& spec, double aspect, int up_axis = 2);
+
+/// Whether the triangle turns its front to the eye: the side from which its corners turn counter-clockwise. Exact; one
+/// that is seen edge-on does not. Methods and references alike leave out triangles that do not, unless they are
+/// two-sided.
+inline bool faces(const View<3>& view, const Primitive<3>& triangle) {
+    return orient(triangle[0], triangle[1], triangle[2], view.eye) < 0;
+}
 
 /// Whether the closed primitive meets the closed cone. 2D: exact. 3D: conservative (never false when it does).
 bool in_view(const View<2>& view, const Primitive<2>& segment);

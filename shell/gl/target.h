@@ -2,22 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <vector>
-
-#include "core/draw/draw_list.h"
+#include "core/draw/pixels.h"
 #include "shell/gl/handles.h"
 
 namespace sightline {
-
-/// Pixels by rows, the top row first.
-struct Pixels {
-    int width = 0, height = 0;
-    std::vector<Colour> colours;
-
-    const Colour& at(int x, int y) const {
-        return colours[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
-    }
-};
 
 /// An RGBA8 framebuffer of width x height pixels.
 class GlTarget {
