@@ -63,7 +63,8 @@ Scene<2> find_scene(const std::string& name, const LoadOptions& options) {
 
 }  // namespace
 
-Scene<2> load_scene(const std::string& name, const LoadOptions& options) {
+template <>
+Scene<2> load_scene<2>(const std::string& name, const LoadOptions& options) {
     Scene<2> scene = find_scene(name, options);
     scene.name = name;
     return scene;

@@ -282,7 +282,10 @@ std::vector<Front::Entry> front_entries(const Session<D>& session) {
 }
 
 template StepExplanation explain_step<2>(const Session<2>&, std::uint32_t);
+template StepExplanation explain_step<3>(const Session<3>&, std::uint32_t);
 template CellExplanation explain_cell<2>(const Session<2>&, std::uint32_t);
+template CellExplanation explain_cell<3>(const Session<3>&, std::uint32_t);
 template std::vector<Front::Entry> front_entries<2>(const Session<2>&);
+template std::vector<Front::Entry> front_entries<3>(const Session<3>&);
 
 }  // namespace sightline
