@@ -171,10 +171,10 @@ private:
 extern template class Session<2>;
 extern template class Session<3>;
 
-/// The cell that the last step projected; none at step 0 and for orders of primitives.
+/// The cell that the last step projected; none at step 0, for orders of primitives, and when flying.
 template <int D>
 std::uint32_t last_cell(const Session<D>& session) {
-    return session.position() > 0 ? session.timeline().steps[session.position() - 1].cell : none;
+    return session.position() > 0 && !session.flying() ? session.timeline().steps[session.position() - 1].cell : none;
 }
 
 /// A copy at a recorded step, or at the last one where there are fewer, wherever a budget in milliseconds ended the
