@@ -4,7 +4,7 @@
 namespace sightline {
 
 Vec<2> anchor_point(const Session<2>& session, const Note<2>& note) {
-    if (note.anchor == Note<2>::Anchor::cell) return session.cells().centres[note.index];
+    if (note.anchor == Note<2>::Anchor::cell) return session.cells().centre(note.index);
     if (note.anchor == Note<2>::Anchor::point) return note.point;
     const Primitive<2>& segment = session.scene().primitives[note.index];
     return (segment[0] + segment[1]) * 0.5;
