@@ -12,6 +12,7 @@ CellComplex<2> delaunay_cells(Tree<2> tree, const Settings& settings);
 
 /// The tessellation that the settings ask for, without primitives.
 CellComplex<2> tessellation(const Scene<2>& scene, const Settings& settings);
+CellComplex<3> tessellation(const Scene<3>& scene, const Settings& settings);
 
 /// The leaves as cells; face neighbours of different size in both directions (TVCG fig. 9).
 template <int D>
@@ -21,6 +22,7 @@ extern template CellComplex<3> tree_cells<3>(Tree<3>);
 
 /// Fills the rows cell -> primitives, by exact predicates on closed cells, and unassigned.
 void assign_primitives(CellComplex<2>& cells, const std::vector<Primitive<2>>& primitives);
+void assign_primitives(CellComplex<3>& cells, const std::vector<Primitive<3>>& primitives);
 
 /// Compresses (cell, primitive) pairs into rows sorted by primitive, and fills rho_max and rho_p95.
 template <int D>
