@@ -39,7 +39,7 @@ TEST(Picture, IsThatOfTheGoldens) {
     std::string table;
     bool same = goldens().size() == catalogue().size();
     for (std::size_t i = 0; i < catalogue().size(); ++i) {
-        const CatalogueRow& row = catalogue()[i];
+        const CatalogueRow<2>& row = catalogue()[i];
         Session<2> session = session_of(row, row.budget);
         std::array<std::string, 3> now;
         now[0] = picture_hash(session);
