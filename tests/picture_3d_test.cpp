@@ -471,7 +471,16 @@ TEST(Picture3, AnEmptySceneHasAPicture) {
 }
 
 const Goldens& goldens() {
-    static const Goldens table{};
+    static const Goldens table{
+        {"6ea88d21f2cae535", "105f0f6a9458d8d7", "8d51d35ae8a39cb5", "1df84b81e0f72a57", "f690fe7a6da71900",
+         "c3d8ac93ffe06290"},
+        {"4707609f076ab793", "bab038786cde77c0", "cb2346bef687ebda", "bc8c652d3d65c79d", "71efefcf0f300841",
+         "210819d7fb2bd1a7"},
+        {"6bd0437e32aae10c", "b4a5ca7965e40fba", "b486e843284e0ca0", "8e6b540ea50777f2", "c45e883fa3c6487c",
+         "6a396a4be0451163"},
+        {"b6af65220cbe8611", "4c47af3977ab7028", "ceded91c8fff47bb", "0cb3bf4b8c3412c3", "2c7e7abdd9908fdf",
+         "f5727f086828f912"},
+    };
     return table;
 }
 
