@@ -144,6 +144,23 @@ TEST(Picture3, ConeEyeAndSeedAreDrawnFromOutsideOnly) {
     }
 }
 
+TEST(Picture3, APictureOfAnotherShapeShowsWhereTheViewEnds) {
+    Random random(340);
+    for (int i = 0; i < 40; ++i) {
+        const Start3 start = random_start_3d(random);
+        const Session<3> session = start.session();
+        const DrawList wide = make_picture(session, {.aspect = 2});
+        const auto lines = shapes_of(wide, "view");
+        ASSERT_EQ(lines.size(), 4u);
+        Box<2> border;
+        for (const auto& line : lines)
+            for (const Vec<2>& p : line) border.add(p);
+        EXPECT_NEAR(glm::length(border.min - Vec<2>(1.0 / 3, 0)), 0, 1e-9);  // 4:3 in the middle of 2:1
+        EXPECT_NEAR(glm::length(border.max - Vec<2>(5.0 / 3, 1)), 0, 1e-9);
+        EXPECT_TRUE(shapes_of(make_picture(session, {.aspect = 4.0 / 3}), "view").empty());
+    }
+}
+
 TEST(Picture3, TheConeIsThatOfTheCullingView) {
     Random random(333);
     for (int i = 0; i < 60; ++i) {
