@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/progress.h"
 #include "core/scene/scene.h"
 
 namespace sightline {
@@ -15,6 +16,7 @@ inline constexpr const char* freedoom_folder = "/usr/share/games/doom";
 struct LoadOptions {
     bool two_sided = false;  ///< WAD: also lines that can be seen through; 3D: all triangles are seen from both sides
     std::string games_folder = freedoom_folder;
+    Progress progress{};  ///< 3D
 };
 
 /// In 2D `name` is, tried in this order:

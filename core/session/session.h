@@ -99,6 +99,8 @@ public:
     // Changing it. Each keeps the step as far as the new traversal has it, and the selection.
     /// What was made again.
     Invalidates change(const Settings& settings);
+    /// Throws InputError for a view that cannot be.
+    void check(const ViewSpec<D>& view) const;
     /// Moves the culling view; while frozen the display view, which takes along what of the culling view is not frozen.
     void set_view(const ViewSpec<D>& view);
     /// Moves the culling view, also while frozen.
@@ -175,6 +177,17 @@ extern template class Session<3>;
 template <int D>
 std::uint32_t last_cell(const Session<D>& session) {
     return session.position() > 0 && !session.flying() ? session.timeline().steps[session.position() - 1].cell : none;
+}
+
+/// Both views and what of them is frozen, at once; the traversal is made again where the culling view is another one.
+template <int D>
+void set_views(Session<D>& session, const ViewSpec<D>& culling, const ViewSpec<D>& display, Frozen frozen) {
+    session.unfreeze();
+    if (session.culling_view() != culling) session.set_view(culling);
+    if (frozen == Frozen::nothing) return;
+    session.freeze();  // as a whole: the display view must not take the culling view along
+    session.set_view(display);
+    session.freeze(frozen);
 }
 
 /// A copy at a recorded step, or at the last one where there are fewer, wherever a budget in milliseconds ended the

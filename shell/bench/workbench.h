@@ -14,6 +14,7 @@
 #include "core/session/session.h"
 #include "shell/bench/comparison.h"
 #include "shell/bench/desk.h"
+#include "shell/bench/graphics.h"
 #include "shell/bench/history.h"
 #include "shell/bench/transport.h"
 
@@ -53,6 +54,7 @@ struct Workbench {
     Clipboard clipboard{};
     std::vector<std::string> recent{};  ///< what `open` took, newest first
     std::vector<Place> places{};        ///< written anew by each frame of the window
+    Graphics graphics{};                ///< 3D
 
     /// Counts the traversals: what was derived from the recording is made again when this has changed.
     std::uint64_t run = 0;

@@ -90,7 +90,10 @@ void run_commands(Workbench<D>& bench, std::string_view text) {
 }
 
 template std::span<const CommandGroup<2>> command_groups<2>();
+template std::span<const CommandGroup<3>> command_groups<3>();
 template std::span<const Command<2>> command_table<2>();
+template std::span<const Command<3>> command_table<3>();
 template void run_commands<2>(Workbench<2>&, std::string_view);
+template void run_commands<3>(Workbench<3>&, std::string_view);
 
 }  // namespace sightline

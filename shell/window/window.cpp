@@ -387,5 +387,6 @@ void Window<D>::run() {
 }
 
 template class Window<2>;
+template class Window<3>;
 
 }  // namespace sightline
