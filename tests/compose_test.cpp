@@ -188,7 +188,7 @@ TEST(Compose, NotesShowInTheirStepsAtTheirAnchors) {
             EXPECT_EQ(label("in the middle")->at, Vec<2>(1, 2));
         }
         ASSERT_NE(label("4"), list.labels.end());
-        EXPECT_EQ(label("4")->at, session.cells().centres[7]);
+        EXPECT_EQ(label("4")->at, session.cells().centre(7));
         EXPECT_TRUE(label("4")->disc);
         const auto listed = [&](const char* text) {
             return std::any_of(figure.legend.begin(), figure.legend.end(),

@@ -12,6 +12,11 @@ namespace {
 using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
 
 Exact::Point_2 exact(const Vec<2>& p) { return {p.x, p.y}; }
+Exact::Point_3 exact(const Vec<3>& p) { return {p.x, p.y, p.z}; }
+
+int exact_orient(const std::array<Vec<3>, 4>& p) {
+    return CGAL::orientation(exact(p[0]), exact(p[1]), exact(p[2]), exact(p[3]));
+}
 
 TEST(Predicates, OrientIsExactOnNearlyCollinearPointsOfAnySize) {
     Random random(1);
@@ -28,6 +33,48 @@ TEST(Predicates, OrientSurvivesUnderflowAndOverflow) {
     EXPECT_EQ(orient(Vec<2>(0, 0), Vec<2>(1e-200, 0), Vec<2>(0, 1e-200)), 1);
     EXPECT_EQ(orient(Vec<2>(0, 0), Vec<2>(1e200, 0), Vec<2>(0, 1e200)), 1);
     EXPECT_EQ(orient(Vec<2>(0, 0), Vec<2>(1e200, 1e200), Vec<2>(1e180, 1e180)), 0);
+}
+
+TEST(Predicates, OrientIsExactOnNearlyCoplanarPointsOfAnySize) {
+    Random random(3);
+    const auto point = [&] { return Vec<3>(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)); };
+    const auto grid_point = [&] { return Vec<3>(random.below(3), random.below(3), random.below(3)); };
+    int signs[3] = {};
+    for (int i = 0; i < 60000; ++i) {
+        std::array<Vec<3>, 4> p{point(), point(), point(), point()};
+        switch (i % 4) {
+            case 1:  // rounded to the plane
+                p[3] = p[0] + (p[1] - p[0]) * random.uniform(-2, 2) + (p[2] - p[0]) * random.uniform(-2, 2);
+                break;
+            case 2:
+                for (Vec<3>& q : p) q = grid_point();
+                break;
+            case 3:  // a thin needle far away
+                for (Vec<3>& q : p) q = Vec<3>(1e6, -2e6, 3e6) + q * 1e-6;
+        }
+        // Each axis has a size of its own: products under- and overflow in some factors and not in others.
+        Vec<3> scale(1);
+        for (int axis = 0; axis < 3 && i % 8 >= 4; ++axis)
+            scale[axis] = std::ldexp(1.0, static_cast<int>(random.below(1800)) - 950);
+        for (Vec<3>& q : p) q *= scale;
+        const int sign = orient(p[0], p[1], p[2], p[3]);
+        ASSERT_EQ(sign, exact_orient(p)) << i;
+        ++signs[sign + 1];
+    }
+    for (const int count : signs) EXPECT_GT(count, 1000);
+}
+
+/// The filter's own decisions: where underflow loses whole terms, it must leave the sign to exact arithmetic.
+TEST(Predicates, OrientSurvivesUnderflowInSingleFactors) {
+    Random random(4);
+    for (int i = 0; i < 20000; ++i) {
+        std::array<Vec<3>, 4> p;
+        for (Vec<3>& q : p)
+            for (int axis = 0; axis < 3; ++axis) q[axis] = std::ldexp(random.uniform(-4, 4), axis < 2 ? -537 : 900);
+        ASSERT_EQ(orient(p[0], p[1], p[2], p[3]), exact_orient(p)) << i;
+    }
+    EXPECT_EQ(orient(Vec<3>(0), Vec<3>(1e200, 0, 0), Vec<3>(0, 1e200, 0), Vec<3>(0, 0, 1e200)), 1);
+    EXPECT_EQ(orient(Vec<3>(0), Vec<3>(1e-200, 0, 0), Vec<3>(0, 1e-200, 0), Vec<3>(0, 0, -1e-200)), -1);
 }
 
 TEST(Predicates, SegmentsMeetAgreesWithExactIntersection) {

@@ -33,11 +33,10 @@ inline CellComplex<3> tetrahedra(int side) {
     std::map<std::array<std::uint32_t, 3>, std::pair<std::uint32_t, std::uint32_t>> open;  // facet, its half's place
     const auto add = [&](std::array<std::uint32_t, 4> corners) {
         const std::uint32_t cell = cells.cell_count();
-        Vec<3> sum(0);
-        for (const std::uint32_t p : corners) sum += cells.points[p];
-        cells.centres.push_back(sum / 4.0);
+        if (orient(cells.points[corners[0]], cells.points[corners[1]], cells.points[corners[2]],
+                   cells.points[corners[3]]) < 0)
+            std::swap(corners[2], corners[3]);
         cells.cell_points.insert(cells.cell_points.end(), corners.begin(), corners.end());
-        cells.cell_point_begin.push_back(static_cast<std::uint32_t>(cells.cell_points.size()));
         for (std::size_t left_out = 0; left_out < 4; ++left_out) {
             std::array<std::uint32_t, 3> face;
             for (std::size_t i = 0, k = 0; i < 4; ++i)
@@ -50,19 +49,14 @@ inline CellComplex<3> tetrahedra(int side) {
             std::sort(name.begin(), name.end());
             if (const auto found = open.find(name); found != open.end()) {
                 const auto [facet, other] = found->second;
-                const auto owner =
-                    std::upper_bound(cells.cell_facet_begin.begin(), cells.cell_facet_begin.end(), other);
                 cells.half_facets[other].neighbour = cell;
-                cells.half_facets.push_back(
-                    {static_cast<std::uint32_t>(owner - cells.cell_facet_begin.begin() - 1), facet * 2 + 1});
+                cells.half_facets.push_back({other / 4, facet * 2 + 1});
                 continue;
             }
             open[name] = {cells.facet_count(), static_cast<std::uint32_t>(cells.half_facets.size())};
             cells.half_facets.push_back({none, cells.facet_count() * 2});
             cells.facet_points.insert(cells.facet_points.end(), face.begin(), face.end());
-            cells.facet_point_begin.push_back(static_cast<std::uint32_t>(cells.facet_points.size()));
         }
-        cells.cell_facet_begin.push_back(static_cast<std::uint32_t>(cells.half_facets.size()));
     };
     for (int z = 0; z < side; ++z)
         for (int y = 0; y < side; ++y)

@@ -176,7 +176,7 @@ TEST(SolidCells, ShrunkCellsAreBodiesInsideTheirCells) {
                 const Vec<3>& p = list.points[begin + k];
                 for (const HalfFacet& half : cells.facets_of(cell)) ASSERT_EQ(facet_side(cells, half, p), 1);
                 ++corners[cell][key(p)];
-                const Vec<3> corner = cells.centres[cell] + (p - cells.centres[cell]) / shrink;
+                const Vec<3> corner = cells.centre(cell) + (p - cells.centre(cell)) / shrink;
                 ASSERT_TRUE(std::any_of(cells.corners_of(cell).begin(), cells.corners_of(cell).end(),
                                         [&](std::uint32_t c) { return glm::length(cells.points[c] - corner) < 1e-9; }));
             }

@@ -5,7 +5,7 @@ namespace sightline {
 
 template <int D>
 Vec<D> anchor_point(const Session<D>& session, const Note<D>& note) {
-    if (note.anchor == Note<D>::Anchor::cell) return session.cells().centres[note.index];
+    if (note.anchor == Note<D>::Anchor::cell) return session.cells().centre(note.index);
     if (note.anchor == Note<D>::Anchor::point) return note.point;
     Vec<D> sum(0);
     for (const Vec<D>& p : session.scene().primitives[note.index]) sum += p;

@@ -127,7 +127,7 @@ private:
         for (const HalfFacet& half : cells_.facets_of(cell)) {
             if (half.neighbour == none) continue;
             const FacetGeometry<3> facet = facet_geometry(cells_, half);
-            const double length = glm::length(facet.centroid - cells_.centres[cell]);
+            const double length = glm::length(facet.centroid - cells_.centre(cell));
             const Vec<3> tip = facet.centroid + facet.normal * (length / glm::length(facet.normal));
             line(session_.culling_view().eye, facet.centroid, Look::eye_ray);
             arrow(facet.centroid, tip, rim);
@@ -154,7 +154,7 @@ private:
         const Style& look = colours_.looks[index(Look::eye_ray)];
         const std::uint16_t ray = add_style("star_ray", look.stroke, 1.2);
         outline_facet(half, add_style("star_facet", colours_.accent, 1.8));
-        const Vec<3>&eye = session_.culling_view().eye, &centre = cells_.centres[cell];
+        const Vec<3>&eye = session_.culling_view().eye, &centre = cells_.centre(cell);
         line(eye, centre, ray);
         mark(ShapeKind::disc, centre, ray, 1.4);
         const FacetGeometry<3> facet = facet_geometry(cells_, half);
@@ -197,16 +197,16 @@ private:
 
     void chain() {
         for (const ChainLink& link : update_chain(session_, session_.selected_cell))
-            arrow(cells_.centres[link.update.from], cells_.centres[link.update.neighbour], index(Look::chain));
+            arrow(cells_.centre(link.update.from), cells_.centre(link.update.neighbour), index(Look::chain));
     }
 
     /// In heights of the picture, how far the centre of the cell as it is drawn is from its nearest facet.
     double room_about_centre(std::uint32_t cell) const {
         double room = std::numeric_limits<double>::infinity();
         for (const HalfFacet& half : cells_.facets_of(cell))
-            room = std::min(room, distance_to_facet(cells_, half.facet(), cells_.centres[cell]));
+            room = std::min(room, distance_to_facet(cells_, half.facet(), cells_.centre(cell)));
         const double height = glm::length(camera_.corners[3] - camera_.corners[0]);
-        return room * set_.shrink / (height * depth(camera_, cells_.centres[cell]));
+        return room * set_.shrink / (height * depth(camera_, cells_.centre(cell)));
     }
 
     /// The nearest to the eye of the picture claim their places first; before them those that must show.
@@ -228,14 +228,14 @@ private:
             const bool in_front = session_.state().mark(cell).state == CellState::enqueued;
             if (set_.label_where == LabelWhere::all || cell == session_.selected_cell ||
                 (set_.label_where == LabelWhere::front && (in_front || cell == last)))
-                if (in_picture(cells_.centres[cell]))
-                    wanted.push_back({!highlighted, depth(camera_, cells_.centres[cell]), cell});
+                if (in_picture(cells_.centre(cell)))
+                    wanted.push_back({!highlighted, depth(camera_, cells_.centre(cell)), cell});
         }
         std::sort(wanted.begin(), wanted.end());
         if (wanted.size() > most_labels) wanted.resize(most_labels);
         for (const Numbered& numbered : wanted) {
             Label label;
-            label.at = *project(camera_, cells_.centres[numbered.cell]);
+            label.at = *project(camera_, cells_.centre(numbered.cell));
             label.text = short_number(*numbers[numbered.cell]);
             label.scale = 0.8;
             label.colour = colours_.ink;

@@ -68,7 +68,7 @@ std::vector<std::uint8_t> shown_cells(const Session<3>& session) {
             shown[cell] = session.state().mark(cell).state == CellState::enqueued;
     if (const std::optional<Slice> slice = slice_of(session))
         for (std::uint32_t cell = 0; cell < shown.size(); ++cell)
-            if (glm::dot(slice->normal, cells.centres[cell]) > slice->offset) shown[cell] = 0;
+            if (glm::dot(slice->normal, cells.centre(cell)) > slice->offset) shown[cell] = 0;
     return shown;
 }
 

@@ -32,7 +32,7 @@ std::span<const std::array<std::uint8_t, 2>> edges_of(const CellComplex<3>& cell
 
 /// `p` of a cell's surface drawn at this share of its size.
 inline Vec<3> shrunk(const CellComplex<3>& cells, std::uint32_t cell, const Vec<3>& p, double shrink) {
-    return shrink == 1 ? p : cells.centres[cell] + (p - cells.centres[cell]) * shrink;
+    return shrink == 1 ? p : cells.centre(cell) + (p - cells.centre(cell)) * shrink;
 }
 
 }  // namespace sightline

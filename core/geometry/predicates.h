@@ -34,6 +34,21 @@ inline int orient(const Vec<2>& a, const Vec<2>& b, const Vec<2>& c) {
 
 /// Sign of the volume of the tetrahedron abcd: +1 when d sees a, b, c turn counter-clockwise.
 inline int orient(const Vec<3>& a, const Vec<3>& b, const Vec<3>& c, const Vec<3>& d) {
+    // Stage A again; Shewchuk's factor 7 + 56 * 2^-53 is rounded up to 8. The lower limit grows with the last factors,
+    // because they multiply what an underflow in the first ones loses. Overflow makes every comparison false.
+    constexpr double relative_error = 8 * 0x1p-53;
+    constexpr double underflow_limit = 1e-280;
+    const Vec<3> u = a - d, v = b - d, w = c - d;
+    const double vw = v.x * w.y, wv = w.x * v.y, wu = w.x * u.y, uw = u.x * w.y, uv = u.x * v.y, vu = v.x * u.y;
+    const double up = std::abs(u.z), vp = std::abs(v.z), wp = std::abs(w.z);
+    const double det = u.z * (wv - vw) + v.z * (uw - wu) + w.z * (vu - uv);
+    const double size =
+        up * (std::abs(vw) + std::abs(wv)) + vp * (std::abs(wu) + std::abs(uw)) + wp * (std::abs(uv) + std::abs(vu));
+    const double bound = relative_error * size;
+    if (size > underflow_limit * (1 + up + vp + wp)) {
+        if (det > bound) return 1;
+        if (-det > bound) return -1;
+    }
     return detail::orient_exact(a, b, c, d);
 }
 

@@ -73,8 +73,8 @@ ViewSpec<3> outside(const ViewSpec<3>& view, const Box<3>& box, int up_axis, dou
         for (int i = 0; i < 3; ++i) p[i] = (corner >> i & 1 ? box.max : box.min)[i];
         const Vec<3> d = p - middle;
         const double nearer = -glm::dot(d, a.forward);
-        distance = std::max({distance, nearer + std::abs(glm::dot(d, a.up)) / tall,
-                             nearer + std::abs(glm::dot(d, a.right)) / wide});
+        distance = std::max(
+            {distance, nearer + std::abs(glm::dot(d, a.up)) / tall, nearer + std::abs(glm::dot(d, a.right)) / wide});
     }
     distance = std::max(distance * 1.05, 1e-6);  // some air about it
     return {middle - a.forward * distance, middle, view.fov};

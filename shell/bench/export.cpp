@@ -99,8 +99,7 @@ void write_shot(Workbench<D>& bench, const std::string& file) {
         go_to_place(session, place);
         add_panels(bench, session, "step " + std::to_string(session.position()), panels);
     }
-    write_figure(make_figure(std::span<const PanelSource<D>>(panels)), figure_size(bench.figure), file,
-                 bench.graphics.draw_solid);
+    write_figure(make_figure(std::span<const PanelSource<D>>(panels)), figure_size(bench.figure), file);
     write_file(file + ".json", bench_state(bench));
     bench.session.times().draw += drawing.milliseconds();
     bench.say("wrote " + file + " and " + file + ".json");
@@ -120,7 +119,7 @@ void write_text(const std::string& file, const std::string& text) {
     }
 }
 
-#define SIGHTLINE_INSTANTIATE(D)                                          \
+#define SIGHTLINE_INSTANTIATE(D)                                         \
     template void set_figure_size<D>(Workbench<D>&, const std::string&); \
     template void write_shot<D>(Workbench<D>&, const std::string&);      \
     template std::string bench_state<D>(const Workbench<D>&);

@@ -47,8 +47,8 @@ Session<D> open_scene(const std::string& name, const Settings& settings, std::sp
     const double read_ms = reading.milliseconds();
     for (const std::string& warning : scene->warnings) warn(warning);
     if (const Dropped& d = scene->dropped; d.total() > 0)
-        warn(name + ": dropped " + std::to_string(d.degenerate) + (D == 2 ? " of zero length, " : " of zero area, ") + std::to_string(d.duplicate) +
-             " duplicates, " + std::to_string(d.not_finite) + " not finite");
+        warn(name + ": dropped " + std::to_string(d.degenerate) + (D == 2 ? " of zero length, " : " of zero area, ") +
+             std::to_string(d.duplicate) + " duplicates, " + std::to_string(d.not_finite) + " not finite");
     ViewSpec<D> view;
     view.look_at.x = 1;
     if (scene->start_view) view = *scene->start_view;
@@ -92,8 +92,8 @@ void open_state_text(Workbench<D>& bench, const std::string& text, const std::st
 template <int D>
 void open(Workbench<D>& bench, const std::string& name) {
     if (const auto text = state_text<D>(name)) return open_state_text(bench, *text, name);
-    Session<D> session = open_scene<D>(name, start_settings<D>(name, bench.record_ahead), bench.methods, bench.graphics,
-                                       warner(bench));
+    Session<D> session =
+        open_scene<D>(name, start_settings<D>(name, bench.record_ahead), bench.methods, bench.graphics, warner(bench));
     add_bookmarks(session);
     replace_session(bench, std::move(session));
     bench.figure = {};
@@ -103,11 +103,10 @@ template <int D>
 void compare_file(Workbench<D>& bench, const std::string& name) {
     const auto text = state_text<D>(name);
     if (!text)
-        return compare_with(
-            bench,
-            open_scene<D>(name, start_settings<D>(name, bench.record_ahead), bench.methods, bench.graphics,
-                          warner(bench)),
-            name);
+        return compare_with(bench,
+                            open_scene<D>(name, start_settings<D>(name, bench.record_ahead), bench.methods,
+                                          bench.graphics, warner(bench)),
+                            name);
     OpenedState<D> opened = open_state<D>(*text, name, bench.methods, bench.graphics.draw_ids);
     std::for_each(opened.warnings.begin(), opened.warnings.end(), warner(bench));
     compare_with(bench, std::move(opened.session), name);
@@ -121,15 +120,15 @@ std::shared_ptr<const Scene<D>> reread(const std::shared_ptr<const Scene<D>>& sc
         load_scene<D>(scene->name, {.two_sided = settings.two_sided == Switch::on}));
 }
 
-#define SIGHTLINE_INSTANTIATE(D)                                                                                 \
-    template std::optional<std::string> state_text<D>(const std::string&);                                       \
-    template Settings start_settings<D>(const std::string&, bool);                                               \
-    template Session<D> open_scene<D>(const std::string&, const Settings&, std::span<const Method<D>>,          \
-                                      const Graphics&, const std::function<void(const std::string&)>&);          \
-    template void add_bookmarks<D>(Session<D>&);                                                                 \
-    template void open<D>(Workbench<D>&, const std::string&);                                                    \
-    template void open_state_text<D>(Workbench<D>&, const std::string&, const std::string&);                     \
-    template void compare_file<D>(Workbench<D>&, const std::string&);                                            \
+#define SIGHTLINE_INSTANTIATE(D)                                                                        \
+    template std::optional<std::string> state_text<D>(const std::string&);                              \
+    template Settings start_settings<D>(const std::string&, bool);                                      \
+    template Session<D> open_scene<D>(const std::string&, const Settings&, std::span<const Method<D>>,  \
+                                      const Graphics&, const std::function<void(const std::string&)>&); \
+    template void add_bookmarks<D>(Session<D>&);                                                        \
+    template void open<D>(Workbench<D>&, const std::string&);                                           \
+    template void open_state_text<D>(Workbench<D>&, const std::string&, const std::string&);            \
+    template void compare_file<D>(Workbench<D>&, const std::string&);                                   \
     template std::shared_ptr<const Scene<D>> reread<D>(const std::shared_ptr<const Scene<D>>&, const Settings&);
 SIGHTLINE_INSTANTIATE(2)
 SIGHTLINE_INSTANTIATE(3)

@@ -70,8 +70,8 @@ std::span<const Command<D>> view_commands() {
         Command<D>{"pan", "DX,DY", "move over the scene, by shares of what is shown: 0.1,0 to the right",
                    "Alt+Right=0.1,0 Alt+Left=-0.1,0 Alt+Up=0,0.1 Alt+Down=0,-0.1", pan_by<D>},
         Command<D>{"freeze", "[all | eye | direction]",
-                   "keep the culling view, or its eye or its direction alone; eye, look and fov move the display view", "F",
-                   freeze<D>},
+                   "keep the culling view, or its eye or its direction alone; eye, look and fov move the display view",
+                   "F", freeze<D>},
         Command<D>{"unfreeze", "", "the display view is the culling view again", "Shift+F", unfreeze<D>},
     };
     return table;

@@ -35,7 +35,7 @@ std::string tables(std::span<const Method<D>> methods) {
     for (const SettingRow& row : settings_table())
         if (row.dimension == 0 || row.dimension == D)
             text += "  " + padded(std::string(row.name), 24) + std::string(row.help) + "\n" + std::string(26, ' ') +
-                std::string(row.values) + "; default " + row.get(defaults) + "; " + std::string(row.source) + "\n";
+                    std::string(row.values) + "; default " + row.get(defaults) + "; " + std::string(row.source) + "\n";
     text += "\nCommands (--do):\n";
     for (const Command<D>& c : command_table<D>())
         text += "  " + padded(std::string(c.id) + " " + std::string(c.arguments), 34) + std::string(c.text) + "\n";
@@ -64,8 +64,7 @@ template <int D>
 std::optional<Options> parse_options(int argc, const char* const* argv, std::span<const Method<D>> methods) {
     Options o;
     CLI::App app{
-        std::string("Steps occlusion-culling methods through a scene of ") +
-            (D == 2 ? "line segments" : "triangles") +
+        std::string("Steps occlusion-culling methods through a scene of ") + (D == 2 ? "line segments" : "triangles") +
             ", forward and back, explains every number, measures it against the exact visible set, and writes figures.",
         D == 2 ? "viewer2d" : "viewer3d"};
     app.get_formatter()->column_width(34);
@@ -76,11 +75,14 @@ std::optional<Options> parse_options(int argc, const char* const* argv, std::spa
                           : "a catalogue id (--list), with a size if you like (city:100k), a file (OBJ, PLY, STL, OFF, "
                             "glTF, GLB and whatever else Assimp reads) or a folder of them; default: the last one "
                             "opened, without a window bottleneck");
-    app.add_flag("--list", o.list, D == 2 ? "print the catalogue and the installed levels, and end" : "print the catalogue, and end");
+    app.add_flag("--list", o.list,
+                 D == 2 ? "print the catalogue and the installed levels, and end" : "print the catalogue, and end");
     app.add_flag("--headless", o.headless, "no window: obey the options, write the files, end");
     app.add_option("--eye", o.eye, std::string(D == 2 ? "X,Y" : "X,Y,Z") + " of the eye, in the file's coordinates");
     app.add_option("--look-at", o.look_at, std::string(D == 2 ? "X,Y" : "X,Y,Z") + " of a point to look at");
-    app.add_option("--fov", fov, D == 2 ? "opening of the view in degrees; 360 looks all round" : "opening of the view in degrees, from top to bottom");
+    app.add_option("--fov", fov,
+                   D == 2 ? "opening of the view in degrees; 360 looks all round"
+                          : "opening of the view in degrees, from top to bottom");
     app.add_option("--method", o.method, "method id, see below");
     app.add_option("--preset", o.preset, "preset id, see below");
     app.add_option("--set", o.settings, "FIELD=VALUE, see below; may be given several times")->allow_extra_args(false);

@@ -20,8 +20,8 @@
 #include "shell/commands/arguments.h"
 #include "shell/commands/command_table.h"
 #include "shell/gl/context.h"
-#include "shell/window/memory.h"
 #include "shell/start/options.h"
+#include "shell/window/memory.h"
 #include "shell/window/window.h"
 
 namespace sightline {
@@ -58,7 +58,8 @@ Session<D> open_session(const Options& o, bool in_window, std::span<const Method
 }
 
 template <int D>
-Workbench<D> open_bench(const Options& o, bool in_window, std::span<const Method<D>> methods, const Graphics& graphics) {
+Workbench<D> open_bench(const Options& o, bool in_window, std::span<const Method<D>> methods,
+                        const Graphics& graphics) {
     // JSON on standard output stays alone there.
     std::ostream& out = o.stats == "-" || o.trace == "-" ? std::cerr : std::cout;
     const auto say = [&out](const std::string& line) { out << line << "\n"; };
@@ -95,7 +96,8 @@ Workbench<D> open_last(const Options& o, bool in_window, Recalled& recalled, std
         (state_text<D>(last) ? again.state : again.scene) = last;
         return open_bench<D>(again, in_window, methods, graphics);
     } catch (const InputError& error) {
-        Workbench<D> bench = open_bench<D>(o, in_window, methods, graphics);  // throws again where the options are to blame
+        Workbench<D> bench =
+            open_bench<D>(o, in_window, methods, graphics);  // throws again where the options are to blame
         recalled.word +=
             (recalled.word.empty() ? "" : "; ") + std::string("the last scene does not open: ") + error.what();
         recalled.memory.recent.erase(recalled.memory.recent.begin());
@@ -151,15 +153,15 @@ void print_summary(const Workbench<D>& bench) {
               " of " + std::to_string(reference.count) + " visible; coverage " +
               value(coverage(reference, s.visible_rendered())) +
               (D == 2 ? " (exact reference)" : " (" + reference.name + "), wrong pixels " + wrong_text(s)) +
-              ", inversions " +
-              std::to_string(so_far) + ", state " + hash_text(s.hash()));
+              ", inversions " + std::to_string(so_far) + ", state " + hash_text(s.hash()));
     if (s.cells().cell_count() == 0) std::cerr << "warning: no cells: too few leaf centres without a border\n";
     if (reference.eye_on > 0)
         std::cerr << "warning: the eye lies on " << reference.eye_on
                   << (reference.eye_on == 1 ? " segment, which subtends" : " segments, which subtend")
                   << " no angle there: not visible\n";
     if (s.cells().unassigned > 0)
-        std::cerr << "warning: " << s.cells().unassigned << (D == 2 ? " segments" : " triangles") << " lie in no cell and are never rendered (border="
+        std::cerr << "warning: " << s.cells().unassigned << (D == 2 ? " segments" : " triangles")
+                  << " lie in no cell and are never rendered (border="
                   << words<Border>[static_cast<std::size_t>(s.settings().border)] << ")\n";
 }
 

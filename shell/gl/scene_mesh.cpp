@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shell/gl/scene_mesh.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "core/error.h"
+
+namespace sightline {
+
+namespace {
+
+constexpr std::size_t triangles_at_once = 1 << 16;  // no second copy of a large scene on the way
+
+struct Corner {
+    float x, y, z;
+};
+
+void check_room(std::size_t triangles) {
+    if (glGetError() == GL_OUT_OF_MEMORY)
+        throw WorkError("the graphics card has no room for " + std::to_string(triangles) + " triangles");
+}
+
+}  // namespace
+
+void TriangleChoice::set(std::span<const std::uint32_t> triangles) {
+    std::vector<std::uint32_t> vertices;
+    vertices.reserve(triangles.size() * 3);
+    for (const std::uint32_t t : triangles) vertices.insert(vertices.end(), {3 * t, 3 * t + 1, 3 * t + 2});
+    glBindVertexArray(0);  // the binding of indices belongs to a vertex array
+    glBindBuffer(GL_ARRAY_BUFFER, indices_.name());
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size() * sizeof(std::uint32_t)), vertices.data(),
+                 GL_DYNAMIC_DRAW);
+    glBindBuffer(GL_ARRAY_BUFFER, 0);
+    check_room(triangles.size());
+    count_ = triangles.size();
+}
+
+SceneMesh::SceneMesh(const Scene<3>& scene) : triangles_(scene.primitives.size()) {
+    glBindVertexArray(layout_.name());
+    glBindBuffer(GL_ARRAY_BUFFER, corners_.name());
+    glEnableVertexAttribArray(0);
+    glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(Corner), nullptr);
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(triangles_ * 3 * sizeof(Corner)), nullptr, GL_STATIC_DRAW);
+    std::vector<Corner> corners;
+    corners.reserve(std::min(triangles_, triangles_at_once) * 3);
+    for (std::size_t first = 0; first < triangles_; first += triangles_at_once) {
+        corners.clear();
+        const std::size_t end = std::min(triangles_, first + triangles_at_once);
+        for (std::size_t t = first; t < end; ++t)
+            for (const Vec<3>& p : scene.primitives[t])
+                corners.push_back({static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)});
+        glBufferSubData(GL_ARRAY_BUFFER, static_cast<GLintptr>(first * 3 * sizeof(Corner)),
+                        static_cast<GLsizeiptr>(corners.size() * sizeof(Corner)), corners.data());
+    }
+    glBindVertexArray(0);
+    glBindBuffer(GL_ARRAY_BUFFER, 0);
+    check_room(triangles_);
+}
+
+void SceneMesh::draw_all() const {
+    glBindVertexArray(layout_.name());
+    glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(triangles_ * 3));
+    glBindVertexArray(0);
+}
+
+void SceneMesh::draw(const TriangleChoice& choice, std::size_t first, std::size_t count) const {
+    glBindVertexArray(layout_.name());
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, choice.indices_.name());
+    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(count * 3), GL_UNSIGNED_INT,
+                   reinterpret_cast<const void*>(first * 3 * sizeof(std::uint32_t)));
+    glBindVertexArray(0);
+}
+
+}  // namespace sightline
