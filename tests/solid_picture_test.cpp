@@ -221,11 +221,14 @@ TEST(SolidPicture, TheHeatOfACellIsThatOfItsNumber) {
         const auto numbers = cell_numbers(session, settings.heat);
         const auto range = number_range(session, settings.heat);
         const SolidList list = make_solid(session, {.heat_range = range});
+        std::size_t wires = 0, wires_of_state = 0;
+        for (const std::uint8_t style : list.edge_style) wires_of_state += style < style_of(SolidLook::border);
         std::map<std::uint32_t, std::uint8_t> heat;
         for (std::size_t face = 0; face < list.face_style.size(); ++face)
             heat[list.face_cell[face]] = list.face_style[face];
         for (std::uint32_t cell = 0; cell < numbers.size(); ++cell) {
             const DrawnAs as = asked_for(settings, session.state().mark(cell).state);
+            wires += !numbers[cell] && as == DrawnAs::wireframe;
             ASSERT_EQ(heat.contains(cell), numbers[cell].has_value() && as != DrawnAs::wireframe);
             if (!heat.contains(cell)) continue;
             const auto [low, high] = *range;
@@ -236,6 +239,7 @@ TEST(SolidPicture, TheHeatOfACellIsThatOfItsNumber) {
             colour.a = 255;
             ASSERT_EQ(colour, expected);
         }
+        ASSERT_EQ(wires_of_state, 12 * wires);
     }
 }
 

@@ -84,7 +84,7 @@ std::vector<CellPaint> paint_cells(const Session<3>& session, const PictureOptio
         own.as = drawn_as(set, look);
         if (border) own.border = index(SolidLook::border);
         if (heat && !numbers[cell]) {
-            own.as = DrawnAs::off;
+            if (own.as != DrawnAs::wireframe) own.as = DrawnAs::off;
         } else if (heat) {
             const double share = high > low ? std::clamp((*numbers[cell] - low) / (high - low), 0.0, 1.0) : 0;
             own.style = static_cast<std::uint8_t>((own.as == DrawnAs::translucent ? glass : opaque) +
