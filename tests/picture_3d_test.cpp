@@ -313,7 +313,7 @@ TEST(Picture3, NumbersStandOnTheShownCellsTheNearestFirst) {
         const DrawList list = make_picture(session);
         const View<3> camera = picture_camera(session);
         const auto numbers = cell_numbers(session, settings.label);
-        const auto shown = shown_cells(session);
+        const auto shown = shown_cells(session, slice_of(session));
         std::multimap<double, std::string> by_depth;
         std::multiset<std::string> first, expected;
         for (std::uint32_t cell = 0; cell < numbers.size(); ++cell) {
