@@ -175,7 +175,7 @@ TEST(Picture3, TheConeIsThatOfTheCullingView) {
         const View<3> camera = picture_camera(session), &culling = session.frame().view;
         for (const auto& line : shapes_of(make_picture(session), "view"))
             for (const Vec<2>& p : line) {
-                if (p.x < -0.49 || p.y < -0.49 || p.x > image_plane(camera).max.x + 0.49 || p.y > 1.49)
+                if (p.x < -0.49 || p.y < -0.49 || p.x > picture_plane(camera).max.x + 0.49 || p.y > 1.49)
                     continue;  // cut
                 double nearest = 1;
                 for (const Vec<3>& corner : culling.corners) {

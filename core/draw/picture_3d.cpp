@@ -33,7 +33,7 @@ public:
           cells_(session.cells()),
           colours_(colours(set_.palette)),
           camera_(picture_camera(session, options.aspect)) {
-        list_.world = image_plane(camera_);
+        list_.world = picture_plane(camera_);
         list_.styles = colours_.looks;
         if (set_.show_view == Switch::on) seen_from_outside(session) ? view() : frame();
         if (set_.show_normals == Switch::on) normals();
@@ -116,7 +116,7 @@ private:
     /// From the culling eye itself: where its image ends in a picture of another shape.
     void frame() {
         const View<3>& culling = session_.frame().view;
-        if (std::abs(image_plane(culling).max.x - list_.world.max.x) < 1e-9) return;
+        if (std::abs(picture_plane(culling).max.x - list_.world.max.x) < 1e-9) return;
         for (std::size_t i = 0; i < 4; ++i) line(culling.corners[i], culling.corners[(i + 1) % 4], Look::view);
     }
 
