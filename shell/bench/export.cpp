@@ -99,7 +99,8 @@ void write_shot(Workbench<D>& bench, const std::string& file) {
         go_to_place(session, place);
         add_panels(bench, session, "step " + std::to_string(session.position()), panels);
     }
-    write_figure(make_figure(std::span<const PanelSource<D>>(panels)), figure_size(bench.figure), file);
+    write_figure(make_figure(std::span<const PanelSource<D>>(panels)), figure_size(bench.figure), file,
+                 bench.graphics.draw_solid);
     write_file(file + ".json", bench_state(bench));
     bench.session.times().draw += drawing.milliseconds();
     bench.say("wrote " + file + " and " + file + ".json");

@@ -80,7 +80,7 @@ void write_pictures(Workbench<D>& bench, std::span<const Figure> figures, const 
         return written.back();
     };
     try {
-        write_figure_frames(figures, figure_size(bench.figure), name);
+        write_figure_frames(figures, figure_size(bench.figure), name, bench.graphics.draw_solid);
     } catch (...) {
         std::error_code error;
         for (const fs::path& path : written) fs::remove(path, error);
@@ -96,7 +96,7 @@ void write_film(Workbench<D>& bench, const FilmSpec& film) {
     check(bench, film);
     const std::vector<Figure> figures = frames(bench.session, film);
     if (ending == ".pdf") {
-        write_figure_pages(figures, figure_size(bench.figure), film.file);
+        write_figure_pages(figures, figure_size(bench.figure), film.file, bench.graphics.draw_solid);
     } else if (ending == ".png") {
         write_pictures(bench, figures, film.file);
     } else {
