@@ -68,7 +68,7 @@ std::vector<CellPaint> paint_cells(const Session<3>& session, const PictureOptio
         glass = add_heat(set, translucent_alpha, list);
     }
     const auto [low, high] = options.heat_range.value_or(std::array<double, 2>{0, 0});
-    const std::vector<std::uint8_t> shown = shown_cells(session);
+    const std::vector<std::uint8_t> shown = shown_cells(session, list.slice);
     std::vector<CellPaint> paint(shown.size());
     for (std::uint32_t cell = 0; cell < paint.size(); ++cell) {
         if (!shown[cell]) continue;
