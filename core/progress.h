@@ -1,4 +1,4 @@
-// How far a long piece of work is, for whoever waits.
+// Word of something that takes long.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -7,7 +7,12 @@
 
 namespace sightline {
 
-/// `share` in [0, 1]. May be empty.
+/// Called at least every half second while something long goes on, on the caller's thread; may be empty. `what` names
+/// the step for people; `share` in [0, 1] is how much of that step is done and never shrinks within it.
 using Progress = std::function<void(std::string_view what, double share)>;
+
+inline void report(const Progress& progress, std::string_view what, double share) {
+    if (progress) progress(what, share);
+}
 
 }  // namespace sightline

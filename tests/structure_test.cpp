@@ -93,6 +93,17 @@ TEST(Structure, CgalStaysBehindGeometryAndTheBuilders) {
         }
 }
 
+TEST(Structure, AssimpStaysBehindTheReaders) {
+    int seen = 0;
+    for (const Source& source : sources())
+        for (const std::string& include : source.includes) {
+            if (!include.starts_with("assimp/")) continue;
+            ++seen;
+            EXPECT_TRUE(in(source, "core/scene") && !is_header(source)) << source.path << " includes " << include;
+        }
+    EXPECT_GT(seen, 0);
+}
+
 TEST(Structure, JsonStaysOutOfHeaders) {
     // One header is the readers' own and is included by .cpp files only.
     const std::string inner = "core/scene/json_input.h";
