@@ -39,9 +39,12 @@ void set_all(Session<3>& session, std::initializer_list<const char*> assignments
     session.change(settings);
 }
 
+std::size_t edges_per_cell(const Session<3>& session) { return session.cells().kind == Tessellation::tree ? 12 : 6; }
+
 /// From where the whole of the cells is seen.
 ViewSpec<3> from_afar(const Session<3>& session) {
-    const Box<3> box = session.cells().tree.root_box();
+    Box<3> box;
+    for (const Vec<3>& p : session.cells().points) box.add(p);
     return {box.centre() + Vec<3>(3, -4, 2) * box.longest_side(), box.centre(), 40};
 }
 
@@ -127,7 +130,7 @@ TEST(Picture3, ConeEyeAndSeedAreDrawnFromOutsideOnly) {
         }
         session.set_view(from_afar(session));
         const DrawList list = make_picture(session);
-        EXPECT_EQ(shapes_of(list, "seed").size(), 12u);
+        EXPECT_EQ(shapes_of(list, "seed").size(), edges_per_cell(session));
         // The disc stands where the eye is, and the four lines of the cone start there.
         const View<3> camera = picture_camera(session);
         const Vec<2> eye = *project(camera, session.culling_view().eye);
@@ -201,10 +204,10 @@ TEST(Picture3, LastAndSelectedAreOutlinedWhereTheyAre) {
         const auto near = [](const Vec<2>& a, const Vec<2>& b) { return glm::length(a - b) < 1e-9; };
         const auto check = [&](std::uint32_t cell, const char* style) {
             const auto lines = shapes_of(list, style);
-            ASSERT_EQ(lines.size(), cell == none ? 0u : 12u);
+            ASSERT_EQ(lines.size(), cell == none ? 0u : edges_per_cell(session));
             if (cell == none) return;
             for (const std::uint32_t corner : session.cells().corners_of(cell)) {
-                const Vec<3>& centre = session.cells().centres[cell];
+                const Vec<3>& centre = session.cells().centre(cell);
                 const Vec<2> at = *project(camera, centre + (session.cells().points[corner] - centre) * shrink);
                 int meeting = 0;
                 for (const auto& line : lines) meeting += near(line[0], at) + near(line[1], at);
@@ -257,8 +260,8 @@ TEST(Picture3, TheStarTestIsShownAsItWasMade) {
             continue;
         }
         const FacetExplanation& update = chain.back().update;
-        ASSERT_EQ(shapes_of(list, "star_facet").size(), 4u);
-        const Vec<3>&eye = session.culling_view().eye, &centre = session.cells().centres[cell];
+        ASSERT_EQ(shapes_of(list, "star_facet").size(), session.cells().points_of_facet(update.facet).size());
+        const Vec<3>&eye = session.culling_view().eye, &centre = session.cells().centre(cell);
         ASSERT_FALSE(rays.empty());
         ASSERT_EQ(rays[0].size(), 2u);
         ASSERT_NEAR(glm::length(rays[0][1] - *project(camera, centre)), 0, 1e-9);
@@ -310,7 +313,7 @@ TEST(Picture3, NumbersStandOnTheShownCellsTheNearestFirst) {
         const DrawList list = make_picture(session);
         const View<3> camera = picture_camera(session);
         const auto numbers = cell_numbers(session, settings.label);
-        const auto shown = shown_cells(session);
+        const auto shown = shown_cells(session, slice_of(session));
         std::multimap<double, std::string> by_depth;
         std::multiset<std::string> first, expected;
         for (std::uint32_t cell = 0; cell < numbers.size(); ++cell) {
@@ -318,7 +321,7 @@ TEST(Picture3, NumbersStandOnTheShownCellsTheNearestFirst) {
             const bool front = session.state().mark(cell).state == CellState::enqueued;
             const bool asked = settings.label_where == LabelWhere::all || cell == session.selected_cell ||
                                (settings.label_where == LabelWhere::front && (front || cell == last_cell(session)));
-            const auto at = project(camera, session.cells().centres[cell]);
+            const auto at = project(camera, session.cells().centre(cell));
             if (!numbers[cell] || !asked || !(must || shown[cell]) || !at || !list.world.contains(*at)) continue;
             const std::string text = short_number(*numbers[cell]);
             expected.insert(text);
@@ -334,8 +337,8 @@ TEST(Picture3, NumbersStandOnTheShownCellsTheNearestFirst) {
             ASSERT_LT(label.room, 100);
             double depth_here = -1;
             for (std::uint32_t cell = 0; cell < numbers.size(); ++cell)
-                if (project(camera, session.cells().centres[cell]) == label.at)
-                    depth_here = depth(camera, session.cells().centres[cell]);
+                if (project(camera, session.cells().centre(cell)) == label.at)
+                    depth_here = depth(camera, session.cells().centre(cell));
             ASSERT_GE(depth_here, 0);
             if (k > first.size()) {
                 ASSERT_GE(depth_here, depth_before - 1e-9);
@@ -439,7 +442,7 @@ TEST(Picture3, FiguresAndFilmsShareScaleAndLegend) {
     note.kind = Note<3>::Kind::callout;
     note.number = 1;
     note.text = "in one frame";
-    note.point = session.cells().centres[0];
+    note.point = session.cells().centre(0);
     note.first_step = note.last_step = 4;
     session.notes.push_back(note);
     note.number = 2;
@@ -452,7 +455,8 @@ TEST(Picture3, FiguresAndFilmsShareScaleAndLegend) {
         sources.back().session.seek(step);
     }
     const Figure figure = make_figure(sources);
-    const std::vector<Figure> film = make_film(sources);
+    const std::vector<Figure> film =
+        make_film<3>(3, [&](std::size_t i) -> const PanelSource<3>& { return sources[i]; });
     ASSERT_EQ(figure.panels.size(), 3u);
     ASSERT_EQ(film.size(), 3u);
     ASSERT_TRUE(figure.bar);
@@ -489,14 +493,14 @@ TEST(Picture3, AnEmptySceneHasAPicture) {
 
 const Goldens& goldens() {
     static const Goldens table{
-        {"6ea88d21f2cae535", "105f0f6a9458d8d7", "8d51d35ae8a39cb5", "1df84b81e0f72a57", "f690fe7a6da71900",
-         "c3d8ac93ffe06290"},
-        {"4707609f076ab793", "bab038786cde77c0", "cb2346bef687ebda", "bc8c652d3d65c79d", "71efefcf0f300841",
-         "210819d7fb2bd1a7"},
-        {"6bd0437e32aae10c", "b4a5ca7965e40fba", "b486e843284e0ca0", "8e6b540ea50777f2", "c45e883fa3c6487c",
-         "6a396a4be0451163"},
-        {"b6af65220cbe8611", "4c47af3977ab7028", "ceded91c8fff47bb", "0cb3bf4b8c3412c3", "2c7e7abdd9908fdf",
-         "f5727f086828f912"},
+        {"7ee4498dc6c27ae4", "9936d66d87adb8f8", "8e4f69b44799d45c", "1c64e3d8f9876bed", "4333f8bcdee7fc57",
+         "5c9c1784ffc72f61"},
+        {"68f40397d0c9f117", "bab038786cde77c0", "2b84c935e8f3000e", "bc8c652d3d65c79d", "d2a20033a8f95d49",
+         "656e0b1d3bdfbe8e"},
+        {"e59b8c6d50b8e349", "b4a5ca7965e40fba", "9c570eb2778cb24e", "b27be4fed1cc1b44", "81fe9d2d342d4f08",
+         "e6a5a708b8262341"},
+        {"b6af65220cbe8611", "2e2290f72491d009", "e57c7334a5010cc8", "078928acda684bff", "4481c0099e4a9aaf",
+         "f9066e5f0afa8171"},
     };
     return table;
 }

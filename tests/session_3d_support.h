@@ -59,7 +59,6 @@ inline ViewSpec<3> random_view_3d(Random& random) {
     return {random_point_3d(random, -reach, 1 + reach), random_point_3d(random, 0.2, 0.8), random.uniform(20, 120)};
 }
 
-/// Leaves of an octree as cells, so that the cells are the same whatever a tessellation of points does.
 inline Start3 random_start_3d(Random& random, std::size_t most_triangles = 60) {
     Start3 start;
     Scene<3> scene;
@@ -67,7 +66,8 @@ inline Start3 random_start_3d(Random& random, std::size_t most_triangles = 60) {
     start.scene = std::make_shared<const Scene<3>>(std::move(scene));
     start.view = random_view_3d(random);
     start.settings = random_settings(random);
-    start.settings.tessellation = Tessellation::tree;
+    start.settings.jitter = 0.02;  // else cells without a volume
+    start.settings.border = Border::inflated;  // else there may be no cell
     start.settings.error_bound = random.uniform(0.1, 0.5);
     start.settings.method = random.below(4) == 0 ? "layers" : "published";
     return start;

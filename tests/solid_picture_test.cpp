@@ -39,7 +39,7 @@ bool shall_show(const Session<3>& session, std::uint32_t cell) {
     }
     const Box<3> box = bounds<3>(session.scene().primitives);
     if (s.slice == SliceAcross::off || box.empty()) return true;
-    const Vec<3>& centre = session.cells().centres[cell];
+    const Vec<3>& centre = session.cells().centre(cell);
     if (s.slice != SliceAcross::view) {
         const int axis = static_cast<int>(s.slice) - 1;
         return centre[axis] <= box.min[axis] + box.extent()[axis] * s.slice_at;
@@ -119,16 +119,19 @@ TEST(SolidPicture, WhatIsSlicedOffLeavesClosedBodies) {
         Vec<3> area(0);
         for (std::size_t face = 0; face < list.face_style.size(); ++face) {
             const Vec<3>* p = &list.points[list.face_begin[face]];
-            Vec<3> n = glm::cross(p[1] - p[0], p[2] - p[0]);  // of rectangles: the area
-            if (glm::dot(n, p[0] - session.cells().centres[list.face_cell[face]]) < 0) n = -n;
+            const bool triangle = list.face_begin[face + 1] - list.face_begin[face] == 3;
+            Vec<3> n = glm::cross(p[1] - p[0], p[2] - p[0]) * (triangle ? 0.5 : 1);  // the face's area
+            if (glm::dot(n, p[0] - session.cells().centre(list.face_cell[face])) < 0) n = -n;
             inside += glm::dot(n, p[0]) / 3;
             area += n;
         }
         for (std::uint32_t cell = 0; cell < session.cells().cell_count(); ++cell) {
             if (session.state().mark(cell).state != state || !shall_show(session, cell)) continue;
-            Box<3> box;
-            for (const std::uint32_t p : session.cells().corners_of(cell)) box.add(session.cells().points[p]);
-            cells += box.extent().x * box.extent().y * box.extent().z;
+            std::vector<Vec<3>> p;
+            for (const std::uint32_t corner : session.cells().corners_of(cell))
+                p.push_back(session.cells().points[corner]);
+            const Vec<3> e = p.back() - p.front();  // of a box: its diagonal
+            cells += p.size() == 8 ? e.x * e.y * e.z : glm::dot(glm::cross(p[1] - p[0], p[2] - p[0]), e) / 6;
         }
         ASSERT_NEAR(inside, cells, 1e-9);
         ASSERT_NEAR(glm::length(area), 0, 1e-9);
@@ -221,11 +224,14 @@ TEST(SolidPicture, TheHeatOfACellIsThatOfItsNumber) {
         const auto numbers = cell_numbers(session, settings.heat);
         const auto range = number_range(session, settings.heat);
         const SolidList list = make_solid(session, {.heat_range = range});
+        std::size_t wires = 0, wires_of_state = 0;
+        for (const std::uint8_t style : list.edge_style) wires_of_state += style < style_of(SolidLook::border);
         std::map<std::uint32_t, std::uint8_t> heat;
         for (std::size_t face = 0; face < list.face_style.size(); ++face)
             heat[list.face_cell[face]] = list.face_style[face];
         for (std::uint32_t cell = 0; cell < numbers.size(); ++cell) {
             const DrawnAs as = asked_for(settings, session.state().mark(cell).state);
+            wires += !numbers[cell] && as == DrawnAs::wireframe;
             ASSERT_EQ(heat.contains(cell), numbers[cell].has_value() && as != DrawnAs::wireframe);
             if (!heat.contains(cell)) continue;
             const auto [low, high] = *range;
@@ -236,6 +242,7 @@ TEST(SolidPicture, TheHeatOfACellIsThatOfItsNumber) {
             colour.a = 255;
             ASSERT_EQ(colour, expected);
         }
+        ASSERT_EQ(wires_of_state, (session.cells().kind == Tessellation::tree ? 12 : 6) * wires);
     }
 }
 
@@ -260,7 +267,9 @@ TEST(SolidPicture, CellsOfTwoSessionsLookAsWhoProjectedThem) {
                                                                            : SolidLook::only_right));
         }
         for (std::uint32_t cell = 0; cell < sides.size(); ++cell)
-            ASSERT_EQ(faces[cell], sides[cell] == Side::neither ? 0 : 6);
+            ASSERT_EQ(faces[cell], sides[cell] == Side::neither                 ? 0
+                                   : session.cells().kind == Tessellation::tree ? 6
+                                                                                : 4);
     }
 }
 

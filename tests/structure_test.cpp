@@ -147,7 +147,7 @@ TEST(Structure, OnlyTheWindowAndTheProgramsKnowImGuiAndOnlyTheyAndGlKnowSdlAndOp
     int seen = 0;
     for (const Source& source : sources()) {
         if (in(source, "tests")) continue;
-        const bool program = in(source, "viewer2d"), window = in(source, "shell/window");
+        const bool program = in(source, "viewer2d") || in(source, "viewer3d"), window = in(source, "shell/window");
         for (const std::string& include : source.includes) {
             const bool widget = std::regex_match(include, widgets), drawn = std::regex_match(include, screen);
             seen += widget || drawn;

@@ -213,7 +213,7 @@ private:
     void labels() {
         if (set_.label == CellNumber::none) return;
         const auto numbers = cell_numbers(session_, set_.label);
-        const std::vector<std::uint8_t> shown = shown_cells(session_);
+        const std::vector<std::uint8_t> shown = shown_cells(session_, slice_of(session_));
         const std::uint32_t last = last_cell(session_);
         struct Numbered {
             bool yields;

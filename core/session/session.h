@@ -67,7 +67,7 @@ public:
     const Frame<D>& frame() const { return frame_; }
     const State<D>& state() const { return state_; }
     const Timeline& timeline() const { return timeline_; }
-    std::uint32_t position() const { return state_.step; }
+    std::uint32_t position() const { return flying_ ? 0 : state_.step; }
     std::uint32_t recorded() const { return static_cast<std::uint32_t>(timeline_.steps.size()); }
     /// Whether the run ends here: step() would say why.
     bool finished() const;
@@ -114,7 +114,7 @@ public:
 
     // Flying: frames that follow each other and are not recorded.
     /// Moves the culling view and runs to the budget without a recording. Until land() there is nothing to step
-    /// through: recorded() is 0 and position() counts the steps of the frame.
+    /// through: recorded() and position() are 0, while state() has the whole frame.
     Stop fly(const ViewSpec<D>& view);
     bool flying() const { return flying_; }
     /// Runs the frame again with a recording: the same steps, the same hash. Does nothing when not flying. Everything

@@ -44,13 +44,13 @@ void check(const Workbench<D>& bench, const FilmSpec& film) {
 
 template <int D>
 std::vector<Figure> frames(const Session<D>& session, const FilmSpec& film) {
-    std::vector<PanelSource<D>> sources;
-    Session<D> walker = session;
-    for (std::uint32_t step = film.first; step <= film.last; ++step) {
-        walker.seek(step);
-        sources.push_back({walker, "step " + std::to_string(step)});
-    }
-    return make_film(std::span<const PanelSource<D>>(sources));
+    PanelSource<D> walker{session, ""};
+    return make_film<D>(film.last - film.first + 1, [&](std::size_t i) -> const PanelSource<D>& {
+        const std::uint32_t step = film.first + static_cast<std::uint32_t>(i);
+        walker.session.seek(step);
+        walker.title = "step " + std::to_string(step);
+        return walker;
+    });
 }
 
 /// The state of the first step, which any state file's reader opens, with what the film is.
