@@ -120,6 +120,22 @@ TEST_F(GlIdLayers, TheFirstRowIsTheTopAndTheFirstColumnTheLeft) {
         for (int x = 0; x < 20; ++x) EXPECT_EQ(image.at(x, y) == 0, x + y < 3) << x << ' ' << y;
 }
 
+TEST_F(GlIdLayers, AClosedRoomHasNoCracks) {
+    Random random(6);
+    for (int i = 0; i < 60; ++i) {
+        Scene<3> scene;
+        add_box(scene.primitives, Vec<3>(-1), Vec<3>(1), true);
+        // Pulled askew, so that edges run everywhere.
+        const Vec<3> u = around(random, {1, 0, 0}, 0.4), v = around(random, {0, 1, 0}, 0.4),
+                     w = around(random, {0, 0, 1}, 0.4);
+        for (Primitive<3>& triangle : scene.primitives)
+            for (Vec<3>& p : triangle) p = as_float(u * p.x + v * p.y + w * p.z);
+        const View<3> view = make_view({around(random, {0, 0, 0}, 0.3), around(random, {0, 0, 0}, 1), 100}, 4.0 / 3);
+        const IdImage image = renderer->draw(scene, view, {640, 480}, 1)[0];
+        EXPECT_EQ(std::count(image.ids.begin(), image.ids.end(), no_primitive), 0) << "room " << i;
+    }
+}
+
 TEST_F(GlIdLayers, SizesMayChangeAndImpossibleOnesAreRefusedInWords) {
     const Scene<3> scene = soup(70, {0, 0, 0}, 1, 2);
     const View<3> view = view_of({-2, 0.5, 0.3}, 60);
