@@ -29,7 +29,7 @@ TEST(CellNumbers, LabelsAreTheNumbersOfTheCells) {
             for (std::uint32_t cell = 0; cell < numbers.size(); ++cell) {
                 const bool front = session.state().mark(cell).state == CellState::enqueued;
                 const bool wanted = where == LabelWhere::all || cell == last || (where == LabelWhere::front && front);
-                if (numbers[cell] && wanted && world.contains(session.cells().centres[cell]))
+                if (numbers[cell] && wanted && world.contains(session.cells().centre(cell)))
                     expected.insert(short_number(*numbers[cell]));
             }
             const DrawList list = make_picture(session);
@@ -42,7 +42,7 @@ TEST(CellNumbers, LabelsAreTheNumbersOfTheCells) {
                 // The cell just projected keeps its number however crowded the picture is.
                 ASSERT_FALSE(list.labels.empty());
                 EXPECT_FALSE(list.labels.front().yields);
-                EXPECT_EQ(list.labels.front().at, session.cells().centres[last]);
+                EXPECT_EQ(list.labels.front().at, session.cells().centre(last));
             }
         }
 }
@@ -86,6 +86,7 @@ TEST(CellNumbers, CellNumbersAreWhatTheySay) {
         const std::uint32_t recorded = session.recorded();
         session.seek(session.position() / 2);
         ASSERT_EQ(number_range(session, CellNumber::order), range);
+        ASSERT_EQ(number_range(session, CellNumber::solidity), all);
         if (recorded > 0) {
             ASSERT_EQ(range, (std::array<double, 2>{1, double(recorded)}));
         }

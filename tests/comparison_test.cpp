@@ -184,7 +184,7 @@ TEST(Comparison, SameCellsMeansTheSamePointsAndNeighbours) {
         const Session<2> b = start.session();
         bool equal = a.cells().points == b.cells().points && a.cells().cell_count() == b.cells().cell_count();
         for (std::uint32_t cell = 0; equal && cell < a.cells().cell_count(); ++cell) {
-            equal = a.cells().centres[cell] == b.cells().centres[cell];
+            equal = a.cells().centre(cell) == b.cells().centre(cell);
             const auto f = a.cells().facets_of(cell), g = b.cells().facets_of(cell);
             equal = equal && f.size() == g.size();
             for (std::size_t k = 0; equal && k < f.size(); ++k) equal = f[k].neighbour == g[k].neighbour;

@@ -15,6 +15,10 @@ namespace {
 
 using namespace test;
 
+std::vector<Figure> film_of(const std::vector<PanelSource<2>>& frames) {
+    return make_film<2>(frames.size(), [&](std::size_t i) -> const PanelSource<2>& { return frames[i]; });
+}
+
 TEST(Compose, PanelsShareLegendAndScale) {
     Session<2> session = session_of(*find_in_catalogue("bottleneck"));
     for (const CellNumber heat : {CellNumber::none, CellNumber::order}) {
@@ -23,7 +27,7 @@ TEST(Compose, PanelsShareLegendAndScale) {
         settings.label = CellNumber::none;
         settings.show_tessellation = Switch::off;
         session.change(settings);
-        std::vector<PanelSource> panels;
+        std::vector<PanelSource<2>> panels;
         for (const std::uint32_t step : {0u, 30u, 10u}) {
             panels.push_back({session, "step " + std::to_string(step)});
             panels.back().session.seek(step);
@@ -84,12 +88,12 @@ TEST(Compose, NothingJumpsInAFilm) {
             settings.zoom_at = at;
             settings.zoom = at == ZoomAt::last ? 4 : 1;
             session.change(settings);
-            std::vector<PanelSource> frames;
+            std::vector<PanelSource<2>> frames;
             for (std::uint32_t step = 0; step <= 24; step += 3) {
                 frames.push_back({session, ""});
                 frames.back().session.seek(step);
             }
-            const std::vector<Figure> film = make_film(frames);
+            const std::vector<Figure> film = film_of(frames);
             ASSERT_EQ(film.size(), frames.size());
             const auto text_of = [](const std::vector<LegendRow>& rows) {
                 std::string text;
@@ -184,7 +188,7 @@ TEST(Compose, NotesShowInTheirStepsAtTheirAnchors) {
             EXPECT_EQ(label("in the middle")->at, Vec<2>(1, 2));
         }
         ASSERT_NE(label("4"), list.labels.end());
-        EXPECT_EQ(label("4")->at, session.cells().centres[7]);
+        EXPECT_EQ(label("4")->at, session.cells().centre(7));
         EXPECT_TRUE(label("4")->disc);
         const auto listed = [&](const char* text) {
             return std::any_of(figure.legend.begin(), figure.legend.end(),
@@ -212,8 +216,7 @@ TEST(Compose, AFigureHasTheNotesThatAWindowShowsBesideTheScene) {
     const Box<2> world = make_figure(std::array{PanelSource{session, ""}}).panels[0].list.world;
     EXPECT_TRUE(world.contains(session.notes[0].point));
     EXPECT_FALSE(world.contains(note.point));
-    EXPECT_TRUE(
-        make_film(std::array{PanelSource{session, ""}})[0].panels[0].list.world.contains(session.notes[0].point));
+    EXPECT_TRUE(film_of({{session, ""}})[0].panels[0].list.world.contains(session.notes[0].point));
 }
 
 TEST(Compose, TheCaptionNamesTheConditions) {

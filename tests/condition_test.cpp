@@ -62,7 +62,7 @@ Values expected(const Session<2>& session, const std::vector<CellMark>& before, 
             for (const HalfFacet& half : session.cells().facets_of(cell))
                 if (half.neighbour == c)
                     v["penalties"] +=
-                        !star_shaped(session.cells(), half, session.culling_view().eye, session.cells().centres[c]);
+                        !star_shaped(session.cells(), half, session.culling_view().eye, session.cells().centre(c));
     }
     if (reference.cell_share[cell] == 0 && v["count"] > 0) {
         bool in_front = false, clean = false;

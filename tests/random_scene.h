@@ -26,6 +26,40 @@ inline Scene<2> random_scene(Random& random, std::size_t count) {
     return scene;
 }
 
+/// `count` triangles: small ones, needles, some as large as the scene, axis-aligned ones on a coarse grid. Coordinates
+/// are multiples of 2^-20, so that sums of few of them are exact.
+inline Scene<3> random_scene_3d(Random& random, std::size_t count) {
+    Scene<3> scene;
+    const auto grid = [](double x) { return std::floor(x * 0x1p20) * 0x1p-20; };
+    const auto point = [&] { return Vec<3>(grid(random.unit()), grid(random.unit()), grid(random.unit())); };
+    const auto near = [&](const Vec<3>& p, double reach) {
+        return p + Vec<3>(grid(random.uniform(-reach, reach)), grid(random.uniform(-reach, reach)),
+                          grid(random.uniform(-reach, reach)));
+    };
+    const std::uint64_t kinds = 1 + random.below(4);
+    while (scene.primitives.size() < count) {
+        Primitive<3> t{point(), point(), point()};
+        switch (random.below(kinds)) {
+            case 0:
+                t[1] = near(t[0], 0.05);
+                t[2] = near(t[0], 0.05);
+                break;
+            case 1:  // a needle
+                t[2] = near(t[1], 0x1p-18);
+                break;
+            case 2:
+                for (Vec<3>& p : t) p = glm::floor(p * 8.0) / 8.0;
+                t[1][static_cast<int>(random.below(3))] = t[0][static_cast<int>(random.below(3))];
+                if (random.below(2)) t[0].z = t[1].z = t[2].z;
+                break;
+            default:  // as large as the scene
+                break;
+        }
+        if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) scene.primitives.push_back(t);
+    }
+    return scene;
+}
+
 inline ViewSpec<2> random_view(Random& random) {
     const double reach = random.below(4) == 0 ? 2.5 : 1;  // sometimes well outside
     const auto coordinate = [&] {

@@ -49,7 +49,7 @@ public:
         for (std::uint32_t i = 0; i < complex.cell_count(); ++i) {
             PaperCell& cell = *cells_[i];
             cell.id = i;
-            cell.centre = complex.centres[i];
+            cell.centre = complex.centre(i);
             for (const std::uint32_t p : complex.corners_of(i)) cell.corners.push_back(complex.points[p]);
             for (const HalfFacet& half : complex.facets_of(i)) {
                 const auto [from, to] = facet_ends(complex, half);

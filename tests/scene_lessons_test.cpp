@@ -16,7 +16,7 @@ namespace sightline {
 namespace {
 
 Session<2> open(const char* id, std::initializer_list<const char*> assignments = {}) {
-    const CatalogueRow& row = *find_in_catalogue(id);
+    const CatalogueRow<2>& row = *find_in_catalogue(id);
     Settings settings;
     settings.error_bound = row.error_bound;
     settings.method = row.method;
@@ -117,7 +117,7 @@ Occluders largest_occluders(const char* id) {
 }
 
 TEST(SceneLessons, BookmarksAreReachedWithinTheBudget) {
-    for (const CatalogueRow& row : catalogue()) {
+    for (const CatalogueRow<2>& row : catalogue()) {
         Session<2> session = open(row.id);
         for (const CatalogueBookmark& bookmark : row.bookmarks)
             EXPECT_NE(reach(session, bookmark.condition), none) << row.id << ": " << bookmark.label;
@@ -160,7 +160,7 @@ TEST(SceneLessons, BottleneckNeedsTheStarShapePenalty) {
         const auto crates_before_walls = [](const Session<2>& s) {
             const std::vector<Inversion> found = s.inversions();
             return std::count_if(found.begin(), found.end(), [&](const Inversion& inversion) {
-                return inversion.wasted > 0 && s.cells().centres[inversion.cell].y > 9;
+                return inversion.wasted > 0 && s.cells().centre(inversion.cell).y > 9;
             });
         };
         EXPECT_GT(crates_before_walls(all_without), 0);
@@ -221,7 +221,7 @@ TEST(SceneLessons, WallWithHolesBlursBeams) {
     std::vector<double> beam, shadow;
     for (std::uint32_t step = 1; step <= session.position(); ++step) {
         const std::uint32_t cell = session.timeline().steps[step - 1].cell;
-        if (session.cells().centres[cell].y < 15 || session.cells().count(cell) == 0) continue;
+        if (session.cells().centre(cell).y < 15 || session.cells().count(cell) == 0) continue;
         (session.reference().cell_share[cell] > 0 ? beam : shadow).push_back(key_at(session, step));
     }
     double right = 0;
@@ -241,7 +241,7 @@ TEST(SceneLessons, WallOfTwoSegmentsHidesAStoreAndCountsForNothing) {
     const std::size_t behind = rendered_in(session, {{0, 15}, {40, 40}});
     EXPECT_GT(behind, 0.7 * session.state().rendered_count);
     ASSERT_NE(reach(session, "visible_share == 0 && count >= 4"), none);
-    EXPECT_GT(session.cells().centres[session.timeline().steps[session.position() - 1].cell].y, 15);
+    EXPECT_GT(session.cells().centre(session.timeline().steps[session.position() - 1].cell).y, 15);
     EXPECT_LT(key_at(session, session.position()), 0.1);
 }
 
@@ -273,11 +273,11 @@ TEST(SceneLessons, ForgottenWallCountsForNothingAfterTheEmptyRun) {
     ASSERT_NE(reach(marked, find_in_catalogue("forget")->bookmarks.back().condition), none);
     EXPECT_TRUE(Condition<2>("inversion > 0 && coverage < 0.5").holds(marked));
     const std::uint32_t cell = marked.timeline().steps[marked.position() - 1].cell;
-    EXPECT_GT(marked.cells().centres[cell].x, 57);
+    EXPECT_GT(marked.cells().centre(cell).x, 57);
     EXPECT_LT(marked.state().mark(cell).key, 0.01);
     double behind_wall = 0;
     for (const ChainLink& link : explain_cell(marked, cell).chain)
-        if (const Vec<2> at = marked.cells().centres[link.update.neighbour]; at.x > 12 && at.x < 20 && at.y > 20)
+        if (const Vec<2> at = marked.cells().centre(link.update.neighbour); at.x > 12 && at.x < 20 && at.y > 20)
             behind_wall = std::max(behind_wall, link.update.terms->key);
     EXPECT_GT(behind_wall, 0.4);
 }

@@ -4,19 +4,16 @@
 
 #include "core/space/builders.h"
 #include "tests/random_scene.h"
+#include "tests/space_support.h"
 
 namespace sightline {
 namespace {
 
+using test::expect_linked;
+using test::holds;
 using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
 
 Exact::Point_2 exact(const Vec<2>& p) { return {p.x, p.y}; }
-
-bool holds(const CellComplex<2>& cells, std::uint32_t cell, const Vec<2>& p) {
-    for (const HalfFacet& half : cells.facets_of(cell))
-        if (facet_side(cells, half, p) < 0) return false;
-    return true;
-}
 
 double area(const CellComplex<2>& cells, std::uint32_t cell) {
     double sum = 0;
@@ -28,25 +25,6 @@ double area(const CellComplex<2>& cells, std::uint32_t cell) {
 
 /// Without jitter, rounded leaf centres make slivers an ulp wide whose rounded centre may lie outside them.
 bool sliver(const CellComplex<2>& cells, std::uint32_t cell) { return area(cells, cell) < 1e-14; }
-bool sliver(const CellComplex<3>&, std::uint32_t) { return false; }
-
-template <int D>
-void expect_linked(const CellComplex<D>& cells) {
-    for (std::uint32_t cell = 0; cell < cells.cell_count(); ++cell)
-        for (const HalfFacet& half : cells.facets_of(cell)) {
-            if (!sliver(cells, cell)) {
-                ASSERT_GT(facet_side(cells, half, cells.centres[cell]), 0);
-            }
-            if (half.neighbour == none) continue;
-            if (!sliver(cells, half.neighbour)) {
-                ASSERT_LT(facet_side(cells, half, cells.centres[half.neighbour]), 0);
-            }
-            int back = 0;
-            for (const HalfFacet& other : cells.facets_of(half.neighbour))
-                back += other.neighbour == cell && other.facet() == half.facet() && other.flipped() != half.flipped();
-            ASSERT_EQ(back, 1);
-        }
-}
 
 TEST(Space, CellsAreLinkedBothWaysAndFillTheirBox) {
     Random random(21);
@@ -54,7 +32,7 @@ TEST(Space, CellsAreLinkedBothWaysAndFillTheirBox) {
         const Scene<2> scene = test::random_scene(random, random.below(100));
         Settings settings = test::random_settings(random);
         const CellComplex<2> cells = build_cells(scene, settings);
-        expect_linked(cells);
+        expect_linked(cells, sliver);
         double sum = 0;
         for (std::uint32_t cell = 0; cell < cells.cell_count(); ++cell) {
             ASSERT_GT(area(cells, cell), settings.jitter > 0 ? 0 : -1e-16);
@@ -68,19 +46,6 @@ TEST(Space, CellsAreLinkedBothWaysAndFillTheirBox) {
             ASSERT_EQ(cells.unassigned, 0u);
         }
     }
-}
-
-TEST(Space, OctreeCellsAreLinkedBothWays) {
-    Random random(22);
-    std::vector<Primitive<3>> triangles;
-    for (int i = 0; i < 100; ++i) {
-        Primitive<3> t;
-        for (Vec<3>& p : t) p = {random.unit(), random.unit() * random.unit(), random.unit() * random.unit()};
-        triangles.push_back(t);
-    }
-    const CellComplex<3> cells = tree_cells(build_tree<3>(triangles, 0.05));
-    ASSERT_GT(cells.cell_count(), 100u);
-    expect_linked(cells);
 }
 
 TEST(Space, DelaunayCellsHaveEmptyCircumcircles) {
@@ -135,10 +100,7 @@ TEST(Space, LocateFindsTheLowestCellThatHoldsThePoint) {
                 const auto ends = cells.points_of_facet(static_cast<std::uint32_t>(random.below(cells.facet_count())));
                 p = (cells.points[ends[0]] + cells.points[ends[1]]) * 0.5;
             }
-            std::uint32_t expected = none;
-            for (std::uint32_t cell = 0; cell < cells.cell_count() && expected == none; ++cell)
-                if (holds(cells, cell, p)) expected = cell;
-            ASSERT_EQ(locate(cells, p), expected);
+            ASSERT_EQ(locate(cells, p), test::lowest_holding(cells, p));
         }
     }
 }

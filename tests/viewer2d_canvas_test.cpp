@@ -22,7 +22,7 @@ class Canvas : public ::testing::Test {
 protected:
     Canvas() : made(start()), bench(made.bench) { test::record_ahead(bench); }
     static Session<2> start() {
-        const CatalogueRow& row = *find_in_catalogue("bottleneck");
+        const CatalogueRow<2>& row = *find_in_catalogue("bottleneck");
         Settings settings;
         settings.error_bound = row.error_bound;
         return {std::make_shared<const Scene<2>>(make_scene(row)), row.view, settings};
@@ -268,7 +268,7 @@ TEST_F(Canvas, NotesMoveTheirTextOrTheirAnchor) {
     drag_to(bench, drag, {440, 290}, 1);
     EXPECT_NEAR(glm::length(bench.session.notes[0].offset_pt - Vec<2>(60, 27.5)), 0, 1e-6);
     EXPECT_EQ(bench.session.notes[0].index, 3u);
-    const auto centre = [&](std::uint32_t cell) { return camera().to_window(bench.session.cells().centres[cell]); };
+    const auto centre = [&](std::uint32_t cell) { return camera().to_window(bench.session.cells().centre(cell)); };
     drag = begin(Handle::note_anchor, centre(3));
     drag.note = 0;
     drag_to(bench, drag, {centre(20).x + 2, centre(20).y + 2}, 1);

@@ -61,11 +61,11 @@ Vec<2> snapped_to_end(const Session<2>& session, const Camera& camera, const Vec
 }
 
 std::uint32_t centre_near(const Session<2>& session, const Camera& camera, const Vec<2>& at, float unit) {
-    const auto& centres = session.cells().centres;
+    const CellComplex<2>& cells = session.cells();
     double reach = primitive_reach * unit / camera.scale();
     std::uint32_t found = none;
-    for (std::uint32_t cell = 0; cell < centres.size(); ++cell)
-        if (const double d = glm::length(centres[cell] - at); d <= reach) {
+    for (std::uint32_t cell = 0; cell < cells.cell_count(); ++cell)
+        if (const double d = glm::length(cells.centre(cell) - at); d <= reach) {
             reach = d;
             found = cell;
         }

@@ -95,7 +95,7 @@ void Picture2d::outline(const Ui& ui, const MousePane& pane, std::uint32_t cell)
 void Picture2d::note_cells() {
     const auto add = [&](const std::string& name, std::uint32_t cell) {
         if (cell >= bench_.session.cells().cell_count()) return;
-        const ImVec2 at = camera().to_window(bench_.session.cells().centres[cell]);
+        const ImVec2 at = camera().to_window(bench_.session.cells().centre(cell));
         bench_.places.push_back({name, at.x, at.y, 0, 0});
     };
     const std::uint32_t selected = bench_.session.selected_cell, last = last_cell(bench_.session);

@@ -44,7 +44,8 @@ public:
         highlights();
         if (options.facet) crossed_facet(*options.facet);
         if (set_.show_chain == Switch::on && session.selected_cell != none) chain();
-        draw_notes(session, colours_, index(Look::note), list_);
+        draw_notes<2>(
+            session, [](const Vec<2>& p) { return p; }, colours_, index(Look::note), list_);
         labels();
     }
     DrawList take() { return std::move(list_); }
@@ -206,9 +207,9 @@ private:
     }
 
     void chain() {
-        for (const ChainLink& link : explain_cell(session_, session_.selected_cell).chain)
+        for (const ChainLink& link : update_chain(session_, session_.selected_cell))
             list_.add(ShapeKind::arrow, index(Look::chain),
-                      {cells_.centres[link.update.from], cells_.centres[link.update.neighbour]}, 4);
+                      {cells_.centre(link.update.from), cells_.centre(link.update.neighbour)}, 4);
     }
 
     /// Distance from a cell's centre to its nearest edge.
@@ -217,7 +218,7 @@ private:
         double room = std::numeric_limits<double>::infinity();
         for (std::size_t i = 0; i < corners.size(); ++i) {
             const Vec<2> a = cells_.points[corners[i]], edge = cells_.points[corners[(i + 1) % corners.size()]] - a;
-            const Vec<2> d = cells_.centres[cell] - a;
+            const Vec<2> d = cells_.centre(cell) - a;
             room = std::min(room, std::abs(edge.x * d.y - edge.y * d.x) / glm::length(edge));
         }
         return room;
@@ -232,9 +233,9 @@ private:
             const bool in_front = session_.state().mark(cell).state == CellState::enqueued;
             const bool wanted = set_.label_where == LabelWhere::all || cell == session_.selected_cell ||
                                 (set_.label_where == LabelWhere::front && (in_front || cell == last));
-            if (!wanted || !list_.world.contains(cells_.centres[cell])) continue;
+            if (!wanted || !list_.world.contains(cells_.centre(cell))) continue;
             Label label;
-            label.at = cells_.centres[cell];
+            label.at = cells_.centre(cell);
             label.text = short_number(*numbers[cell]);
             label.scale = 0.8;
             label.colour = colours_.ink;

@@ -41,7 +41,7 @@ Box<2> shown_world(const Session<2>& session) {
     const ViewSpec<2>& view = session.display_view();
     Vec<2> centre = view.eye + make_view(view).forward() * half * 0.6;
     if (cell != none)
-        centre = session.cells().centres[cell];
+        centre = session.cells().centre(cell);
     else if (settings.zoom > 1)
         centre = glm::clamp(centre, box.min + half, box.max - half);  // no room is lost beside the scene
     return {centre - half, centre + half};

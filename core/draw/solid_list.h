@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/draw/pixels.h"
@@ -63,5 +64,8 @@ inline constexpr int largest_solid_picture = 8192;
 /// Puts a list into this many opaque pixels, of which `px_per_pt` make a point of the edges' widths; OpenGL does
 /// (shell/gl). Throws WorkError when it cannot.
 using DrawSolid = std::function<Pixels(const SolidList& list, int width, int height, double px_per_pt)>;
+
+/// The list as text, a line per style, run of triangles, face and edge: for goldens.
+std::string to_text(const SolidList& list);
 
 }  // namespace sightline

@@ -34,6 +34,15 @@ struct Box {
     bool empty() const { return min.x > max.x; }
     Vec<D> centre() const { return (min + max) * 0.5; }
     Vec<D> extent() const { return max - min; }
+    /// Corner i of 2^D: bit a of i takes the upper end of axis a. 2D: corners 2 and 3 change places, so that the
+    /// corners go round counter-clockwise.
+    Vec<D> corner(int i) const {
+        if (D == 2 && i >= 2) i = 5 - i;
+        Vec<D> p = min;
+        for (int a = 0; a < D; ++a)
+            if (i >> a & 1) p[a] = max[a];
+        return p;
+    }
     /// Length of the longest side; 0 for an empty box.
     double longest_side() const {
         if (empty()) return 0;

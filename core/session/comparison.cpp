@@ -66,9 +66,8 @@ template <int D>
 bool same_cells(const Session<D>& a, const Session<D>& b) {
     const CellComplex<D>&x = a.cells(), &y = b.cells();
     if (&x == &y) return true;  // a copy
-    return x.points == y.points && x.cell_point_begin == y.cell_point_begin && x.cell_points == y.cell_points &&
-           x.facet_point_begin == y.facet_point_begin && x.facet_points == y.facet_points &&
-           x.cell_facet_begin == y.cell_facet_begin &&
+    return x.kind == y.kind && x.points == y.points && x.cell_points == y.cell_points &&
+           x.facet_points == y.facet_points && x.cell_facet_begin == y.cell_facet_begin &&
            std::equal(x.half_facets.begin(), x.half_facets.end(), y.half_facets.begin(), y.half_facets.end(),
                       [](const HalfFacet& f, const HalfFacet& g) {
                           return f.neighbour == g.neighbour && f.facet_side == g.facet_side;
@@ -132,6 +131,7 @@ std::string difference_sentence(const Session<D>& a, const Session<D>& b, std::u
     template void follow<D>(const Session<D>&, Session<D>&, Align);                                  \
     template std::string difference_sentence<D>(const Session<D>&, const Session<D>&, std::uint32_t);
 SIGHTLINE_INSTANTIATE(2)
+SIGHTLINE_INSTANTIATE(3)
 #undef SIGHTLINE_INSTANTIATE
 
 }  // namespace sightline

@@ -28,14 +28,7 @@ bool meets(const CellComplex<2>& cells, std::uint32_t cell, const Primitive<2>& 
 }  // namespace
 
 void assign_primitives(CellComplex<2>& cells, const std::vector<Primitive<2>>& primitives) {
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
-    std::vector<std::uint32_t> border_cells;  // where a segment may enter when both its ends lie outside
-    for (std::uint32_t cell = 0; cell < cells.cell_count(); ++cell)
-        for (const HalfFacet& half : cells.facets_of(cell))
-            if (half.neighbour == none) {
-                border_cells.push_back(cell);
-                break;
-            }
+    std::vector<CellPrimitive> pairs;
     std::vector<std::uint32_t> reached_for(cells.cell_count(), none);  // last primitive that tried the cell
     std::vector<std::uint32_t> flood;
     cells.unassigned = 0;
@@ -50,15 +43,16 @@ void assign_primitives(CellComplex<2>& cells, const std::vector<Primitive<2>>& p
         for (const Vec<2>& end : segment)
             if (flood.empty())
                 if (const std::uint32_t cell = locate(cells, end); cell != none) reach(cell);
-        if (flood.empty()) std::for_each(border_cells.begin(), border_cells.end(), reach);
+        // Where a segment may enter when both its ends lie outside.
+        if (flood.empty()) std::for_each(cells.border_cells.begin(), cells.border_cells.end(), reach);
         for (std::size_t i = 0; i < flood.size(); ++i) {
-            pairs.emplace_back(flood[i], primitive);
+            pairs.push_back({flood[i], primitive});
             for (const HalfFacet& half : cells.facets_of(flood[i]))
                 if (half.neighbour != none) reach(half.neighbour);
         }
         cells.unassigned += flood.empty();
     }
-    set_cell_primitives(cells, std::span<const std::pair<std::uint32_t, std::uint32_t>>(pairs));
+    set_cell_primitives<2>(cells, pairs);
 }
 
 }  // namespace sightline

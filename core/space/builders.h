@@ -9,9 +9,11 @@ namespace sightline {
 /// Delaunay triangulation of the (jittered) leaf centres (TVCG section 4.3), renumbered canonically: points in leaf
 /// order and then the border's corners, cells sorted by their corners. Moves the tree into the result.
 CellComplex<2> delaunay_cells(Tree<2> tree, const Settings& settings);
+CellComplex<3> delaunay_cells(Tree<3> tree, const Settings& settings);
 
 /// The tessellation that the settings ask for, without primitives.
-CellComplex<2> tessellation(const Scene<2>& scene, const Settings& settings);
+template <int D>
+CellComplex<D> tessellation(const Scene<D>& scene, const Settings& settings);
 
 /// The leaves as cells; face neighbours of different size in both directions (TVCG fig. 9).
 template <int D>
@@ -19,11 +21,26 @@ CellComplex<D> tree_cells(Tree<D> tree);
 extern template CellComplex<2> tree_cells<2>(Tree<2>);
 extern template CellComplex<3> tree_cells<3>(Tree<3>);
 
-/// Fills the rows cell -> primitives, by exact predicates on closed cells, and unassigned.
+/// Fills the rows cell -> primitives and `unassigned`. 2D: the cells whose closure meets the primitive, exactly. 3D:
+/// those and at times one that it misses by a rounding error (triangle_test.h).
 void assign_primitives(CellComplex<2>& cells, const std::vector<Primitive<2>>& primitives);
+void assign_primitives(CellComplex<3>& cells, const std::vector<Primitive<3>>& primitives);
 
-/// Compresses (cell, primitive) pairs into rows sorted by primitive, and fills rho_max and rho_p95.
+/// A primitive that meets a cell.
+struct CellPrimitive {
+    std::uint32_t cell, primitive;
+};
+
+/// Compresses the pairs into rows sorted by primitive, and fills rho_max and rho_p95.
 template <int D>
-void set_cell_primitives(CellComplex<D>& cells, std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs);
+void set_cell_primitives(CellComplex<D>& cells, std::span<const CellPrimitive> pairs);
+
+/// As locate(), but where several cells hold p it is not said which one comes back. Faster.
+template <int D>
+std::uint32_t any_holding(const CellComplex<D>& cells, const Vec<D>& p, std::uint32_t near = none);
+
+/// Fills border_cells.
+template <int D>
+void set_border_cells(CellComplex<D>& cells);
 
 }  // namespace sightline

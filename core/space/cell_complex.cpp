@@ -61,9 +61,8 @@ std::uint32_t lowest_holding(const CellComplex<D>& cells, std::uint32_t cell, co
 
 template <int D>
 std::size_t CellComplex<D>::memory_bytes() const {
-    return bytes(points) + bytes(centres) + bytes(cell_facet_begin) + bytes(half_facets) + bytes(cell_point_begin) +
-           bytes(cell_points) + bytes(facet_point_begin) + bytes(facet_points) + bytes(tree.nodes) +
-           bytes(tree.leaves) + bytes(leaf_cell);
+    return bytes(points) + bytes(cell_points) + bytes(half_facets) + bytes(cell_facet_begin) + bytes(facet_points) +
+           bytes(border_cells) + bytes(tree.nodes) + bytes(tree.leaves) + bytes(leaf_cell);
 }
 
 template <int D>
@@ -72,7 +71,7 @@ std::size_t CellComplex<D>::reference_memory_bytes() const {
 }
 
 template <int D>
-std::uint32_t locate(const CellComplex<D>& cells, const Vec<D>& p, std::uint32_t near) {
+std::uint32_t any_holding(const CellComplex<D>& cells, const Vec<D>& p, std::uint32_t near) {
     if (cells.cell_count() == 0) return none;
     if (cells.kind == Tessellation::tree && !cells.tree.root_box().contains(p)) return none;
     std::uint32_t cell = near != none ? near : cells.leaf_cell[cells.tree.leaf_at(p)];
@@ -87,7 +86,13 @@ std::uint32_t locate(const CellComplex<D>& cells, const Vec<D>& p, std::uint32_t
                 break;
             }
     }
-    return lowest_holding(cells, cell, p);
+    return cell;
+}
+
+template <int D>
+std::uint32_t locate(const CellComplex<D>& cells, const Vec<D>& p, std::uint32_t near) {
+    const std::uint32_t cell = any_holding(cells, p, near);
+    return cell == none ? none : lowest_holding(cells, cell, p);
 }
 
 template <int D>
@@ -96,10 +101,10 @@ double distance_to_facet(const CellComplex<D>& cells, std::uint32_t facet, const
 }
 
 template <int D>
-void set_cell_primitives(CellComplex<D>& cells, std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs) {
+void set_cell_primitives(CellComplex<D>& cells, std::span<const CellPrimitive> pairs) {
     std::vector<std::uint32_t>& begin = cells.cell_primitive_begin;
     begin.assign(cells.cell_count() + 1, 0);
-    for (const auto& [cell, primitive] : pairs) ++begin[cell + 1];
+    for (const CellPrimitive& pair : pairs) ++begin[pair.cell + 1];
     cells.rho_max = cells.rho_p95 = 0;
     std::vector<std::uint32_t> counts;
     for (const std::uint32_t count : begin)
@@ -113,30 +118,46 @@ void set_cell_primitives(CellComplex<D>& cells, std::span<const std::pair<std::u
     for (std::size_t i = 1; i < begin.size(); ++i) begin[i] += begin[i - 1];
     cells.cell_primitives.resize(pairs.size());
     std::vector<std::uint32_t> end(begin.begin(), begin.end() - 1);
-    for (const auto& [cell, primitive] : pairs) cells.cell_primitives[end[cell]++] = primitive;
+    for (const CellPrimitive& pair : pairs) cells.cell_primitives[end[pair.cell]++] = pair.primitive;
     for (std::uint32_t cell = 0; cell < cells.cell_count(); ++cell)
         std::sort(cells.cell_primitives.begin() + begin[cell], cells.cell_primitives.begin() + begin[cell + 1]);
 }
 
-CellComplex<2> tessellation(const Scene<2>& scene, const Settings& settings) {
-    Tree<2> tree = build_tree<2>(scene.primitives, settings.error_bound);
+template <int D>
+void set_border_cells(CellComplex<D>& cells) {
+    cells.border_cells.clear();
+    for (std::uint32_t cell = 0; cell < cells.cell_count(); ++cell) {
+        const auto facets = cells.facets_of(cell);
+        if (std::any_of(facets.begin(), facets.end(), [](const HalfFacet& half) { return half.neighbour == none; }))
+            cells.border_cells.push_back(cell);
+    }
+}
+
+template <int D>
+CellComplex<D> tessellation(const Scene<D>& scene, const Settings& settings) {
+    Tree<D> tree = build_tree<D>(scene.primitives, settings.error_bound);
     return settings.tessellation == Tessellation::delaunay ? delaunay_cells(std::move(tree), settings)
                                                            : tree_cells(std::move(tree));
 }
 
-CellComplex<2> build_cells(const Scene<2>& scene, const Settings& settings) {
-    CellComplex<2> cells = tessellation(scene, settings);
+template <int D>
+CellComplex<D> build_cells(const Scene<D>& scene, const Settings& settings) {
+    CellComplex<D> cells = tessellation(scene, settings);
     assign_primitives(cells, scene.primitives);
     return cells;
 }
 
-template struct CellComplex<2>;
-template struct CellComplex<3>;
-template std::uint32_t locate<2>(const CellComplex<2>&, const Vec<2>&, std::uint32_t);
-template std::uint32_t locate<3>(const CellComplex<3>&, const Vec<3>&, std::uint32_t);
-template double distance_to_facet<2>(const CellComplex<2>&, std::uint32_t, const Vec<2>&);
-template double distance_to_facet<3>(const CellComplex<3>&, std::uint32_t, const Vec<3>&);
-template void set_cell_primitives<2>(CellComplex<2>&, std::span<const std::pair<std::uint32_t, std::uint32_t>>);
-template void set_cell_primitives<3>(CellComplex<3>&, std::span<const std::pair<std::uint32_t, std::uint32_t>>);
+#define SIGHTLINE_INSTANTIATE(D)                                                                \
+    template struct CellComplex<D>;                                                             \
+    template std::uint32_t locate<D>(const CellComplex<D>&, const Vec<D>&, std::uint32_t);      \
+    template std::uint32_t any_holding<D>(const CellComplex<D>&, const Vec<D>&, std::uint32_t); \
+    template double distance_to_facet<D>(const CellComplex<D>&, std::uint32_t, const Vec<D>&);  \
+    template void set_cell_primitives<D>(CellComplex<D>&, std::span<const CellPrimitive>);      \
+    template void set_border_cells<D>(CellComplex<D>&);                                         \
+    template CellComplex<D> tessellation<D>(const Scene<D>&, const Settings&);                  \
+    template CellComplex<D> build_cells<D>(const Scene<D>&, const Settings&);
+SIGHTLINE_INSTANTIATE(2)
+SIGHTLINE_INSTANTIATE(3)
+#undef SIGHTLINE_INSTANTIATE
 
 }  // namespace sightline

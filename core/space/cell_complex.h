@@ -21,22 +21,23 @@ struct HalfFacet {
     bool flipped() const { return facet_side & 1; }
 };
 
-/// Rows are compressed: row i of X is X[X_begin[i], X_begin[i + 1]).
+/// Cells are simplices (Delaunay) or boxes (leaves of the tree), so most rows have one length and need no begin array.
+/// Those that do: row i of X is X[X_begin[i], X_begin[i + 1]).
 template <int D>
 struct CellComplex {
     Tessellation kind = Tessellation::delaunay;
     std::vector<Vec<D>> points;
-    std::vector<Vec<D>> centres;  ///< per cell: the mean of its corners
 
-    std::vector<std::uint32_t> cell_facet_begin{0};
+    /// The corners of each cell. 2D: counter-clockwise; tetrahedra: orient() of them is +1.
+    std::vector<std::uint32_t> cell_points;
+    /// Those of each cell. Triangles: facet i joins corners i and i + 1; tetrahedra: it lies opposite corner i.
     std::vector<HalfFacet> half_facets;
-    std::vector<std::uint32_t> cell_point_begin{0};
-    std::vector<std::uint32_t> cell_points;  ///< the corners; 2D: counter-clockwise
+    std::vector<std::uint32_t> cell_facet_begin;  ///< of boxes; empty for simplices
 
     /// The polygon that two cells share; 2D: two points, the cell of the side that is not flipped on their left. 3D:
     /// convex, counter-clockwise as that cell sees it from inside.
-    std::vector<std::uint32_t> facet_point_begin{0};
     std::vector<std::uint32_t> facet_points;
+    std::vector<std::uint32_t> border_cells;  ///< ascending: those with a facet at the border of the tessellation
 
     std::vector<std::uint32_t> cell_primitive_begin{0};
     std::vector<std::uint32_t> cell_primitives;
@@ -47,21 +48,32 @@ struct CellComplex {
     Tree<D> tree;                          ///< the occupancy tree under the cells, interior nodes kept
     std::vector<std::uint32_t> leaf_cell;  ///< a cell at each leaf: where point location starts
 
-    std::uint32_t cell_count() const { return static_cast<std::uint32_t>(centres.size()); }
-    std::uint32_t facet_count() const { return static_cast<std::uint32_t>(facet_point_begin.size() - 1); }
+    std::uint32_t cell_count() const {
+        return static_cast<std::uint32_t>(is_tree() ? cell_points.size() / (1 << D) : cell_points.size() / (D + 1));
+    }
+    std::uint32_t facet_count() const {
+        return static_cast<std::uint32_t>(D == 3 && is_tree() ? facet_points.size() / 4 : facet_points.size() / D);
+    }
 
     std::span<const HalfFacet> facets_of(std::uint32_t cell) const {
+        if (!is_tree()) return std::span(half_facets).subspan((D + 1) * std::size_t{cell}, D + 1);
         return std::span(half_facets)
             .subspan(cell_facet_begin[cell], cell_facet_begin[cell + 1] - cell_facet_begin[cell]);
     }
     std::span<const std::uint32_t> corners_of(std::uint32_t cell) const {
-        return std::span(cell_points)
-            .subspan(cell_point_begin[cell], cell_point_begin[cell + 1] - cell_point_begin[cell]);
+        const std::size_t count = is_tree() ? 1 << D : D + 1;
+        return std::span(cell_points).subspan(count * cell, count);
     }
     std::span<const std::uint32_t> points_of_facet(std::uint32_t facet) const {
-        if constexpr (D == 2) return std::span(facet_points).subspan(2 * std::size_t{facet}, 2);
-        return std::span(facet_points)
-            .subspan(facet_point_begin[facet], facet_point_begin[facet + 1] - facet_point_begin[facet]);
+        const std::size_t count = D == 3 && is_tree() ? 4 : D;
+        return std::span(facet_points).subspan(count * facet, count);
+    }
+    /// The mean of the corners, rounded. Not stored: its corners are about to be read wherever it is asked for.
+    Vec<D> centre(std::uint32_t cell) const {
+        if (is_tree()) return tree.nodes[tree.leaves[cell]].box.centre();
+        Vec<D> sum(0);
+        for (const std::uint32_t corner : corners_of(cell)) sum += points[corner];
+        return sum / (D + 1.0);
     }
     std::span<const std::uint32_t> primitives_of(std::uint32_t cell) const {
         return std::span(cell_primitives)
@@ -72,7 +84,10 @@ struct CellComplex {
         return cell_primitive_begin[cell + 1] - cell_primitive_begin[cell];
     }
     std::size_t memory_bytes() const;            ///< of the tessellation, without the references
-    std::size_t reference_memory_bytes() const;  ///< of the lists primitive -> cell
+    std::size_t reference_memory_bytes() const;  ///< of the lists cell -> primitives
+
+private:
+    bool is_tree() const { return kind == Tessellation::tree; }
 };
 
 /// The two ends of a 2D facet as `cell` sees it: the cell lies on the left of the path from [0] to [1].
@@ -104,7 +119,11 @@ template <int D>
 double distance_to_facet(const CellComplex<D>& cells, std::uint32_t facet, const Vec<D>& p);
 
 /// Builds the tessellation that the settings ask for and gives every primitive to each cell whose closure it meets.
-/// The Delaunay form has no cell when fewer than three centres that are not collinear remain (border = none).
-CellComplex<2> build_cells(const Scene<2>& scene, const Settings& settings);
+/// The Delaunay form has no cell when too few centres remain, or all lie on one line or plane (border = none).
+template <int D>
+CellComplex<D> build_cells(const Scene<D>& scene, const Settings& settings);
+
+extern template CellComplex<2> build_cells<2>(const Scene<2>&, const Settings&);
+extern template CellComplex<3> build_cells<3>(const Scene<3>&, const Settings&);
 
 }  // namespace sightline

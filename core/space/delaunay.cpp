@@ -7,8 +7,8 @@
 #include <array>
 #include <unordered_map>
 
-#include "core/geometry/random.h"
 #include "core/space/builders.h"
+#include "core/space/sample_points.h"
 
 namespace sightline {
 
@@ -18,28 +18,6 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<std::uint32_t, Kernel>;
 using Delaunay = CGAL::Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<VertexBase>>;
 using Corners = std::array<std::uint32_t, 3>;
-
-/// How far the border's box reaches beyond the tree's root, in its sides. Any positive share closes the hull gap
-/// (docs/algorithm.md); a small one keeps the border's cells from being slivers.
-constexpr double border_share = 0.05;
-
-std::vector<Vec<2>> sample_points(const Tree<2>& tree, const Settings& settings) {
-    std::vector<Vec<2>> points;
-    Random random(settings.seed);
-    for (const std::uint32_t leaf : tree.leaves) {
-        const Box<2>& box = tree.nodes[leaf].box;
-        const double reach = settings.jitter * (box.max.x - box.min.x);
-        const double x = random.uniform(-reach, reach), y = random.uniform(-reach, reach);
-        points.push_back(box.centre() + Vec<2>(x, y));
-    }
-    if (settings.border == Border::inflated) {
-        const Box<2>& root = tree.root_box();
-        const Vec<2> margin(border_share * (root.max.x - root.min.x));
-        const Vec<2> low = root.min - margin, high = root.max + margin;
-        points.insert(points.end(), {low, {high.x, low.y}, high, {low.x, high.y}});
-    }
-    return points;
-}
 
 /// Counter-clockwise corner triples, lowest corner first, sorted: independent of CGAL's insertion order and memory.
 std::vector<Corners> canonical_triangles(const std::vector<Vec<2>>& points) {
@@ -59,14 +37,15 @@ std::vector<Corners> canonical_triangles(const std::vector<Vec<2>>& points) {
     return triangles;
 }
 
-void link_triangles(CellComplex<2>& cells, const std::vector<Corners>& triangles) {
+void link_triangles(CellComplex<2>& cells) {
     std::unordered_map<std::uint64_t, std::uint32_t>
         open;  // directed edge (from, to) -> half facet waiting for its twin
     const auto edge = [](std::uint32_t from, std::uint32_t to) { return static_cast<std::uint64_t>(from) << 32 | to; };
-    open.reserve(triangles.size() * 2);
-    for (std::uint32_t cell = 0; cell < triangles.size(); ++cell)
+    open.reserve(cells.cell_count() * 2);
+    for (std::uint32_t cell = 0; cell < cells.cell_count(); ++cell)
         for (std::size_t i = 0; i < 3; ++i) {
-            const std::uint32_t from = triangles[cell][i], to = triangles[cell][(i + 1) % 3];
+            const auto corners = cells.corners_of(cell);
+            const std::uint32_t from = corners[i], to = corners[(i + 1) % 3];
             const auto here = static_cast<std::uint32_t>(cells.half_facets.size());
             if (const auto twin = open.find(edge(to, from)); twin != open.end()) {
                 HalfFacet& other = cells.half_facets[twin->second];
@@ -76,7 +55,6 @@ void link_triangles(CellComplex<2>& cells, const std::vector<Corners>& triangles
             } else {
                 cells.half_facets.push_back({none, cells.facet_count() * 2});
                 cells.facet_points.insert(cells.facet_points.end(), {from, to});
-                cells.facet_point_begin.push_back(static_cast<std::uint32_t>(cells.facet_points.size()));
                 open.emplace(edge(from, to), here);
             }
         }
@@ -88,21 +66,12 @@ CellComplex<2> delaunay_cells(Tree<2> tree, const Settings& settings) {
     CellComplex<2> cells;
     cells.kind = Tessellation::delaunay;
     cells.points = sample_points(tree, settings);
-    const std::vector<Corners> triangles = canonical_triangles(cells.points);
-    cells.leaf_cell.assign(tree.leaves.size(), 0);
-    for (const Corners& corners : triangles) {
-        Vec<2> sum(0);
-        for (const std::uint32_t corner : corners) {
-            sum += cells.points[corner];
-            if (corner < tree.leaves.size()) cells.leaf_cell[corner] = cells.cell_count();
-        }
-        cells.centres.push_back(sum / 3.0);
+    for (const Corners& corners : canonical_triangles(cells.points))
         cells.cell_points.insert(cells.cell_points.end(), corners.begin(), corners.end());
-        cells.cell_point_begin.push_back(static_cast<std::uint32_t>(cells.cell_points.size()));
-        cells.cell_facet_begin.push_back(static_cast<std::uint32_t>(cells.cell_points.size()));
-    }
-    link_triangles(cells, triangles);
+    set_leaf_cells(cells, tree.leaves.size());
+    link_triangles(cells);
     cells.tree = std::move(tree);
+    set_border_cells(cells);
     return cells;
 }
 

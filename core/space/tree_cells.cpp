@@ -80,6 +80,7 @@ private:
 
     /// The upper or lower face of the box; its points are ordered so that the cell below it is the unflipped side.
     std::uint32_t add_facet(const Box<D>& box, int axis, bool upper) {
+        const std::uint32_t facet = facet_count_++;
         Vec<D> p = box.min;
         p[axis] = upper ? box.max[axis] : box.min[axis];
         const auto add = [&](const Vec<D>& q) { cells_.facet_points.push_back(point(q)); };
@@ -101,13 +102,13 @@ private:
             };
             add(corner(false, false)), add(corner(false, true)), add(corner(true, true)), add(corner(true, false));
         }
-        cells_.facet_point_begin.push_back(static_cast<std::uint32_t>(cells_.facet_points.size()));
-        return cells_.facet_count() - 1;
+        return facet;
     }
 
     CellComplex<D>& cells_;
     const Tree<D>& tree_;
     std::vector<std::vector<HalfFacet>> rows_;
+    std::uint32_t facet_count_ = 0;
     std::map<std::array<double, D>, std::uint32_t> point_of_;
 };
 
@@ -117,22 +118,16 @@ template <int D>
 CellComplex<D> tree_cells(Tree<D> tree) {
     CellComplex<D> cells;
     cells.kind = Tessellation::tree;
+    cells.cell_facet_begin = {0};
     cells.tree = std::move(tree);
     Linker<D> linker(cells);
     linker.link();
     for (std::uint32_t leaf = 0; leaf < cells.tree.leaves.size(); ++leaf) {
         const Box<D>& box = cells.tree.nodes[cells.tree.leaves[leaf]].box;
         cells.leaf_cell.push_back(leaf);
-        cells.centres.push_back(box.centre());
-        for (int c = 0; c < Tree<D>::child_count; ++c) {
-            const int corner = D == 2 && c >= 2 ? 5 - c : c;  // 2D: counter-clockwise
-            Vec<D> p = box.min;
-            for (int i = 0; i < D; ++i)
-                if (corner >> i & 1) p[i] = box.max[i];
-            cells.cell_points.push_back(linker.point(p));
-        }
-        cells.cell_point_begin.push_back(static_cast<std::uint32_t>(cells.cell_points.size()));
+        for (int c = 0; c < Tree<D>::child_count; ++c) cells.cell_points.push_back(linker.point(box.corner(c)));
     }
+    set_border_cells(cells);
     return cells;
 }
 

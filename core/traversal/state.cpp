@@ -95,7 +95,7 @@ std::vector<std::uint32_t> seed_cells(const Frame<D>& frame) {
         auto operator<=>(const Candidate&) const = default;
     };
     std::vector<Candidate> candidates;
-    for (std::uint32_t cell = 0; cell < cells.cell_count(); ++cell)
+    for (const std::uint32_t cell : cells.border_cells)
         for (const HalfFacet& half : cells.facets_of(cell))
             if (half.neighbour == none && facet_side(cells, half, eye) < 0)
                 candidates.push_back(

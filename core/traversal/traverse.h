@@ -90,7 +90,7 @@ void add_neighbours(const Frame<D>& frame, State<D>& state, std::uint32_t cell, 
 template <int D>
 void prefetch_row_begins(const Frame<D>& frame, const State<D>& state, std::uint32_t cell) {
     const std::uint32_t next = state.front.likely_next(cell);
-    prefetch(&frame.cells->cell_facet_begin[next]);
+    if (!frame.cells->cell_facet_begin.empty()) prefetch(&frame.cells->cell_facet_begin[next]);
     prefetch(&frame.cells->cell_primitive_begin[next]);
 }
 
@@ -109,7 +109,7 @@ void prefetch_step(const Frame<D>& frame, const State<D>& state, std::uint32_t c
     for (const HalfFacet& half : cells.facets_of(cell)) {
         if (half.neighbour == none) continue;
         prefetch(&state.marks[half.neighbour]);
-        prefetch(&cells.centres[half.neighbour]);
+        prefetch(cells.corners_of(half.neighbour).data());
         prefetch(cells.points_of_facet(half.facet()).data());
     }
     for (const std::uint32_t primitive : cells.primitives_of(cell)) prefetch(&state.primitive_frame[primitive]);

@@ -35,7 +35,7 @@ View<3> make_view(const ViewSpec<3>& spec, double aspect, int up_axis = 2);
 /// that is seen edge-on does not. Methods and references alike leave out triangles that do not, unless they are
 /// two-sided.
 inline bool faces(const View<3>& view, const Primitive<3>& triangle) {
-    return orient(triangle[0], triangle[1], triangle[2], view.eye) < 0;
+    return orient(triangle[0], triangle[1], triangle[2], view.eye) > 0;
 }
 
 /// Whether the closed primitive meets the closed cone. 2D: exact. 3D: conservative (never false when it does).

@@ -34,7 +34,7 @@ struct PublishedSolidity {
         t.key = t.unpenalised;
         if (set.star_shaped == Switch::on && set.penalty != Penalty::none) {
             t.star_tested = true;
-            t.star_shaped = star_shaped(cells, half, frame.view.eye, cells.centres[half.neighbour]);
+            t.star_shaped = star_shaped(cells, half, frame.view.eye, cells.centre(half.neighbour));
             if (!t.star_shaped)
                 t.key = set.penalty == Penalty::multiply ? t.key * set.penalty_amount : t.key + set.penalty_amount;
         }

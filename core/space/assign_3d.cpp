@@ -1,0 +1,114 @@
+// Which cells a triangle meets. Tetrahedra: from the cell of a corner across facets; most triangles lie inside one
+// cell and are done with it, the others cost what they cross. Leaves: down the tree.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/space/builders.h"
+#include "core/space/triangle_test.h"
+
+namespace sightline {
+
+namespace {
+
+class TetrahedronFlood {
+public:
+    explicit TetrahedronFlood(const CellComplex<3>& cells) : cells_(cells), reached_for_(cells.cell_count(), none) {}
+
+    /// The cells that the triangle meets. They are linked through facets that it reaches, because both the triangle
+    /// and the tessellation are convex: it does not matter where the flood begins.
+    const std::vector<std::uint32_t>& cells_of(std::uint32_t primitive, const Primitive<3>& triangle) {
+        found_.clear();
+        if (cells_.cell_count() == 0) return found_;
+        const TriangleTest test(triangle);
+        const auto reach = [&](std::uint32_t cell) {
+            if (reached_for_[cell] == primitive) return;
+            reached_for_[cell] = primitive;
+            const auto corners = cells_.corners_of(cell);
+            const auto corner = [&](std::size_t i) { return cells_.points[corners[i]]; };
+            const TriangleTest::Contact contact = test.with({corner(0), corner(1), corner(2), corner(3)});
+            if (!contact.meets) return;
+            found_.push_back(cell);
+            reaches_.push_back(contact.reaches);
+        };
+        reaches_.clear();
+        if (const std::uint32_t start = cell_of_a_corner(triangle); start != none) {
+            reach(start);
+        } else {
+            for (const std::uint32_t cell : cells_.border_cells) reach(cell);
+        }
+        for (std::size_t i = 0; i < found_.size(); ++i) {
+            const auto facets = cells_.facets_of(found_[i]);
+            for (std::size_t f = 0; f < facets.size(); ++f)
+                if (reaches_[i] >> f & 1 && facets[f].neighbour != none) reach(facets[f].neighbour);
+        }
+        return found_;
+    }
+
+private:
+    std::uint32_t cell_of_a_corner(const Primitive<3>& triangle) {
+        for (const Vec<3>& corner : triangle) {
+            // Triangles that follow each other lie close together more often than not.
+            const std::uint32_t leaf = cells_.tree.leaf_at(corner);
+            const std::uint32_t cell = any_holding(cells_, corner, leaf == last_leaf_ ? last_cell_ : none);
+            if (cell == none) continue;
+            last_leaf_ = leaf;
+            last_cell_ = cell;
+            return cell;
+        }
+        return none;
+    }
+
+    const CellComplex<3>& cells_;
+    std::vector<std::uint32_t> reached_for_;  ///< last primitive that tried the cell
+    std::vector<std::uint32_t> found_;
+    std::vector<std::uint8_t> reaches_;  ///< of the cells found, the facets that the triangle may reach
+    std::uint32_t last_leaf_ = none, last_cell_ = none;
+};
+
+class TreeDescent {
+public:
+    explicit TreeDescent(const CellComplex<3>& cells) : tree_(cells.tree) {}
+
+    const std::vector<std::uint32_t>& cells_of(std::uint32_t, const Primitive<3>& triangle) {
+        found_.clear();
+        descend(0, TriangleTest(triangle));
+        return found_;
+    }
+
+private:
+    void descend(std::uint32_t node, const TriangleTest& test) {
+        const Tree<3>::Node& at = tree_.nodes[node];
+        if (!test.meets(at.box)) return;
+        if (at.first_child == none) {
+            found_.push_back(at.leaf);
+            return;
+        }
+        for (std::uint32_t child = 0; child < Tree<3>::child_count; ++child) descend(at.first_child + child, test);
+    }
+
+    const Tree<3>& tree_;
+    std::vector<std::uint32_t> found_;
+};
+
+template <typename Search>
+void assign(CellComplex<3>& cells, const std::vector<Primitive<3>>& primitives) {
+    std::vector<CellPrimitive> pairs;
+    Search search(cells);
+    cells.unassigned = 0;
+    for (std::uint32_t primitive = 0; primitive < primitives.size(); ++primitive) {
+        const std::vector<std::uint32_t>& found = search.cells_of(primitive, primitives[primitive]);
+        for (const std::uint32_t cell : found) pairs.push_back({cell, primitive});
+        cells.unassigned += found.empty();
+    }
+    set_cell_primitives<3>(cells, pairs);
+}
+
+}  // namespace
+
+void assign_primitives(CellComplex<3>& cells, const std::vector<Primitive<3>>& primitives) {
+    if (cells.kind == Tessellation::delaunay) {
+        assign<TetrahedronFlood>(cells, primitives);
+    } else {
+        assign<TreeDescent>(cells, primitives);
+    }
+}
+
+}  // namespace sightline

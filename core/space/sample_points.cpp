@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/space/sample_points.h"
+
+#include "core/geometry/random.h"
+
+namespace sightline {
+
+namespace {
+
+/// How far the border's box reaches beyond the tree's root, in its sides. Any positive share closes the hull gap
+/// (docs/algorithm.md); a small one keeps the border's cells from being slivers.
+constexpr double border_share = 0.05;
+
+}  // namespace
+
+template <int D>
+std::vector<Vec<D>> sample_points(const Tree<D>& tree, const Settings& settings) {
+    std::vector<Vec<D>> points;
+    points.reserve(tree.leaves.size() + Tree<D>::child_count);
+    Random random(settings.seed);
+    for (const std::uint32_t leaf : tree.leaves) {
+        const Box<D>& box = tree.nodes[leaf].box;
+        const double reach = settings.jitter * (box.max.x - box.min.x);
+        Vec<D> offset;
+        for (int i = 0; i < D; ++i) offset[i] = random.uniform(-reach, reach);
+        points.push_back(box.centre() + offset);
+    }
+    if (settings.border == Border::inflated) {
+        const Box<D>& root = tree.root_box();
+        const Vec<D> margin(border_share * (root.max.x - root.min.x));
+        const Box<D> border{root.min - margin, root.max + margin};
+        for (int corner = 0; corner < Tree<D>::child_count; ++corner) points.push_back(border.corner(corner));
+    }
+    return points;
+}
+
+template <int D>
+void set_leaf_cells(CellComplex<D>& cells, std::size_t leaf_count) {
+    cells.leaf_cell.assign(leaf_count, 0);
+    for (std::uint32_t cell = 0; cell < cells.cell_count(); ++cell)
+        for (const std::uint32_t corner : cells.corners_of(cell))
+            if (corner < leaf_count) cells.leaf_cell[corner] = cell;
+}
+
+template std::vector<Vec<2>> sample_points<2>(const Tree<2>&, const Settings&);
+template std::vector<Vec<3>> sample_points<3>(const Tree<3>&, const Settings&);
+template void set_leaf_cells<2>(CellComplex<2>&, std::size_t);
+template void set_leaf_cells<3>(CellComplex<3>&, std::size_t);
+
+}  // namespace sightline
