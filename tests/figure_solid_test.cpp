@@ -10,6 +10,7 @@
 
 #include "core/file.h"
 #include "core/measure/image_plane.h"
+#include "shell/figure/cover.h"
 #include "shell/figure/figure.h"
 #include "shell/figure/layout.h"
 #include "shell/gl/solid_renderer.h"
@@ -369,6 +370,24 @@ TEST_F(FigureSolids, TheLegendStandsWhereTheSolidIsNot) {
             EXPECT_EQ(box.x + box.w / 2 > frame.x + frame.w / 2, (corner & 1) != 0) << corner << triangles;
             EXPECT_EQ(box.y + box.h / 2 < frame.y + frame.h / 2, (corner & 2) != 0) << corner << triangles;
         }
+}
+
+TEST_F(FigureSolids, WhatLiesBehindTheEyeCoversNothing) {
+    Figure figure = solid_figure();
+    SolidList solid = *figure.panels[0].solid;  // its eye is at y = -10 and looks along y
+    test::add_face(solid, 0, {{2, 0, 0}, {2, -40, 0}, {2, -40, 0.001}});
+    test::add_face(solid, 0, {{-3, -40, 0}, {-3, -40, 1}, {-2, -40, 1}});
+    Figure::Panel panel;
+    panel.list.world = figure.panels[0].list.world;
+    panel.solid = std::make_shared<const SolidList>(solid);
+    const Layout layout = layout_of(figure, FigureSize{});
+    const Rect frame = layout.panels[0].frame;
+    const auto side = [&](double x) {
+        const Rect box{frame.x + x, frame.y, frame.w / 2, frame.h};
+        return covered(panel, layout.panels[0], layout, find_font(), box);
+    };
+    EXPECT_GT(side(frame.w / 2), 1);
+    EXPECT_EQ(side(0), 0);
 }
 
 class FigureSolidsDrawn : public test::GlTest {};

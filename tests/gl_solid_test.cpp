@@ -164,17 +164,39 @@ TEST_F(GlSolid, TranslucentFacesAndTrianglesBlendFromTheBackInAnyOrder) {
         }
 }
 
+TEST_F(GlSolid, TranslucentFacesAreSortedAgainWhenTheEyeMovesAndHideNoEdges) {
+    SolidList list = list_of({plain({255, 0, 0, 128}), plain({0, 0, 255, 128}), plain(black, 4)});
+    square(list, 0, -20, 20, -5);
+    square(list, 1, -20, 20, 5);
+    add_edge(list, 2, {-60, 10, -10}, {60, 10, -10});
+    const Pixels before = drawn(list);
+    EXPECT_GT(before.at(50, 50).r, before.at(50, 50).b);
+    EXPECT_EQ(before.at(50, 60), black);
+    list.camera.eye.y = 1000;
+    std::swap(list.camera.corners[0], list.camera.corners[1]);
+    std::swap(list.camera.corners[2], list.camera.corners[3]);
+    const GlTarget target(100, 100, 1, true);
+    target.bind();
+    renderer->draw(list.camera, 0, 0, 100, 100, 1);
+    const Pixels behind = target.read();
+    EXPECT_LT(behind.at(50, 50).r, behind.at(50, 50).b);
+}
+
 TEST_F(GlSolid, TranslucentTrianglesGoWhenTheyAreReplaced) {
     Scene<3> scene;
     scene.primitives = {{Vec<3>(-200, 0, -60), Vec<3>(200, 0, -60), Vec<3>(0, 0, 200)}};
     SolidList list = list_of({plain({255, 0, 0, 128})});
     show_scene(list, 0, std::make_shared<const Scene<3>>(scene));
     expect_near(drawn(list).at(50, 50), {255, 127, 127});
-    renderer->set_triangles({}, {});
-    const GlTarget target(100, 100, 1, true);
-    target.bind();
-    renderer->draw(list.camera, 0, 0, 100, 100, 1);
-    EXPECT_EQ(target.read().at(50, 50), white);
+    const auto replaced = [&](std::span<const SolidList::Run> runs) {
+        renderer->set_triangles(runs, list.triangles);
+        const GlTarget target(100, 100, 1, true);
+        target.bind();
+        renderer->draw(list.camera, 0, 0, 100, 100, 1);
+        return target.read().at(50, 50);
+    };
+    expect_near(replaced(list.runs), {255, 127, 127});  // not twice
+    EXPECT_EQ(replaced({}), white);
 }
 
 TEST_F(GlSolid, EdgesAreAsWideAsTheySayAndHiddenByWhatLiesBeforeThem) {

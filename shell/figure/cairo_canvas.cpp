@@ -107,8 +107,6 @@ void CairoCanvas::image(const Rect& rect, const DrawImage& draw) {
     cairo_translate(c, place.rect.x, place.rect.y);
     cairo_scale(c, place.rect.w / place.w, place.rect.h / place.h);
     cairo_set_source_surface(c, surface.get(), 0, 0);
-    // Rounding in the matrix must not mix neighbours where pixels lie on pixels.
-    if (place.px_per_pt == px_per_pt_) cairo_pattern_set_filter(cairo_get_source(c), CAIRO_FILTER_NEAREST);
     cairo_paint(c);
     cairo_restore(c);
 }
