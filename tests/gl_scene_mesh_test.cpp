@@ -109,7 +109,11 @@ TEST_F(GlSceneMesh, ThePictureIsWhatRaysThroughThePixelsMeet) {
         Vec<3> centre;
         double size;
     };
-    for (const Case& c : {Case{{0, 0, 0}, 1}, {{5000, -3000, 800}, 1}, {{0, 0, 0}, 1e-6}, {{0, 0, 0}, 1e7}}) {
+    for (const Case& c : {Case{{0, 0, 0}, 1},
+                          {{5000, -3000, 800}, 1},
+                          {{5000, -3000, 800}, 0.05},
+                          {{0, 0, 0}, 1e-6},
+                          {{0, 0, 0}, 1e7}}) {
         const Scene<3> scene = soup(60, c.centre, c.size, 7);
         const SceneMesh mesh(scene);
         View<3> view = make_view({c.centre + Vec<3>(-2.5, 0.3, 0.4) * c.size, c.centre, 50}, 4.0 / 3);

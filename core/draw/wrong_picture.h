@@ -1,4 +1,4 @@
-// Which pixels of the exact image a frame misses (TVCG fig. 14).
+// The picture of the pixels that a budget leaves wrong (TVCG fig. 14).
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,8 +9,8 @@
 
 namespace sightline {
 
-/// Right pixels white, wrong ones red: those whose primitive is not among the `touched` ones (State::touched) that are
-/// rendered. As large as the reference's image.
+/// Of the size of the reference's image: white where it shows nothing or a primitive of `touched` (State<3>::touched)
+/// that was rendered, red elsewhere. The share of red pixels is wrong_pixels (metrics.h).
 Pixels wrong_picture(const Reference& reference, std::span<const std::uint32_t> touched);
 
 }  // namespace sightline

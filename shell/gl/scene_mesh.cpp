@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "shell/gl/face_normal.h"
 
 namespace sightline {
 
@@ -19,6 +20,20 @@ struct Corner {
 void check_room(std::size_t triangles) {
     if (glGetError() == GL_OUT_OF_MEMORY)
         throw WorkError("the graphics card has no room for " + std::to_string(triangles) + " triangles");
+}
+
+/// Fills the bound array buffer; add(t, all) appends what the three corners of triangle t have.
+template <typename T, typename Add>
+void upload(std::size_t triangles, const Add& add) {
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(triangles * 3 * sizeof(T)), nullptr, GL_STATIC_DRAW);
+    std::vector<T> part;
+    part.reserve(std::min(triangles, triangles_at_once) * 3);
+    for (std::size_t first = 0; first < triangles; first += triangles_at_once) {
+        part.clear();
+        for (std::size_t t = first; t < std::min(triangles, first + triangles_at_once); ++t) add(t, part);
+        glBufferSubData(GL_ARRAY_BUFFER, static_cast<GLintptr>(first * 3 * sizeof(T)),
+                        static_cast<GLsizeiptr>(part.size() * sizeof(T)), part.data());
+    }
 }
 
 }  // namespace
@@ -41,18 +56,23 @@ SceneMesh::SceneMesh(const Scene<3>& scene) : triangles_(scene.primitives.size()
     glBindBuffer(GL_ARRAY_BUFFER, corners_.name());
     glEnableVertexAttribArray(0);
     glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(Corner), nullptr);
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(triangles_ * 3 * sizeof(Corner)), nullptr, GL_STATIC_DRAW);
-    std::vector<Corner> corners;
-    corners.reserve(std::min(triangles_, triangles_at_once) * 3);
-    for (std::size_t first = 0; first < triangles_; first += triangles_at_once) {
-        corners.clear();
-        const std::size_t end = std::min(triangles_, first + triangles_at_once);
-        for (std::size_t t = first; t < end; ++t)
-            for (const Vec<3>& p : scene.primitives[t])
-                corners.push_back({static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)});
-        glBufferSubData(GL_ARRAY_BUFFER, static_cast<GLintptr>(first * 3 * sizeof(Corner)),
-                        static_cast<GLsizeiptr>(corners.size() * sizeof(Corner)), corners.data());
-    }
+    upload<Corner>(triangles_, [&](std::size_t t, std::vector<Corner>& all) {
+        for (const Vec<3>& p : scene.primitives[t])
+            all.push_back({static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)});
+    });
+    glBindVertexArray(0);
+    glBindBuffer(GL_ARRAY_BUFFER, 0);
+    check_room(triangles_);
+}
+
+void SceneMesh::add_normals(const Scene<3>& scene) {
+    glBindVertexArray(layout_.name());
+    glBindBuffer(GL_ARRAY_BUFFER, normals_.name());
+    glEnableVertexAttribArray(1);
+    glVertexAttribPointer(1, 3, GL_BYTE, GL_TRUE, sizeof(FaceNormal), nullptr);
+    upload<FaceNormal>(triangles_, [&](std::size_t t, std::vector<FaceNormal>& all) {
+        all.insert(all.end(), 3, normal_of(scene.primitives[t]));
+    });
     glBindVertexArray(0);
     glBindBuffer(GL_ARRAY_BUFFER, 0);
     check_room(triangles_);

@@ -31,6 +31,10 @@ public:
     /// Uploads the triangles; keeps no reference. Throws WorkError when the card has no room.
     explicit SceneMesh(const Scene<3>& scene);
 
+    /// Attribute 1 from now on: the triangle's normal (vec3, about unit length; zero for one without area), 12 bytes a
+    /// triangle. `scene` is that of the constructor. Throws WorkError when the card has no room.
+    void add_normals(const Scene<3>& scene);
+
     std::size_t triangles() const { return triangles_; }
     /// All triangles in the order of their ids.
     void draw_all() const;
@@ -39,7 +43,7 @@ public:
 
 private:
     GlVertexArray layout_;
-    GlBuffer corners_;
+    GlBuffer corners_, normals_;
     std::size_t triangles_ = 0;
 };
 
