@@ -229,14 +229,16 @@ const std::vector<SettingRow>& rows() {
 
         only_in(3, choice<&S::clean_as>(
                        "clean_as", Invalidates::picture, "TVCG figs 1, 2",
-                       "how cells that no step has touched are drawn, when the eye of the picture is another")),
-        only_in(3, choice<&S::projected_as>("projected_as", Invalidates::picture, "TVCG fig. 1",
-                                            "how projected cells are drawn, when the eye of the picture is another")),
-        only_in(3, choice<&S::enqueued_as>("enqueued_as", Invalidates::picture, "TVCG fig. 1",
-                                           "how cells in the front are drawn, when the eye of the picture is another")),
-        only_in(3,
-                choice<&S::unseen_as>("unseen_as", Invalidates::picture, "gem, NS_UNSEEN",
-                                      "how cells outside the view are drawn, when the eye of the picture is another")),
+                       "how cells that no step has touched are drawn, seen from another eye than the culling view's")),
+        only_in(3, choice<&S::projected_as>(
+                       "projected_as", Invalidates::picture, "TVCG fig. 1",
+                       "how projected cells are drawn, seen from another eye than the culling view's")),
+        only_in(3, choice<&S::enqueued_as>(
+                       "enqueued_as", Invalidates::picture, "TVCG fig. 1",
+                       "how cells in the front are drawn, seen from another eye than the culling view's")),
+        only_in(3, choice<&S::unseen_as>(
+                       "unseen_as", Invalidates::picture, "gem, NS_UNSEEN",
+                       "how cells outside the view are drawn, seen from another eye than the culling view's")),
         only_in(3, real<&S::shrink>("shrink", {0.05, 1}, Invalidates::picture, "[0.05, 1]", "docs/figures.md",
                                     "cells drawn at this share of their size, each about its centre")),
         only_in(3, choice<&S::slice>("slice", Invalidates::picture, "docs/figures.md",
