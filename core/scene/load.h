@@ -24,7 +24,8 @@ struct LoadOptions {
 ///  - a file: a Doom WAD, GeoJSON or the project's JSON, told apart by content; FILE.wad#MAP picks a map, FILE.wad
 ///    alone the file's first;
 ///  - freedoom1#E1M2, freedoom2#MAP01, freedoom1: a map of the installed package `freedoom`.
-/// In 3D: an id of the catalogue with or without a size ("city:500k"), or a file or a folder of meshes (read_mesh.h).
+/// In 3D: an id of the catalogue with or without a size ("city:500k"), a file or a folder of meshes, or several: "a.obj;b.obj"
+/// (read_mesh.h).
 /// Throws InputError "name: place: reason".
 template <int D = 2>
 Scene<D> load_scene(const std::string& name, const LoadOptions& options = {});

@@ -116,10 +116,11 @@ void arrange(Workbench<D>& bench, const Options& o, Recalled& recalled) {
     if (!asked.empty() || bench.recent.empty()) note_opened(bench.recent, asked.empty() ? first_scene : asked);
 }
 
-/// Without a word about where to stand, a run without a window goes to its end; a window waits at the start.
+/// Without a word about where to stand, a run without a window goes to its end, and so does a window in 3D, where the
+/// start shows nothing; in 2D it waits at the start.
 template <int D>
 void move(Workbench<D>& bench, const Options& o, bool window) {
-    const bool asked = window || o.steps || !o.until.empty() || !o.commands.empty();
+    const bool asked = (D == 2 && window) || o.steps || !o.until.empty() || !o.commands.empty();
     if (!asked && o.state.empty()) run_to_end(bench);
     if (!asked && !o.state.empty()) go_to_step(bench, bench.session.position());
     if (!o.commands.empty()) run_commands(bench, o.commands);
