@@ -292,9 +292,9 @@ TEST(Traversal, StepsBothWaysInThreeDimensions) {
             triangles.push_back({near(), near(), near()});
         }
         CellComplex<3> cells = tree_cells(build_tree<3>(triangles, 0.1));
-        std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+        std::vector<CellPrimitive> pairs;
         for (std::uint32_t t = 0; t < triangles.size(); ++t)
-            for (const Vec<3>& p : triangles[t]) pairs.emplace_back(locate(cells, p), t);
+            for (const Vec<3>& p : triangles[t]) pairs.push_back({locate(cells, p), t});
         std::sort(pairs.begin(), pairs.end());
         pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
         set_cell_primitives<3>(cells, pairs);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <compare>
 #include "core/space/cell_complex.h"
 
 namespace sightline {
@@ -29,6 +30,7 @@ void assign_primitives(CellComplex<3>& cells, const std::vector<Primitive<3>>& p
 /// A primitive that meets a cell.
 struct CellPrimitive {
     std::uint32_t cell, primitive;
+    auto operator<=>(const CellPrimitive&) const = default;
 };
 
 /// Compresses the pairs into rows sorted by primitive, and fills rho_max and rho_p95.

@@ -40,7 +40,7 @@ Settings start_settings(const std::string& name, bool in_window) {
 
 template <int D>
 Session<D> open_scene(const std::string& name, const Settings& settings, std::span<const Method<D>> methods,
-                      const Graphics& graphics, const std::function<void(const std::string&)>& warn) {
+                      const std::function<void(const std::string&)>& warn, const Graphics& graphics) {
     const Stopwatch reading;
     auto scene = std::make_shared<const Scene<D>>(
         load_scene<D>(name, {.two_sided = settings.two_sided == Switch::on, .progress = graphics.progress}));
@@ -93,7 +93,7 @@ template <int D>
 void open(Workbench<D>& bench, const std::string& name) {
     if (const auto text = state_text<D>(name)) return open_state_text(bench, *text, name);
     Session<D> session =
-        open_scene<D>(name, start_settings<D>(name, bench.record_ahead), bench.methods, bench.graphics, warner(bench));
+        open_scene<D>(name, start_settings<D>(name, bench.record_ahead), bench.methods, warner(bench), bench.graphics);
     add_bookmarks(session);
     replace_session(bench, std::move(session));
     bench.figure = {};
@@ -105,7 +105,7 @@ void compare_file(Workbench<D>& bench, const std::string& name) {
     if (!text)
         return compare_with(bench,
                             open_scene<D>(name, start_settings<D>(name, bench.record_ahead), bench.methods,
-                                          bench.graphics, warner(bench)),
+                                          warner(bench), bench.graphics),
                             name);
     OpenedState<D> opened = open_state<D>(*text, name, bench.methods, bench.graphics.draw_ids);
     std::for_each(opened.warnings.begin(), opened.warnings.end(), warner(bench));
@@ -124,7 +124,7 @@ std::shared_ptr<const Scene<D>> reread(const std::shared_ptr<const Scene<D>>& sc
     template std::optional<std::string> state_text<D>(const std::string&);                              \
     template Settings start_settings<D>(const std::string&, bool);                                      \
     template Session<D> open_scene<D>(const std::string&, const Settings&, std::span<const Method<D>>,  \
-                                      const Graphics&, const std::function<void(const std::string&)>&); \
+                                      const std::function<void(const std::string&)>&, const Graphics&); \
     template void add_bookmarks<D>(Session<D>&);                                                        \
     template void open<D>(Workbench<D>&, const std::string&);                                           \
     template void open_state_text<D>(Workbench<D>&, const std::string&, const std::string&);            \

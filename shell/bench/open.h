@@ -14,19 +14,19 @@ namespace sightline {
 inline constexpr const char* first_scene = "bottleneck";
 
 /// The text of a state file; nothing when the name is that of a scene.
-template <int D>
+template <int D = 2>
 std::optional<std::string> state_text(const std::string& name);
 
 /// What a scene starts with: the catalogue's settings, or the defaults for a file.
 /// In a window the front is numbered, so that a step can be followed.
-template <int D>
+template <int D = 2>
 Settings start_settings(const std::string& name, bool in_window = false);
 
 /// Loads a scene by any name that load_scene takes and stays at step 0 of its start view. `warn` gets a line for each
 /// thing that was left out or looks odd. Throws InputError.
 template <int D>
 Session<D> open_scene(const std::string& name, const Settings& settings, std::span<const Method<D>> methods,
-                      const Graphics& graphics, const std::function<void(const std::string&)>& warn);
+                      const std::function<void(const std::string&)>& warn, const Graphics& graphics = {});
 
 /// The bookmarks of the session's catalogue row: conditions there, steps here.
 template <int D>

@@ -51,7 +51,7 @@ Session<D> open_session(const Options& o, bool in_window, std::span<const Method
     const std::string name = o.scene.empty() ? first_scene : o.scene;
     Settings settings = start_settings<D>(name, in_window);
     apply_options(settings, o);
-    Session<D> session = open_scene<D>(name, settings, methods, graphics, warn);
+    Session<D> session = open_scene<D>(name, settings, methods, warn, graphics);
     const ViewSpec<D> view = apply_options<D>(session.culling_view(), o, session.scene());
     if (view != session.culling_view()) session.set_view(view);
     return session;
