@@ -151,7 +151,7 @@ class BenchComparisonFiles : public ::testing::Test {
 protected:
     BenchComparisonFiles() {
         std::filesystem::create_directories(folder);
-        const CatalogueRow& row = *find_in_catalogue("bottleneck");
+        const CatalogueRow<2>& row = *find_in_catalogue("bottleneck");
         on = std::make_unique<test::Bench>(
             Session<2>(std::make_shared<const Scene<2>>(make_scene(row)), row.view, start_settings("bottleneck")));
         Settings settings = on->bench.session.settings();

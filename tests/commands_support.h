@@ -19,7 +19,7 @@ namespace sightline::test {
 class Commands : public ::testing::Test {
 protected:
     Commands() {
-        const CatalogueRow& row = *find_in_catalogue("bottleneck");
+        const CatalogueRow<2>& row = *find_in_catalogue("bottleneck");
         Settings settings;
         settings.error_bound = row.error_bound;
         bench.reset(

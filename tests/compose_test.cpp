@@ -23,7 +23,7 @@ TEST(Compose, PanelsShareLegendAndScale) {
         settings.label = CellNumber::none;
         settings.show_tessellation = Switch::off;
         session.change(settings);
-        std::vector<PanelSource> panels;
+        std::vector<PanelSource<2>> panels;
         for (const std::uint32_t step : {0u, 30u, 10u}) {
             panels.push_back({session, "step " + std::to_string(step)});
             panels.back().session.seek(step);
@@ -84,7 +84,7 @@ TEST(Compose, NothingJumpsInAFilm) {
             settings.zoom_at = at;
             settings.zoom = at == ZoomAt::last ? 4 : 1;
             session.change(settings);
-            std::vector<PanelSource> frames;
+            std::vector<PanelSource<2>> frames;
             for (std::uint32_t step = 0; step <= 24; step += 3) {
                 frames.push_back({session, ""});
                 frames.back().session.seek(step);

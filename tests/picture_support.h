@@ -14,7 +14,7 @@
 
 namespace sightline::test {
 
-inline Session<2> session_of(const CatalogueRow& row, const char* budget = "unlimited") {
+inline Session<2> session_of(const CatalogueRow<2>& row, const char* budget = "unlimited") {
     Settings settings;
     settings.error_bound = row.error_bound;
     settings.method = row.method;

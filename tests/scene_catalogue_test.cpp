@@ -15,7 +15,7 @@ namespace {
 
 TEST(SceneCatalogue, RowsAreComplete) {
     std::set<std::string> ids;
-    for (const CatalogueRow& row : catalogue()) {
+    for (const CatalogueRow<2>& row : catalogue()) {
         SCOPED_TRACE(row.id);
         EXPECT_TRUE(ids.insert(row.id).second);
         EXPECT_EQ(find_in_catalogue(row.id), &row);
@@ -39,7 +39,7 @@ TEST(SceneCatalogue, ScenesAreTheSameBitsEverywhere) {
         {"wallholes", "44038285407b72d8"},  {"wall2", "e2f51f4e69f6b71e"},   {"statue", "f2d920ec92201485"},
         {"forget", "b2e3f4f0d36a1c6e"},
     };
-    for (const CatalogueRow& row : catalogue()) {
+    for (const CatalogueRow<2>& row : catalogue()) {
         const auto found = golden.find(row.id);
         ASSERT_NE(found, golden.end()) << row.id;
         EXPECT_EQ(hash_text(scene_hash(make_scene(row))), found->second) << row.id;
@@ -48,7 +48,7 @@ TEST(SceneCatalogue, ScenesAreTheSameBitsEverywhere) {
 }
 
 TEST(SceneCatalogue, ScenesAreCleanAndOfTheirSize) {
-    for (const CatalogueRow& row : catalogue()) {
+    for (const CatalogueRow<2>& row : catalogue()) {
         SCOPED_TRACE(row.id);
         const Scene<2> scene = make_scene(row);
         EXPECT_EQ(scene.dropped.total(), 0u);
@@ -83,7 +83,7 @@ int count_leaves(const std::vector<Vec<2>>& points, const Vec<2>& corner, double
 }
 
 TEST(SceneCatalogue, BottleneckIsSmallEnoughForALecture) {
-    const CatalogueRow& row = *find_in_catalogue("bottleneck");
+    const CatalogueRow<2>& row = *find_in_catalogue("bottleneck");
     const Scene<2> scene = make_scene(row);
     const Box<2> box = bounds<2>(scene.primitives);
     std::vector<Vec<2>> points;
@@ -115,7 +115,7 @@ TEST(SceneCatalogue, BottleneckHidesItsCrates) {
 }
 
 TEST(SceneGenerators, SeedsMatterAndRepeat) {
-    for (const CatalogueRow& row : catalogue()) {
+    for (const CatalogueRow<2>& row : catalogue()) {
         SCOPED_TRACE(row.id);
         EXPECT_EQ(row.generate(77), row.generate(77));
         EXPECT_NE(row.generate(77), row.generate(78));

@@ -36,7 +36,7 @@ void expect_same(const Scene<2>& a, const Scene<2>& b) {
 }
 
 TEST(SceneJson, RoundTripsTheCatalogueBitForBit) {
-    for (const CatalogueRow& row : catalogue()) {
+    for (const CatalogueRow<2>& row : catalogue()) {
         const Scene<2> scene = make_scene(row);
         const Scene<2> again = read_json(write_json(scene), "again");
         expect_same(scene, again);

@@ -16,7 +16,7 @@ namespace sightline {
 namespace {
 
 Session<2> open(const char* id, std::initializer_list<const char*> assignments = {}) {
-    const CatalogueRow& row = *find_in_catalogue(id);
+    const CatalogueRow<2>& row = *find_in_catalogue(id);
     Settings settings;
     settings.error_bound = row.error_bound;
     settings.method = row.method;
@@ -117,7 +117,7 @@ Occluders largest_occluders(const char* id) {
 }
 
 TEST(SceneLessons, BookmarksAreReachedWithinTheBudget) {
-    for (const CatalogueRow& row : catalogue()) {
+    for (const CatalogueRow<2>& row : catalogue()) {
         Session<2> session = open(row.id);
         for (const CatalogueBookmark& bookmark : row.bookmarks)
             EXPECT_NE(reach(session, bookmark.condition), none) << row.id << ": " << bookmark.label;

@@ -23,8 +23,9 @@ struct Range {
     bool whole = false;
 };
 const std::map<std::string_view, Range> ranges{
-    {"error_bound", {0, 1, true}}, {"jitter", {0, 0.5, false, true}},        {"penalty_amount", {0, 1e6}},
-    {"zoom", {0.01, 1000}},        {"seed", {0, 0x1p64, false, true, true}},
+    {"error_bound", {0, 1, true}}, {"jitter", {0, 0.5, false, true}},         {"penalty_amount", {0, 1e6}},
+    {"zoom", {0.01, 1000}},        {"seed", {0, 0x1p64, false, true, true}},  {"shrink", {0.05, 1}},
+    {"slice_at", {0, 1}},          {"around", {0, 1000, false, false, true}},
 };
 
 const std::set<std::string_view> any_number{"zoom_x", "zoom_y"};
@@ -53,8 +54,9 @@ std::vector<std::string> good_values(const SettingRow& row, Random& random) {
     if (range == ranges.end()) return words_of(row);
     const Range& r = range->second;
     if (r.whole)
-        return {std::to_string(static_cast<int>(r.low)), row.name == "seed" ? "18446744073709551615" : "16777216",
-                std::to_string(1 + random.below(16777216))};
+        return {std::to_string(static_cast<int>(r.low)),
+                row.name == "seed" ? "18446744073709551615" : std::to_string(static_cast<int>(r.high)),
+                std::to_string(1 + random.below(row.name == "seed" ? 16777216 : static_cast<std::uint32_t>(r.high)))};
     std::vector<std::string> values;
     for (int i = 0; i < 50; ++i) values.push_back(number_text(random.uniform(std::max(r.low, 1e-9), r.high)));
     if (!r.low_open) values.push_back(number_text(r.low));
@@ -101,9 +103,10 @@ TEST(Settings, EveryFieldOfTheStructHasARow) {
     EXPECT_EQ(back, defaults);
     // As many names as the struct has fields, or this does not compile.
     const auto& [a1, a2, a3, a4, a5, a6, a7, a8, a9, a10, a11, a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22,
-                 a23, a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35, a36, a37, a38] = changed;
-    static_cast<void>(a38);
-    EXPECT_EQ(settings_table().size(), 38u);
+                 a23, a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35, a36, a37, a38, a39, a40, a41, a42,
+                 a43, a44, a45, a46, a47, a48, a49] = changed;
+    static_cast<void>(a49);
+    EXPECT_EQ(settings_table().size(), 49u);
 }
 
 TEST(Settings, NamesDefaultsAndWordsAreThoseOfTheDesign) {
@@ -189,7 +192,9 @@ TEST(Settings, BadValuesNameFieldValueAndWhatIsAllowedAndChangeNothing) {
             EXPECT_EQ(what.find('\n'), std::string::npos) << what;
             EXPECT_NE(what.find(row.name), std::string::npos) << what;
             EXPECT_NE(what.find(value), std::string::npos) << what;
-            if (row.name == "budget") {
+            if (row.name == "reference_size") {
+                EXPECT_NE(what.find("auto"), std::string::npos) << what;
+            } else if (row.name == "budget") {
                 EXPECT_NE(what.find("unlimited"), std::string::npos) << what;
             } else if (!ranges.contains(row.name)) {
                 EXPECT_NE(what.find(row.values), std::string::npos) << what;
@@ -224,7 +229,7 @@ TEST(Settings, BadValuesNameFieldValueAndWhatIsAllowedAndChangeNothing) {
         const Range& r = range->second;
         if (r.whole) {
             check(row, "1.5");
-            check(row, row.name == "seed" ? "18446744073709551616" : "16777217");
+            check(row, row.name == "seed" ? "18446744073709551616" : std::to_string(static_cast<int>(r.high) + 1));
             if (r.low > 0) check(row, "0");
         } else {
             check(row, number_text(std::nextafter(r.high, 1e9)));

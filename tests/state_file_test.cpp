@@ -214,7 +214,7 @@ TEST(StateFile, EmbedsSmallScenesAndNamesLargeOnes) {
 }
 
 Json good_state() {
-    const CatalogueRow& row = *find_in_catalogue("bottleneck");
+    const CatalogueRow<2>& row = *find_in_catalogue("bottleneck");
     Settings settings;
     settings.error_bound = row.error_bound;
     Session<2> session(std::make_shared<const Scene<2>>(make_scene(row)), row.view, settings);

@@ -12,7 +12,7 @@ namespace {
 
 /// A run of more than 50 steps.
 Session<2> long_run() {
-    const CatalogueRow& row = *find_in_catalogue("bottleneck");
+    const CatalogueRow<2>& row = *find_in_catalogue("bottleneck");
     return {std::make_shared<const Scene<2>>(make_scene(row)), row.view, {}};
 }
 

@@ -22,7 +22,7 @@ class Canvas : public ::testing::Test {
 protected:
     Canvas() : made(start()), bench(made.bench) { test::record_ahead(bench); }
     static Session<2> start() {
-        const CatalogueRow& row = *find_in_catalogue("bottleneck");
+        const CatalogueRow<2>& row = *find_in_catalogue("bottleneck");
         Settings settings;
         settings.error_bound = row.error_bound;
         return {std::make_shared<const Scene<2>>(make_scene(row)), row.view, settings};

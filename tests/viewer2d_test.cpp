@@ -20,7 +20,7 @@ TEST_F(Viewer2d, ListsTheCatalogue) {
     const Result result = run({"--list"});
     EXPECT_EQ(result.status, 0);
     EXPECT_EQ(result.err, "");
-    for (const CatalogueRow& row : catalogue()) {
+    for (const CatalogueRow<2>& row : catalogue()) {
         EXPECT_NE(result.out.find(row.id), std::string::npos) << row.id;
         EXPECT_NE(result.out.find(row.lesson), std::string::npos) << row.id;
     }

@@ -372,7 +372,7 @@ TEST_P(WindowFrames, NothingFails) {
 
 std::vector<std::string> scenes() {
     std::vector<std::string> ids;
-    for (const CatalogueRow& row : catalogue()) ids.emplace_back(row.id);
+    for (const CatalogueRow<2>& row : catalogue()) ids.emplace_back(row.id);
     return ids;
 }
 

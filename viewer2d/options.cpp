@@ -89,7 +89,8 @@ std::optional<Options> parse_options(int argc, const char* const* argv, std::spa
     app.add_option("--state", o.state, "open a state file or sidecar: same scene, settings, view, step");
     app.add_option("--trace", o.trace, "write the records of all steps as JSON (- for standard output)");
     app.add_option("--stats", o.stats, "write the statistics as JSON (- for standard output)");
-    app.add_option("--scale", scale, "of everything in the window, such as 1.5, instead of what the density of the screen asks");
+    app.add_option("--scale", scale,
+                   "of everything in the window, such as 1.5, instead of what the density of the screen asks");
     app.add_option("--window", window, "size of the window at the start, such as 1280x720");
     try {
         app.parse(argc, argv);

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int samples = 4;
 
-DrawList at_the_end(const CatalogueRow& row, double aspect) {
+DrawList at_the_end(const CatalogueRow<2>& row, double aspect) {
     Settings settings = start_settings(row.id);
     settings.show_tessellation = Switch::off;
     Session<2> session(std::make_shared<const Scene<2>>(make_scene(row)), row.view, settings);
@@ -48,7 +48,7 @@ GLuint Thumbnails::texture(const SceneChoice& scene, int width, int height) {
     target.reset();
     try {
         const double aspect = static_cast<double>(width) / height;
-        const CatalogueRow* const row = find_in_catalogue(scene.name);
+        const CatalogueRow<2>* const row = find_in_catalogue(scene.name);
         const DrawList list = row ? at_the_end(*row, aspect) : segments_alone(load_scene(scene.name), aspect);
         target = std::make_unique<GlTarget>(width, height, samples);
         target->bind();

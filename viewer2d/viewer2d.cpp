@@ -31,7 +31,7 @@ namespace sightline {
 namespace {
 
 void print_catalogue() {
-    for (const CatalogueRow& row : catalogue()) {
+    for (const CatalogueRow<2>& row : catalogue()) {
         std::string id = row.id;
         id.resize(14, ' ');
         std::cout << id << row.title << " (" << make_scene(row).primitives.size() << " segments, seed " << row.seed

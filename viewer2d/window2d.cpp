@@ -17,7 +17,7 @@ namespace {
 
 std::vector<SceneChoice> choices() {
     std::vector<SceneChoice> all;
-    for (const CatalogueRow& row : catalogue()) all.push_back({row.id, row.title, row.lesson});
+    for (const CatalogueRow<2>& row : catalogue()) all.push_back({row.id, row.title, row.lesson});
     for (const std::string& map : installed_maps()) all.push_back({map, map, "A level of Freedoom."});
     return all;
 }

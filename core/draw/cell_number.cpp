@@ -5,8 +5,9 @@
 
 namespace sightline {
 
-std::vector<std::optional<double>> cell_numbers(const Session<2>& session, CellNumber what) {
-    const CellComplex<2>& cells = session.cells();
+template <int D>
+std::vector<std::optional<double>> cell_numbers(const Session<D>& session, CellNumber what) {
+    const CellComplex<D>& cells = session.cells();
     std::vector<std::optional<double>> numbers(cells.cell_count());
     for (std::uint32_t cell = 0; cell < cells.cell_count(); ++cell) {
         const CellMark mark = session.state().mark(cell);
@@ -34,19 +35,20 @@ std::vector<std::optional<double>> cell_numbers(const Session<2>& session, CellN
         }
     }
     if (what == CellNumber::order)
-        for (std::uint32_t step = 1; step <= session.position(); ++step)
+        for (std::uint32_t step = 1; step <= std::min(session.position(), session.recorded()); ++step)
             if (const std::uint32_t cell = session.timeline().steps[step - 1].cell; cell != none) numbers[cell] = step;
     return numbers;
 }
 
-std::optional<std::array<double, 2>> number_range(const Session<2>& session, CellNumber what) {
+template <int D>
+std::optional<std::array<double, 2>> number_range(const Session<D>& session, CellNumber what) {
     std::optional<std::array<double, 2>> range;
     const auto add = [&range](double number) {
         if (!range) range = {number, number};
         range = {std::min((*range)[0], number), std::max((*range)[1], number)};
     };
     const bool changes = what == CellNumber::solidity || what == CellNumber::order;  // from step to step
-    const Session<2> at_end = changes ? copy_at(session, session.recorded()) : session;
+    const Session<D> at_end = changes ? copy_at(session, session.recorded()) : session;
     for (const auto& number : cell_numbers(at_end, what))
         if (number) add(*number);
     if (what == CellNumber::solidity)  // keys that were replaced later
@@ -74,5 +76,10 @@ std::string_view number_title(CellNumber what) {
     }
     return "";
 }
+
+template std::vector<std::optional<double>> cell_numbers<2>(const Session<2>&, CellNumber);
+template std::vector<std::optional<double>> cell_numbers<3>(const Session<3>&, CellNumber);
+template std::optional<std::array<double, 2>> number_range<2>(const Session<2>&, CellNumber);
+template std::optional<std::array<double, 2>> number_range<3>(const Session<3>&, CellNumber);
 
 }  // namespace sightline

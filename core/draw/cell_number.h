@@ -11,11 +11,13 @@ namespace sightline {
 
 /// Per cell the number at the session's position: solidity (the key of cells enqueued or projected), count |A|, order
 /// (the step that projected the cell), zeta (the smallest layering number in it), share (visible share), id.
-std::vector<std::optional<double>> cell_numbers(const Session<2>& session, CellNumber what);
+template <int D>
+std::vector<std::optional<double>> cell_numbers(const Session<D>& session, CellNumber what);
 
 /// Lowest and highest of them over the whole recording, so that a scale does not move while one steps; nothing when
 /// there are none.
-std::optional<std::array<double, 2>> number_range(const Session<2>& session, CellNumber what);
+template <int D>
+std::optional<std::array<double, 2>> number_range(const Session<D>& session, CellNumber what);
 
 /// What the number is called on scales and in legends.
 std::string_view number_title(CellNumber what);

@@ -12,17 +12,25 @@
 
 namespace sightline {
 
+template <int D>
 struct PanelSource {
-    Session<2> session;
+    Session<D> session;
     std::string title;          ///< e.g. "step 12"; panels of one figure get (a), (b), … before it
     std::vector<Side> sides{};  ///< as PictureOptions::sides
 };
 
+template <int D>
+PanelSource(Session<D>, std::string) -> PanelSource<D>;
+template <int D>
+PanelSource(Session<D>, std::string, std::vector<Side>) -> PanelSource<D>;
+
 /// One figure of all panels with one legend and one scale; palette, legend and caption as in the first panel.
-Figure make_figure(std::span<const PanelSource> panels);
+Figure make_figure(std::span<const PanelSource<2>> panels);
+Figure make_figure(std::span<const PanelSource<3>> panels);
 
 /// A film: a figure of one panel for each frame, all with the same legend, scale of the heat map and world, so that
 /// nothing jumps from one to the next (write_figure_pages). A frame's caption is about its own step.
-std::vector<Figure> make_film(std::span<const PanelSource> frames);
+std::vector<Figure> make_film(std::span<const PanelSource<2>> frames);
+std::vector<Figure> make_film(std::span<const PanelSource<3>> frames);
 
 }  // namespace sightline

@@ -6,6 +6,7 @@
 
 #include "core/draw/cell_number.h"
 #include "core/draw/palette.h"
+#include "core/draw/solid_palette.h"
 
 namespace sightline {
 
@@ -44,6 +45,46 @@ constexpr std::array entries{
     Entry{Look::selected_primitive, ShapeKind::polyline, "selected segment"},
 };
 
+constexpr const char* text_of(Look look) {
+    for (const Entry& entry : entries)
+        if (entry.look == look) return entry.text;
+    return nullptr;
+}
+
+struct SolidEntry {
+    SolidLook look;
+    const char* text;
+};
+
+constexpr std::array solid_entries{
+    SolidEntry{SolidLook::projected, text_of(Look::projected)},
+    SolidEntry{SolidLook::enqueued, text_of(Look::enqueued)},
+    SolidEntry{SolidLook::unseen, text_of(Look::unseen)},
+    SolidEntry{SolidLook::both, text_of(Look::both)},
+    SolidEntry{SolidLook::only_left, text_of(Look::only_left)},
+    SolidEntry{SolidLook::only_right, text_of(Look::only_right)},
+    SolidEntry{SolidLook::clean, text_of(Look::clean)},
+    SolidEntry{SolidLook::fresh, "rendered in the last step"},
+    SolidEntry{SolidLook::rendered, text_of(Look::rendered)},
+    SolidEntry{SolidLook::missed, text_of(Look::missed)},
+    SolidEntry{SolidLook::wasted, text_of(Look::wasted)},
+    SolidEntry{SolidLook::other, text_of(Look::other)},
+    SolidEntry{SolidLook::plain, "rendered"},
+    SolidEntry{SolidLook::rest, "not rendered"},
+};
+
+/// Styles that only pictures of three dimensions have.
+struct StarEntry {
+    const char* name;
+    ShapeKind swatch;
+    const char* text;
+};
+
+constexpr std::array star_entries{
+    StarEntry{"star_ray", ShapeKind::polyline, "ray to the cell's centre"},
+    StarEntry{"star_facet", ShapeKind::polyline, "facet that the cell was reached through"},
+};
+
 /// Whether some of the shape may lie in the picture: a legend says nothing about what a magnification leaves out.
 bool is_shown(const DrawList& list, const Shape& shape) {
     Box<2> box;
@@ -61,6 +102,14 @@ std::vector<std::uint8_t> looks_used(std::span<const DrawList* const> lists) {
     return used;
 }
 
+/// The style of that name that some list shows; nullptr when none does.
+const Style* shown_style(std::span<const DrawList* const> lists, std::string_view name) {
+    for (const DrawList* list : lists)
+        for (const Shape& shape : list->shapes)
+            if (list->styles[shape.style].name == name && is_shown(*list, shape)) return &list->styles[shape.style];
+    return nullptr;
+}
+
 std::string text_of(const Entry& entry, bool beside, const Settings& settings) {
     if (entry.look == Look::clean && beside) return "projected by neither";
     if (settings.show_visibility == Switch::off) {
@@ -68,6 +117,77 @@ std::string text_of(const Entry& entry, bool beside, const Settings& settings) {
         if (entry.look == Look::other) return "not rendered";
     }
     return entry.text;
+}
+
+/// What may be seen of a list: before its eye, in its cone and not cut off.
+class Sight {
+public:
+    explicit Sight(const SolidList& list) : eye_(list.camera.eye), slice_(list.slice) {
+        const auto& corners = list.camera.corners;
+        for (std::size_t i = 0; i < 4; ++i) {
+            const Vec<3> inward = glm::cross(corners[i] - eye_, corners[(i + 1) % 4] - eye_);
+            inward_[i] = glm::dot(inward, list.camera.look_at - eye_) < 0 ? -inward : inward;
+        }
+    }
+    template <typename Points>
+    bool shows(const Points& points) const {
+        const auto some = [&](auto holds) { return std::any_of(std::begin(points), std::end(points), holds); };
+        for (const Vec<3>& inward : inward_)
+            if (!some([&](const Vec<3>& p) { return glm::dot(inward, p - eye_) > 0; })) return false;
+        return !slice_ || some([&](const Vec<3>& p) { return glm::dot(slice_->normal, p) <= slice_->offset; });
+    }
+
+private:
+    Vec<3> eye_;
+    std::optional<Slice> slice_;
+    std::array<Vec<3>, 4> inward_;
+};
+
+/// Per solid look how some list has it: as faces or triangles, or as edges only.
+struct SolidUse {
+    bool faces = false, edges = false;
+};
+
+std::array<SolidUse, static_cast<std::size_t>(SolidLook::count)> solids_used(std::span<const SolidList* const> solids) {
+    std::array<SolidUse, static_cast<std::size_t>(SolidLook::count)> used{};
+    for (const SolidList* list : solids) {
+        const Sight sight(*list);
+        const std::span points(list->points), ends(list->edge_points);
+        for (std::size_t i = 0; i < list->face_style.size(); ++i)
+            if (const std::uint8_t style = list->face_style[i]; style < used.size() && !used[style].faces)
+                used[style].faces =
+                    sight.shows(points.subspan(list->face_begin[i], list->face_begin[i + 1] - list->face_begin[i]));
+        for (std::size_t i = 0; i < list->edge_style.size(); ++i)
+            if (const std::uint8_t style = list->edge_style[i]; style < used.size() && !used[style].edges)
+                used[style].edges = sight.shows(ends.subspan(2 * i, 2));
+        for (const SolidList::Run& run : list->runs)
+            for (std::uint32_t i = 0; run.style < used.size() && i < run.count && !used[run.style].faces; ++i)
+                used[run.style].faces = sight.shows(list->scene->primitives[list->triangles[run.first + i]]);
+    }
+    return used;
+}
+
+LegendRow solid_row(const SolidStyle& look, const SolidUse& use, const char* text, Colour rim) {
+    Style style{look.name};
+    style.width_pt = use.faces ? 0.5 : look.width_pt;
+    style.stroke = use.faces ? rim : look.colour;
+    if (use.faces) style.fill = look.colour;
+    return {use.faces ? ShapeKind::polygon : ShapeKind::polyline, style, text};
+}
+
+/// What the texts of a picture stand for.
+template <int D>
+void add_texts(const Settings& settings, std::span<const Note<D>> notes, std::vector<LegendRow>& rows) {
+    const auto add = [&](std::string text) {
+        // Panels may carry the same note.
+        if (std::any_of(rows.begin(), rows.end(), [&](const LegendRow& row) { return row.text == text; })) return;
+        LegendRow row;
+        row.text = std::move(text);
+        rows.push_back(std::move(row));
+    };
+    if (settings.label != CellNumber::none) add("number: " + std::string(number_title(settings.label)));
+    for (const Note<D>& note : notes)
+        if (note.kind == Note<D>::Kind::callout) add(std::to_string(note.number) + ": " + note.text);
 }
 
 }  // namespace
@@ -88,16 +208,27 @@ std::vector<LegendRow> legend_rows(std::span<const DrawList* const> lists, const
                 style.stroke = looks[index(Look::tessellation)].stroke;
             rows.push_back({entry.swatch, style, text_of(entry, beside, settings)});
         }
-    const auto add_text = [&](std::string text) {
-        // Panels may carry the same note.
-        if (std::any_of(rows.begin(), rows.end(), [&](const LegendRow& row) { return row.text == text; })) return;
-        LegendRow row;
-        row.text = std::move(text);
-        rows.push_back(std::move(row));
-    };
-    if (settings.label != CellNumber::none) add_text("number: " + std::string(number_title(settings.label)));
-    for (const Note<2>& note : notes)
-        if (note.kind == Note<2>::Kind::callout) add_text(std::to_string(note.number) + ": " + note.text);
+    add_texts(settings, notes, rows);
+    return rows;
+}
+
+std::vector<LegendRow> legend_rows(std::span<const DrawList* const> lists, std::span<const SolidList* const> solids,
+                                   const Settings& settings, std::span<const Note<3>> notes) {
+    const auto solid = solids_used(solids);
+    const std::vector<std::uint8_t> used = looks_used(lists);
+    const Colours& palette = colours(settings.palette);
+    std::vector<LegendRow> rows;
+    for (const SolidEntry& entry : solid_entries)
+        if (const SolidUse& use = solid[static_cast<std::size_t>(entry.look)]; use.faces || use.edges)
+            rows.push_back(solid_row(solid_styles(settings.palette)[static_cast<std::size_t>(entry.look)], use,
+                                     entry.text, palette.looks[index(Look::tessellation)].stroke));
+    for (const Entry& entry : entries)
+        if (used[index(entry.look)])
+            rows.push_back({entry.swatch, palette.looks[index(entry.look)],
+                            entry.look == Look::selected_primitive ? "selected triangle" : entry.text});
+    for (const StarEntry& entry : star_entries)
+        if (const Style* style = shown_style(lists, entry.name)) rows.push_back({entry.swatch, *style, entry.text});
+    add_texts(settings, notes, rows);
     return rows;
 }
 

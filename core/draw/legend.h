@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/draw/draw_list.h"
+#include "core/draw/solid_list.h"
 #include "core/session/note.h"
 #include "core/settings/settings.h"
 
@@ -15,5 +16,8 @@ namespace sightline {
 /// in a fixed order, and the callouts among the notes. Takes time in proportion to the shapes.
 std::vector<LegendRow> legend_rows(std::span<const DrawList* const> lists, const Settings& settings,
                                    std::span<const Note<2>> notes);
+/// The same in three dimensions; `solids` are what lies under the lists.
+std::vector<LegendRow> legend_rows(std::span<const DrawList* const> lists, std::span<const SolidList* const> solids,
+                                   const Settings& settings, std::span<const Note<3>> notes);
 
 }  // namespace sightline

@@ -3,33 +3,39 @@
 
 namespace sightline {
 
-Vec<2> anchor_point(const Session<2>& session, const Note<2>& note) {
-    if (note.anchor == Note<2>::Anchor::cell) return session.cells().centre(note.index);
-    if (note.anchor == Note<2>::Anchor::point) return note.point;
-    const Primitive<2>& segment = session.scene().primitives[note.index];
-    return (segment[0] + segment[1]) * 0.5;
+template <int D>
+Vec<D> anchor_point(const Session<D>& session, const Note<D>& note) {
+    if (note.anchor == Note<D>::Anchor::cell) return session.cells().centre(note.index);
+    if (note.anchor == Note<D>::Anchor::point) return note.point;
+    Vec<D> sum(0);
+    for (const Vec<D>& p : session.scene().primitives[note.index]) sum += p;
+    return sum / static_cast<double>(D);
 }
 
-std::vector<Note<2>> current_notes(const Session<2>& session) {
-    std::vector<Note<2>> notes = session.notes;
-    std::erase_if(notes, [&](const Note<2>& note) {
+template <int D>
+std::vector<Note<D>> current_notes(const Session<D>& session) {
+    std::vector<Note<D>> notes = session.notes;
+    std::erase_if(notes, [&](const Note<D>& note) {
         return session.position() < note.first_step || session.position() > note.last_step;
     });
     return notes;
 }
 
-void draw_notes(const Session<2>& session, const Colours& colours, std::uint16_t style, DrawList& list) {
-    for (const Note<2>& note : current_notes(session)) {
-        const Vec<2> at = anchor_point(session, note);
+template <int D>
+void draw_notes(const Session<D>& session, const std::function<std::optional<Vec<2>>(const Vec<D>&)>& place,
+                const Colours& colours, std::uint16_t style, DrawList& list) {
+    for (const Note<D>& note : current_notes(session)) {
+        const std::optional<Vec<2>> at = place(anchor_point(session, note));
+        if (!at) continue;
         Label label;
-        label.at = at;
+        label.at = *at;
         label.offset_pt = note.offset_pt;
         label.text = note.text;
         label.colour = colours.ink;
         label.halo = colours.halo;
-        label.leader = note.kind == Note<2>::Kind::arrow;
-        if (note.kind == Note<2>::Kind::ring) list.add(ShapeKind::ring, style, {at}, 7);
-        if (note.kind == Note<2>::Kind::callout) {
+        label.leader = note.kind == Note<D>::Kind::arrow;
+        if (note.kind == Note<D>::Kind::ring) list.add(ShapeKind::ring, style, {*at}, 7);
+        if (note.kind == Note<D>::Kind::callout) {
             label.text = std::to_string(note.number);
             label.offset_pt = {0, 0};
             label.colour = colours.background;
@@ -39,5 +45,14 @@ void draw_notes(const Session<2>& session, const Colours& colours, std::uint16_t
         list.labels.push_back(label);
     }
 }
+
+template Vec<2> anchor_point<2>(const Session<2>&, const Note<2>&);
+template Vec<3> anchor_point<3>(const Session<3>&, const Note<3>&);
+template std::vector<Note<2>> current_notes<2>(const Session<2>&);
+template std::vector<Note<3>> current_notes<3>(const Session<3>&);
+template void draw_notes<2>(const Session<2>&, const std::function<std::optional<Vec<2>>(const Vec<2>&)>&,
+                            const Colours&, std::uint16_t, DrawList&);
+template void draw_notes<3>(const Session<3>&, const std::function<std::optional<Vec<2>>(const Vec<3>&)>&,
+                            const Colours&, std::uint16_t, DrawList&);
 
 }  // namespace sightline

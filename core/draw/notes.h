@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
+#include <optional>
+#include <vector>
+
 #include "core/draw/draw_list.h"
 #include "core/draw/palette.h"
 #include "core/session/session.h"
@@ -9,12 +13,17 @@
 namespace sightline {
 
 /// The point that a note is about.
-Vec<2> anchor_point(const Session<2>& session, const Note<2>& note);
+template <int D>
+Vec<D> anchor_point(const Session<D>& session, const Note<D>& note);
 
 /// The notes whose step range holds the session's position.
-std::vector<Note<2>> current_notes(const Session<2>& session);
+template <int D>
+std::vector<Note<D>> current_notes(const Session<D>& session);
 
-/// Adds the current notes, a label for each in their order. Pictures have these labels before all others.
-void draw_notes(const Session<2>& session, const Colours& colours, std::uint16_t style, DrawList& list);
+/// Adds the current notes, a label for each in their order, where `place` puts their anchors; nothing for those that it
+/// puts nowhere. Pictures have these labels before all others.
+template <int D>
+void draw_notes(const Session<D>& session, const std::function<std::optional<Vec<2>>(const Vec<D>&)>& place,
+                const Colours& colours, std::uint16_t style, DrawList& list);
 
 }  // namespace sightline

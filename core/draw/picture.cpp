@@ -44,7 +44,8 @@ public:
         highlights();
         if (options.facet) crossed_facet(*options.facet);
         if (set_.show_chain == Switch::on && session.selected_cell != none) chain();
-        draw_notes(session, colours_, index(Look::note), list_);
+        draw_notes<2>(
+            session, [](const Vec<2>& p) { return p; }, colours_, index(Look::note), list_);
         labels();
     }
     DrawList take() { return std::move(list_); }
@@ -206,7 +207,7 @@ private:
     }
 
     void chain() {
-        for (const ChainLink& link : explain_cell(session_, session_.selected_cell).chain)
+        for (const ChainLink& link : update_chain(session_, session_.selected_cell))
             list_.add(ShapeKind::arrow, index(Look::chain),
                       {cells_.centre(link.update.from), cells_.centre(link.update.neighbour)}, 4);
     }

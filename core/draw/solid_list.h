@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/draw/pixels.h"
@@ -59,5 +60,8 @@ struct SolidList {
 
 /// Puts a list into pixels of this size; OpenGL does (shell/gl). Throws WorkError when it cannot.
 using DrawSolid = std::function<Pixels(const SolidList& list, int width, int height)>;
+
+/// The list as text, a line per style, run of triangles, face and edge: for goldens.
+std::string to_text(const SolidList& list);
 
 }  // namespace sightline

@@ -17,6 +17,15 @@ std::size_t visible_rendered(const Reference& reference, std::span<const std::ui
     return count;
 }
 
+double wrong_pixels(const Reference& reference, std::span<const std::uint32_t> touched) {
+    if (reference.image.ids.empty()) return 0;
+    auto wrong = static_cast<std::size_t>(std::count_if(reference.image.ids.begin(), reference.image.ids.end(),
+                                                        [](std::uint32_t id) { return id != no_primitive; }));
+    for (const std::uint32_t entry : touched)
+        if (!(entry & State<3>::culled_bit)) wrong -= reference.pixels[entry];
+    return static_cast<double>(wrong) / static_cast<double>(reference.image.ids.size());
+}
+
 std::optional<double> coverage(const Reference& reference, std::size_t visible_rendered) {
     if (reference.count == 0) return std::nullopt;
     return static_cast<double>(visible_rendered) / static_cast<double>(reference.count);

@@ -15,6 +15,10 @@ namespace sightline {
 template <int D>
 std::size_t visible_rendered(const Reference& reference, std::span<const std::uint32_t> touched);
 
+/// 3D: the share of all pixels of the reference whose primitive is not among those of State::touched that are
+/// rendered. No second image is needed: a visible primitive that is rendered wins its pixels.
+double wrong_pixels(const Reference& reference, std::span<const std::uint32_t> touched);
+
 /// ε = |V ∩ T| / |V|; nothing when |V| = 0.
 std::optional<double> coverage(const Reference& reference, std::size_t visible_rendered);
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -34,5 +35,12 @@ Vec<3> pixel_centre(const View<3>& view, const ImageSize& size, int x, int y);
 /// The reference in 3D from the image that `view` sees. A pixel lies in the cell that holds the point seen through its
 /// centre.
 Reference image_reference(IdImage image, const Scene<3>& scene, const CellComplex<3>& cells, const View<3>& view);
+
+/// How many images DrawIds makes for layering numbers.
+inline constexpr int most_layers = 8;
+
+/// Layering number of every primitive (TVCG section 3) as far as images of layers tell: the number, from 1, of the
+/// first one that shows it; 0 where none does.
+std::vector<std::uint32_t> layering_numbers(std::span<const IdImage> layers, std::size_t primitive_count);
 
 }  // namespace sightline

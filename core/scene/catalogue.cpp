@@ -6,8 +6,9 @@
 
 namespace sightline {
 
-std::span<const CatalogueRow> catalogue() {
-    static const std::vector<CatalogueRow> rows = {
+template <>
+std::span<const CatalogueRow<2>> catalogue<2>() {
+    static const std::vector<CatalogueRow<2>> rows = {
         {"bottleneck",
          147,
          "Bottleneck",
@@ -21,7 +22,9 @@ std::span<const CatalogueRow> catalogue() {
          // A class first meets the published rule without the penalty, and turns it on by hand.
          {{"penalty", "none"}, {"label", "solidity"}},
          {{"visible_share == 0 && count > 0", "the first hidden cell that holds something"},
-          {"step:12", "the front has passed the gap"}}},
+          {"step:12", "the front has passed the gap"}},
+         0,
+         {}},
         {"streets",
          1,
          "Street blocks",
@@ -35,7 +38,9 @@ std::span<const CatalogueRow> catalogue() {
          "10%",
          {},
          {{"step:20", "along the street"},
-          {"visible_share == 0 && count > 10", "inside a house that nobody looks into"}}},
+          {"visible_share == 0 && count > 10", "inside a house that nobody looks into"}},
+         0,
+         {}},
         {"rooms",
          2,
          "Rooms and corridors",
@@ -47,7 +52,9 @@ std::span<const CatalogueRow> catalogue() {
          "published",
          "5%",
          {},
-         {{"visible_share == 0 && count > 0", "through a wall"}, {"step:30", "where the corridors cross"}}},
+         {{"visible_share == 0 && count > 0", "through a wall"}, {"step:30", "where the corridors cross"}},
+         0,
+         {}},
         {"cars",
          4,
          "Cars",
@@ -60,7 +67,9 @@ std::span<const CatalogueRow> catalogue() {
          "5%",
          {},
          {{"coverage >= 0.5", "half of what can be seen of the shells"},
-          {"visible_share == 0 && count > 20", "spare wheel and luggage, while the side of the car waits"}}},
+          {"visible_share == 0 && count > 20", "spare wheel and luggage, while the side of the car waits"}},
+         0,
+         {}},
         {"jungle",
          5,
          "Jungle",
@@ -72,7 +81,9 @@ std::span<const CatalogueRow> catalogue() {
          "published",
          "10%",
          {},
-         {{"step:40", "past the first trees"}}},
+         {{"step:40", "past the first trees"}},
+         0,
+         {}},
         {"terrain",
          6,
          "Terrain from above",
@@ -84,7 +95,9 @@ std::span<const CatalogueRow> catalogue() {
          "published",
          "60%",
          {},
-         {{"rendered > 0", "the first piece of ground"}, {"coverage >= 0.5", "half of the valley"}}},
+         {{"rendered > 0", "the first piece of ground"}, {"coverage >= 0.5", "half of the valley"}},
+         0,
+         {}},
         {"wallholes",
          7,
          "Wall with holes",
@@ -97,7 +110,9 @@ std::span<const CatalogueRow> catalogue() {
          "published",
          "10%",
          {},
-         {{"visible_share == 0 && hidden_now >= 4", "in the store room, between two beams"}}},
+         {{"visible_share == 0 && hidden_now >= 4", "in the store room, between two beams"}},
+         0,
+         {}},
         {"wall2",
          8,
          "Wall of two segments",
@@ -110,7 +125,9 @@ std::span<const CatalogueRow> catalogue() {
          "10%",
          {},
          {{"coverage == 1", "all that can be seen is drawn"},
-          {"visible_share == 0 && count >= 4", "the first crates behind the wall"}}},
+          {"visible_share == 0 && count >= 4", "the first crates behind the wall"}},
+         0,
+         {}},
         {"statue",
          9,
          "Statue",
@@ -124,7 +141,9 @@ std::span<const CatalogueRow> catalogue() {
          "published",
          "60%",
          {{"solidity_scale", "max"}},
-         {{"count > 300", "the statue's cell"}, {"step:35", "a store room nobody can see"}}},
+         {{"count > 300", "the statue's cell"}, {"step:35", "a store room nobody can see"}},
+         0,
+         {}},
         {"forget",
          10,
          "Forgotten wall",
@@ -137,18 +156,24 @@ std::span<const CatalogueRow> catalogue() {
          "50%",
          {},
          {{"visible_share == 0 && rho > 0.5", "behind the wall, which still counts"},
-          {"visible_share == 0 && hidden_now >= 4 && rho == 0", "the store, with solidity 0, while reeds wait"}}},
+          {"visible_share == 0 && hidden_now >= 4 && rho == 0", "the store, with solidity 0, while reeds wait"}},
+         0,
+         {}},
     };
     return rows;
 }
 
-const CatalogueRow* find_in_catalogue(std::string_view id) {
-    for (const CatalogueRow& row : catalogue())
+template <int D>
+const CatalogueRow<D>* find_in_catalogue(std::string_view id) {
+    for (const CatalogueRow<D>& row : catalogue<D>())
         if (id == row.id) return &row;
     return nullptr;
 }
 
-Scene<2> make_scene(const CatalogueRow& row) {
+template const CatalogueRow<2>* find_in_catalogue<2>(std::string_view);
+template const CatalogueRow<3>* find_in_catalogue<3>(std::string_view);
+
+Scene<2> make_scene(const CatalogueRow<2>& row) {
     Scene<2> scene;
     scene.id = row.id;
     scene.title = row.title;

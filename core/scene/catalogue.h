@@ -3,8 +3,10 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "core/scene/scene.h"
@@ -23,27 +25,57 @@ struct CatalogueBookmark {
     const char* label;
 };
 
+/// What a 3D generator makes. Coordinates are float values, z is up, lengths are metres.
+struct Generated {
+    std::vector<Primitive<3>> triangles;
+    std::vector<std::uint8_t> two_sided;  ///< as Scene::two_sided
+    std::vector<FlightPath<3>> paths;     ///< the last is "test", of 8 frames
+};
+
+/// 2D scenes have one size. 3D: `triangles` is what to come close to; scenes of a fixed size ignore it.
+template <int D>
+using Generate = std::conditional_t<D == 2, std::vector<Primitive<2>> (*)(std::uint64_t seed),
+                                    Generated (*)(std::uint64_t seed, std::size_t triangles)>;
+
+template <int D>
 struct CatalogueRow {
     const char* id;
     std::uint64_t seed;
     const char* title;
     const char* lesson;  ///< one sentence for students
-    std::vector<Primitive<2>> (*generate)(std::uint64_t seed);
-    ViewSpec<2> view;
+    Generate<D> generate;
+    ViewSpec<D> view;
     double error_bound;  ///< the largest side of a leaf, as a share of the longest side of the scene
     const char* method;  ///< id of the method to start with
     const char* budget;  ///< as --budget takes it
     std::vector<SettingOverride> settings;
     std::vector<CatalogueBookmark> bookmarks;
+    std::size_t triangles;           ///< 3D: how many unless the name says otherwise; 0: the size is fixed, as in 2D
+    std::vector<const char*> paths;  ///< 3D: ids of its flight paths; 2D: none
 };
 
+/// How many triangles a name may ask for.
+inline constexpr std::size_t fewest_triangles = 10'000, most_triangles = 16'000'000;
+
 /// All rows, in the order in which a lecture would show them.
-std::span<const CatalogueRow> catalogue();
+template <int D = 2>
+std::span<const CatalogueRow<D>> catalogue();
+template <>
+std::span<const CatalogueRow<2>> catalogue<2>();
+template <>
+std::span<const CatalogueRow<3>> catalogue<3>();
 
 /// nullptr when no row has this id.
-const CatalogueRow* find_in_catalogue(std::string_view id);
+template <int D = 2>
+const CatalogueRow<D>* find_in_catalogue(std::string_view id);
 
 /// The row's scene, cleaned; origin 0, source "generated". The same bits on every machine.
-Scene<2> make_scene(const CatalogueRow& row);
+Scene<2> make_scene(const CatalogueRow<2>& row);
+/// As above, with paths; within 5 % of `triangles`, which counts only in rows that have a size.
+Scene<3> make_scene(const CatalogueRow<3>& row, std::size_t triangles);
+
+/// "city", or with a size "city:500k", "city:16M", "city:20000". Nothing when what stands before the colon is no id of
+/// the 3D catalogue; throws InputError when what stands behind it is no size that the scene can have.
+std::optional<Scene<3>> generated_scene(std::string_view name);
 
 }  // namespace sightline

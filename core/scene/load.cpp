@@ -44,7 +44,7 @@ Scene<2> read_any(const std::string& path, const std::string& map, const std::st
 }
 
 Scene<2> find_scene(const std::string& name, const LoadOptions& options) {
-    if (const CatalogueRow* row = find_in_catalogue(name)) return make_scene(*row);
+    if (const CatalogueRow<2>* row = find_in_catalogue(name)) return make_scene(*row);
     if (exists(name)) return read_any(name, "", name, options);
 
     const std::size_t hash = name.rfind('#');
@@ -63,7 +63,8 @@ Scene<2> find_scene(const std::string& name, const LoadOptions& options) {
 
 }  // namespace
 
-Scene<2> load_scene(const std::string& name, const LoadOptions& options) {
+template <>
+Scene<2> load_scene<2>(const std::string& name, const LoadOptions& options) {
     Scene<2> scene = find_scene(name, options);
     scene.name = name;
     return scene;

@@ -13,17 +13,23 @@ namespace sightline {
 inline constexpr const char* freedoom_folder = "/usr/share/games/doom";
 
 struct LoadOptions {
-    bool two_sided = false;  ///< WAD: also lines that can be seen through
+    bool two_sided = false;  ///< WAD: also lines that can be seen through; 3D: all triangles are seen from both sides
     std::string games_folder = freedoom_folder;
 };
 
-/// `name` is, tried in this order:
+/// In 2D `name` is, tried in this order:
 ///  - an id of the catalogue (./ID means the file of that name);
 ///  - a file: a Doom WAD, GeoJSON or the project's JSON, told apart by content; FILE.wad#MAP picks a map, FILE.wad
 ///    alone the file's first;
 ///  - freedoom1#E1M2, freedoom2#MAP01, freedoom1: a map of the installed package `freedoom`.
+/// In 3D: an id of the catalogue with or without a size ("city:500k"), or a file or a folder of meshes (read_mesh.h).
 /// Throws InputError "name: place: reason".
-Scene<2> load_scene(const std::string& name, const LoadOptions& options = {});
+template <int D = 2>
+Scene<D> load_scene(const std::string& name, const LoadOptions& options = {});
+template <>
+Scene<2> load_scene<2>(const std::string& name, const LoadOptions& options);
+template <>
+Scene<3> load_scene<3>(const std::string& name, const LoadOptions& options);
 
 /// Maps of a WAD file by path, in its order. Throws InputError.
 std::vector<std::string> list_wad_maps(const std::string& path);

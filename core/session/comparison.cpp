@@ -131,6 +131,7 @@ std::string difference_sentence(const Session<D>& a, const Session<D>& b, std::u
     template void follow<D>(const Session<D>&, Session<D>&, Align);                                  \
     template std::string difference_sentence<D>(const Session<D>&, const Session<D>&, std::uint32_t);
 SIGHTLINE_INSTANTIATE(2)
+SIGHTLINE_INSTANTIATE(3)
 #undef SIGHTLINE_INSTANTIATE
 
 }  // namespace sightline

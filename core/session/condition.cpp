@@ -188,8 +188,12 @@ std::vector<std::uint32_t> matches(const Session<D>& session, const Condition<D>
 }
 
 template std::span<const RecordField<2>> record_fields<2>();
+template std::span<const RecordField<3>> record_fields<3>();
 template class Condition<2>;
+template class Condition<3>;
 template Stop run_until<2>(Session<2>&, const Condition<2>&);
+template Stop run_until<3>(Session<3>&, const Condition<3>&);
 template std::vector<std::uint32_t> matches<2>(const Session<2>&, const Condition<2>&);
+template std::vector<std::uint32_t> matches<3>(const Session<3>&, const Condition<3>&);
 
 }  // namespace sightline

@@ -44,6 +44,7 @@ private:
 };
 
 extern template class Condition<2>;
+extern template class Condition<3>;
 
 /// As Session::run_until.
 template <int D>

@@ -39,7 +39,7 @@ std::string heaviest_term(const Terms& t) {
 template <int D>
 std::vector<std::uint32_t> steps_of_projection(const Session<D>& session) {
     std::vector<std::uint32_t> steps(session.cells().cell_count(), 0);
-    for (std::uint32_t step = 1; step <= session.position(); ++step)
+    for (std::uint32_t step = 1; step <= std::min(session.position(), session.recorded()); ++step)
         if (const std::uint32_t cell = session.timeline().steps[step - 1].cell; cell != none) steps[cell] = step;
     return steps;
 }
@@ -77,6 +77,23 @@ ChainLink link(const Session<D>& session, const Reach& reach) {
     const std::uint32_t from = session.timeline().steps[reach.step - 1].cell;
     const FacetRecord& record = session.timeline().facets_of(reach.step)[reach.index];
     return {reach.step, explain_facet(session, from, reach.index, record)};
+}
+
+/// Back to the seed: what a cell was last given by is what its key comes from. `reached` is reaches() of the cell.
+template <int D>
+std::vector<ChainLink> chain_of(const Session<D>& session, std::vector<Reach> reached,
+                                const std::vector<std::uint32_t>& projected_at) {
+    std::vector<ChainLink> chain;
+    for (;;) {
+        while (!reached.empty() &&
+               session.timeline().facets_of(reached.back().step)[reached.back().index].rule == Rule::kept)
+            reached.pop_back();
+        if (reached.empty()) break;
+        chain.push_back(link(session, reached.back()));
+        reached = reaches(session, chain.back().update.from, projected_at);
+    }
+    std::reverse(chain.begin(), chain.end());
+    return chain;
 }
 
 template <int D>
@@ -212,6 +229,12 @@ std::string sentence(const StepExplanation& step) {
 }
 
 template <int D>
+std::vector<ChainLink> update_chain(const Session<D>& session, std::uint32_t cell) {
+    const std::vector<std::uint32_t> projected_at = steps_of_projection(session);
+    return chain_of(session, reaches(session, cell, projected_at), projected_at);
+}
+
+template <int D>
 CellExplanation explain_cell(const Session<D>& session, std::uint32_t cell) {
     CellExplanation e;
     e.cell = cell;
@@ -227,16 +250,7 @@ CellExplanation explain_cell(const Session<D>& session, std::uint32_t cell) {
     e.projected_at = projected_at[cell];
     std::vector<Reach> reached = reaches(session, cell, projected_at);
     for (const Reach& reach : reached) e.reached.push_back(link(session, reach));
-    // Back to the seed: what a cell was last given by is what its key comes from.
-    for (;;) {
-        while (!reached.empty() &&
-               session.timeline().facets_of(reached.back().step)[reached.back().index].rule == Rule::kept)
-            reached.pop_back();
-        if (reached.empty()) break;
-        e.chain.push_back(link(session, reached.back()));
-        reached = reaches(session, e.chain.back().update.from, projected_at);
-    }
-    std::reverse(e.chain.begin(), e.chain.end());
+    e.chain = chain_of(session, std::move(reached), projected_at);
     if (e.mark.state == CellState::enqueued)
         e.held_back_by = e.chain.empty() ? "nothing: it is a seed" : heaviest_term(*e.chain.back().update.terms);
     else if (e.mark.state != CellState::projected)
@@ -282,7 +296,12 @@ std::vector<Front::Entry> front_entries(const Session<D>& session) {
 }
 
 template StepExplanation explain_step<2>(const Session<2>&, std::uint32_t);
+template StepExplanation explain_step<3>(const Session<3>&, std::uint32_t);
+template std::vector<ChainLink> update_chain<2>(const Session<2>&, std::uint32_t);
+template std::vector<ChainLink> update_chain<3>(const Session<3>&, std::uint32_t);
 template CellExplanation explain_cell<2>(const Session<2>&, std::uint32_t);
+template CellExplanation explain_cell<3>(const Session<3>&, std::uint32_t);
 template std::vector<Front::Entry> front_entries<2>(const Session<2>&);
+template std::vector<Front::Entry> front_entries<3>(const Session<3>&);
 
 }  // namespace sightline

@@ -51,6 +51,11 @@ struct ChainLink {
     FacetExplanation update;
 };
 
+/// The updates in force, from the seed to the cell; empty for a seed and for cells not yet reached. Cost: steps +
+/// cells.
+template <int D>
+std::vector<ChainLink> update_chain(const Session<D>& session, std::uint32_t cell);
+
 /// Where a cell stands at the session's position, and why.
 struct CellExplanation {
     std::uint32_t cell = none;
@@ -58,7 +63,7 @@ struct CellExplanation {
     std::uint32_t projected_at = 0;  ///< step; 0: not yet
     std::uint32_t rank = 0;          ///< place in the front, from 1; 0: not in it
     double visible_share = 0;
-    std::vector<ChainLink> chain;  ///< the updates in force, from the seed to the cell; empty for a seed
+    std::vector<ChainLink> chain;  ///< update_chain()
     /// Every key computed for the cell so far, in the order of steps: one for each facet that it was reached through,
     /// also where it kept the key that it had.
     std::vector<ChainLink> reached;

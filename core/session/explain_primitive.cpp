@@ -47,6 +47,8 @@ std::string sentence(const PrimitiveExplanation& e, std::uint32_t position) {
 }
 
 template PrimitiveExplanation explain_primitive<2>(const Session<2>&, std::uint32_t);
+template PrimitiveExplanation explain_primitive<3>(const Session<3>&, std::uint32_t);
 template std::string sentence<2>(const PrimitiveExplanation&, std::uint32_t);
+template std::string sentence<3>(const PrimitiveExplanation&, std::uint32_t);
 
 }  // namespace sightline

@@ -48,6 +48,8 @@ std::uint32_t step_of_rendered(const Session<D>& session, std::uint32_t rendered
 }
 
 template Lanes make_lanes<2>(const Session<2>&);
+template Lanes make_lanes<3>(const Session<3>&);
 template std::uint32_t step_of_rendered<2>(const Session<2>&, std::uint32_t);
+template std::uint32_t step_of_rendered<3>(const Session<3>&, std::uint32_t);
 
 }  // namespace sightline

@@ -252,5 +252,6 @@ std::vector<CodeLine> pseudocode(const Session<D>& session, std::optional<std::u
 }
 
 template std::vector<CodeLine> pseudocode<2>(const Session<2>&, std::optional<std::uint32_t>);
+template std::vector<CodeLine> pseudocode<3>(const Session<3>&, std::optional<std::uint32_t>);
 
 }  // namespace sightline

@@ -18,12 +18,13 @@ Json or_null(const std::optional<double>& value) { return value ? Json(*value) :
 Json or_null(std::uint32_t id) { return id == none ? Json(nullptr) : Json(id); }
 
 /// What the budget amounts to in primitives: the whole scene when it does not limit them.
-std::uint32_t budget_in_primitives(const Session<2>& session) {
+template <int D>
+std::uint32_t budget_in_primitives(const Session<D>& session) {
     const auto total = static_cast<std::uint32_t>(session.scene().primitives.size());
     return std::min(session.settings().budget.primitives(total), total);
 }
 
-Json item_buffer_stats(const Session<2>& session) {
+Json other_reference(const Session<2>& session) {
     const View<2> view = make_view(session.culling_view());
     // An all-round view has four image lines of equal width.
     int width = image_size<2>(session.settings().reference_size).width;
@@ -50,10 +51,11 @@ Json item_buffer_stats(const Session<2>& session) {
 
 }  // namespace
 
-std::string stats_json(const Session<2>& session, Stop stop) {
-    const Scene<2>& scene = session.scene();
+template <int D>
+std::string stats_json(const Session<D>& session, Stop stop) {
+    const Scene<D>& scene = session.scene();
     const Reference& reference = session.reference();
-    const State<2>& state = session.state();
+    const State<D>& state = session.state();
     std::array<std::size_t, 4> cells_in{};
     for (std::uint32_t cell = 0; cell < session.cells().cell_count(); ++cell)
         ++cells_in[static_cast<std::size_t>(state.mark(cell).state)];
@@ -67,7 +69,7 @@ std::string stats_json(const Session<2>& session, Stop stop) {
     for (const Inversion& inversion : inversions) wasted += inversion.step <= session.position() ? inversion.wasted : 0;
     const std::size_t found = session.visible_rendered();
     const Times& ms = session.times();
-    const Json json{
+    Json json{
         {"scene", scene.id},
         {"title", scene.title},
         {"seed", scene.seed},
@@ -97,7 +99,6 @@ std::string stats_json(const Session<2>& session, Stop stop) {
         {"wasted", wasted},
         {"reference", reference.name},
         {"eye_on", reference.eye_on},
-        {"item_buffer", item_buffer_stats(session)},
         {"stop", stop_words[static_cast<std::size_t>(stop)]},
         {"state_hash", hash_text(session.hash())},
         {"ms",
@@ -108,7 +109,7 @@ std::string stats_json(const Session<2>& session, Stop stop) {
           {"traverse", ms.traverse},
           {"draw", ms.draw}}},
         {"memory_bytes",
-         {{"scene", scene.primitives.size() * sizeof(Primitive<2>)},
+         {{"scene", scene.primitives.size() * sizeof(Primitive<D>)},
           {"tessellation", session.cells().memory_bytes()},
           {"references", session.cells().reference_memory_bytes()},
           {"timeline", session.timeline().memory_bytes()}}},
@@ -117,10 +118,15 @@ std::string stats_json(const Session<2>& session, Stop stop) {
           {"duplicate", scene.dropped.duplicate},
           {"not_finite", scene.dropped.not_finite}}},
     };
+    if constexpr (D == 2)
+        json["item_buffer"] = other_reference(session);
+    else
+        json["wrong_pixels"] = wrong_pixels(reference, std::span(state.touched).first(state.touched_count));
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-std::string trace_json(const Session<2>& session) {
+template <int D>
+std::string trace_json(const Session<D>& session) {
     Json steps = Json::array();
     for (std::uint32_t step = 1; step <= session.position(); ++step) {
         const StepExplanation e = explain_step(session, step);
@@ -138,7 +144,7 @@ std::string trace_json(const Session<2>& session) {
                  {"front", record.front_size}};
         Json primitives = Json::array();
         for (std::uint32_t i = session.timeline().touched_before(step); i < record.touched_count; ++i)
-            if (const std::uint32_t entry = session.state().touched[i]; !(entry & State<2>::culled_bit))
+            if (const std::uint32_t entry = session.state().touched[i]; !(entry & State<D>::culled_bit))
                 primitives.push_back(entry);
         row["primitives"] = std::move(primitives);
         Json facets = Json::array();
@@ -170,19 +176,30 @@ std::string trace_json(const Session<2>& session) {
     return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-std::string conditions(const Session<2>& session) {
+template <int D>
+std::string conditions(const Session<D>& session) {
+    constexpr const char* primitives = D == 2 ? " segments" : " triangles";
     const Settings& settings = session.settings();
-    const Scene<2>& scene = session.scene();
+    const Scene<D>& scene = session.scene();
     std::string text = scene.title.empty() ? scene.id : scene.title;
     if (scene.source == "generated") text += " (" + scene.id + ", seed " + std::to_string(scene.seed) + ")";
-    text += ", " + std::to_string(scene.primitives.size()) + " segments. Method " + settings.method + " (" +
+    text += ", " + std::to_string(scene.primitives.size()) + primitives + ". Method " + settings.method + " (" +
             (session.method().guarantee == Guarantee::approximate ? "approximate" : "conservative") + "), " +
             std::to_string(session.cells().cell_count()) + " " +
-            (settings.tessellation == Tessellation::delaunay ? "Delaunay" : "quadtree") + " cells, budget " +
-            budget_text(settings.budget);
+            (settings.tessellation == Tessellation::delaunay ? "Delaunay"
+             : D == 2                                        ? "quadtree"
+                                                             : "octree") +
+            " cells, budget " + budget_text(settings.budget);
     if (settings.budget.kind == Budget::Kind::share)
-        text += " = " + std::to_string(budget_in_primitives(session)) + " segments";
+        text += " = " + std::to_string(budget_in_primitives(session)) + primitives;
     return text + ".";
 }
+
+template std::string stats_json<2>(const Session<2>&, Stop);
+template std::string stats_json<3>(const Session<3>&, Stop);
+template std::string trace_json<2>(const Session<2>&);
+template std::string trace_json<3>(const Session<3>&);
+template std::string conditions<2>(const Session<2>&);
+template std::string conditions<3>(const Session<3>&);
 
 }  // namespace sightline

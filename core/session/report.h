@@ -10,12 +10,15 @@ namespace sightline {
 
 /// One object with the fields of `--stats` (docs/command-line.md). 2D: `coverage` is against the exact set;
 /// `item_buffer` repeats it against the papers' reference of reference_size pixels.
-std::string stats_json(const Session<2>& session, Stop stop);
+template <int D>
+std::string stats_json(const Session<D>& session, Stop stop);
 
 /// The records of all steps up to the session's position, with the terms of every key.
-std::string trace_json(const Session<2>& session);
+template <int D>
+std::string trace_json(const Session<D>& session);
 
 /// The conditions of a number in one line: scene, seed, method, cells, budget, reference.
-std::string conditions(const Session<2>& session);
+template <int D>
+std::string conditions(const Session<D>& session);
 
 }  // namespace sightline

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/error.h"
 #include "core/number.h"
 #include "core/space/builders.h"
 #include "core/stopwatch.h"
@@ -22,18 +23,50 @@ auto timed(double& milliseconds, Work work) {
     return work();
 }
 
+View<2> view_of(const ViewSpec<2>& spec, const Scene<2>&, const Settings&) { return make_view(spec); }
+
+/// The reference's size gives the aspect: a window's never does.
+View<3> view_of(const ViewSpec<3>& spec, const Scene<3>& scene, const Settings& settings) {
+    const ImageSize size = image_size<3>(settings.reference_size);
+    return make_view(spec, static_cast<double>(size.width) / size.height, scene.up_axis);
+}
+
+Reference make_reference(const Scene<2>& scene, const CellComplex<2>& cells, const View<2>& view, const Settings&,
+                         const DrawIds&) {
+    return exact_reference(scene.primitives, cells, view);
+}
+
+Reference make_reference(const Scene<3>& scene, const CellComplex<3>& cells, const View<3>& view,
+                         const Settings& settings, const DrawIds& draw_ids) {
+    if (!draw_ids) throw WorkError("the exact image cannot be drawn: there is no OpenGL");
+    auto images = draw_ids(scene, view, image_size<3>(settings.reference_size), 1);
+    return image_reference(std::move(images.front()), scene, cells, view);
+}
+
+std::vector<std::uint32_t> make_layering(const Scene<2>& scene, const View<2>& view, const Settings&, const DrawIds&) {
+    return layering_numbers(scene.primitives, view);
+}
+
+std::vector<std::uint32_t> make_layering(const Scene<3>& scene, const View<3>& view, const Settings& settings,
+                                         const DrawIds& draw_ids) {
+    if (!draw_ids) throw WorkError("layering numbers cannot be drawn: there is no OpenGL");
+    return layering_numbers(draw_ids(scene, view, image_size<3>(settings.reference_size), most_layers),
+                            scene.primitives.size());
+}
+
 }  // namespace
 
 template <int D>
 Session<D>::Session(std::shared_ptr<const Scene<D>> scene, const ViewSpec<D>& view, const Settings& settings,
-                    std::span<const Method<D>> methods)
+                    std::span<const Method<D>> methods, DrawIds draw_ids)
     : scene_(std::move(scene)),
       methods_(methods),
       method_(find_method<D>(methods, settings.method)),
       settings_(settings),
+      draw_ids_(std::move(draw_ids)),
       culling_view_(view),
       display_view_(view),
-      view_(make_view(view)) {
+      view_(view_of(view, *scene_, settings)) {
     tessellate();
     restart();
 }
@@ -67,7 +100,8 @@ void Session<D>::forget_measures() {
 
 template <int D>
 void Session<D>::restart() {
-    frame_ = make_frame<D>(scene_->primitives, *cells_, view_, settings_);
+    flying_ = false;
+    frame_ = make_frame<D>(scene_->primitives, *cells_, view_, settings_, scene_->two_sided);
     method_.start(frame_, state_);
     timeline_ = {};
     timeline_.seed_count = state_.front_size;
@@ -76,6 +110,7 @@ void Session<D>::restart() {
 
 template <int D>
 Stop Session<D>::step() {
+    land();
     if (state_.step >= time_stop_) return Stop::budget;
     if (state_.step < timeline_.steps.size()) {
         redo_step(frame_, state_, timeline_);
@@ -87,7 +122,7 @@ Stop Session<D>::step() {
 template <int D>
 bool Session<D>::finished() const {
     if (state_.step >= time_stop_) return true;
-    if (state_.step < recorded()) return false;
+    if (!flying_ && state_.step < recorded()) return false;
     if (state_.spent >= frame_.budget) return true;
     return method_.orders_cells ? state_.front_size == 0 && state_.partial_cell == none
                                 : state_.offset >= state_.order.size();
@@ -95,6 +130,7 @@ bool Session<D>::finished() const {
 
 template <int D>
 bool Session<D>::back() {
+    land();
     if (state_.step == 0) return false;
     undo_step(frame_, state_, timeline_);
     return true;
@@ -125,6 +161,7 @@ Stop Session<D>::run_until(const std::function<bool(const Session&)>& holds) {
 
 template <int D>
 Stop Session<D>::seek(std::uint32_t step) {
+    land();
     while (state_.step > step) undo_step(frame_, state_, timeline_);
     while (state_.step < std::min<std::size_t>({step, timeline_.steps.size(), time_stop_}))
         redo_step(frame_, state_, timeline_);
@@ -137,6 +174,8 @@ template <int D>
 Invalidates Session<D>::change(const Settings& settings) {
     const Invalidates what = difference(settings_, settings);
     const Method<D>& method = find_method<D>(methods_, settings.method);
+    const View<D> view = view_of(culling_view_, *scene_, settings);
+    land();
     const std::uint32_t step = state_.step;
     settings_ = settings;
     method_ = method;
@@ -144,30 +183,78 @@ Invalidates Session<D>::change(const Settings& settings) {
         tessellate();
         forget_measures();
     }
-    if (what >= Invalidates::traversal) {
+    if (what == Invalidates::reference) forget_measures();
+    const bool another_view = view.corners != view_.corners;  // the reference's size is the view's aspect
+    view_ = view;
+    if (what >= Invalidates::traversal || another_view) {
         restart();
         seek(step);
     }
     return what;
 }
 
+/// Makes this the culling view; throws where it cannot be one, then nothing has changed.
 template <int D>
-void Session<D>::set_view(const ViewSpec<D>& view) {
-    const View<D> made = make_view(view);
-    if (frozen_) {
-        display_view_ = view;
-        return;
-    }
-    const std::uint32_t step = state_.step;
+void Session<D>::aim(const ViewSpec<D>& view) {
+    view_ = view_of(view, *scene_, settings_);
     culling_view_ = view;
-    view_ = made;
     forget_measures();
+}
+
+template <int D>
+void Session<D>::set_culling_view(const ViewSpec<D>& view) {
+    land();
+    const std::uint32_t step = state_.step;
+    aim(view);
     restart();
     seek(step);
 }
 
 template <int D>
+void Session<D>::set_view(const ViewSpec<D>& view) {
+    if (!frozen()) return set_culling_view(view);
+    view_of(view, *scene_, settings_);  // throws where it cannot be
+    display_view_ = view;
+    const Vec<D> direction = culling_view_.look_at - culling_view_.eye;
+    if (frozen_ == Frozen::eye)
+        set_culling_view({culling_view_.eye, culling_view_.eye + (view.look_at - view.eye), view.fov});
+    else if (frozen_ == Frozen::direction)
+        set_culling_view({view.eye, view.eye + direction, culling_view_.fov});
+}
+
+template <int D>
+Stop Session<D>::fly(const ViewSpec<D>& view) {
+    aim(view);
+    restart();
+    flying_ = true;
+    const Stopwatch flight;
+    Stop stop = Stop::none;
+    if (settings_.budget.kind == Budget::Kind::milliseconds) {
+        while ((stop = method_.run(frame_, state_, 1)) == Stop::steps)
+            if (flight.milliseconds() >= settings_.budget.value) break;
+        if (stop == Stop::steps) {
+            time_stop_ = state_.step;
+            stop = Stop::budget;
+        }
+    } else {
+        stop = method_.run(frame_, state_, none);
+    }
+    times_.traverse = flight.milliseconds();
+    return stop;
+}
+
+template <int D>
+void Session<D>::land() {
+    if (!flying_) return;
+    const std::uint32_t step = state_.step, time_stop = time_stop_;
+    restart();
+    time_stop_ = time_stop;
+    seek(step);
+}
+
+template <int D>
 void Session<D>::set_scene(std::shared_ptr<const Scene<D>> scene) {
+    land();
     const std::uint32_t step = state_.step;
     scene_ = std::move(scene);
     tessellate();
@@ -177,16 +264,17 @@ void Session<D>::set_scene(std::shared_ptr<const Scene<D>> scene) {
 }
 
 template <int D>
-void Session<D>::freeze() {
-    if (!frozen_) display_view_ = culling_view_;
-    frozen_ = true;
+void Session<D>::freeze(Frozen part) {
+    land();
+    if (!frozen()) display_view_ = culling_view_;
+    frozen_ = part;
 }
 
 template <int D>
 const Reference& Session<D>::reference() const {
     if (!reference_)
         reference_ = timed(times_.reference, [&] {
-            return std::make_shared<const Reference>(exact_reference(scene_->primitives, *cells_, view_));
+            return std::make_shared<const Reference>(make_reference(*scene_, *cells_, view_, settings_, draw_ids_));
         });
     return *reference_;
 }
@@ -194,7 +282,8 @@ const Reference& Session<D>::reference() const {
 template <int D>
 const std::vector<std::uint32_t>& Session<D>::layering() const {
     if (!layering_)
-        layering_ = std::make_shared<const std::vector<std::uint32_t>>(layering_numbers(scene_->primitives, view_));
+        layering_ =
+            std::make_shared<const std::vector<std::uint32_t>>(make_layering(*scene_, view_, settings_, draw_ids_));
     return *layering_;
 }
 
@@ -250,5 +339,6 @@ std::vector<Marker> Session<D>::markers() const {
 }
 
 template class Session<2>;
+template class Session<3>;
 
 }  // namespace sightline

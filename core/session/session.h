@@ -38,6 +38,10 @@ struct Marker {
     std::string label;
 };
 
+/// What of the culling view stays where it is when the display view moves.
+enum class Frozen : std::uint8_t { nothing, eye, direction, all };
+inline constexpr auto frozen_words = std::to_array<std::string_view>({"nothing", "eye", "direction", "all"});
+
 /// Milliseconds spent making the parts of a session.
 struct Times {
     double read = 0, tessellate = 0, assign = 0, reference = 0, traverse = 0, draw = 0;
@@ -46,9 +50,10 @@ struct Times {
 template <int D>
 class Session {
 public:
-    /// Tessellates, starts the traversal and stays at step 0. Throws InputError for a view or a method that cannot be.
+    /// Tessellates, starts the traversal and stays at step 0. 3D: `draw_ids` draws the reference. Throws InputError for
+    /// a view or a method that cannot be.
     Session(std::shared_ptr<const Scene<D>> scene, const ViewSpec<D>& view, const Settings& settings,
-            std::span<const Method<D>> methods = method_table<D>());
+            std::span<const Method<D>> methods = method_table<D>(), DrawIds draw_ids = {});
 
     // What there is. A step number counts the steps taken: 0 is the start.
     const Scene<D>& scene() const { return *scene_; }
@@ -56,8 +61,9 @@ public:
     const Settings& settings() const { return settings_; }
     const Method<D>& method() const { return method_; }
     const ViewSpec<D>& culling_view() const { return culling_view_; }
-    const ViewSpec<D>& display_view() const { return frozen_ ? display_view_ : culling_view_; }
-    bool frozen() const { return frozen_; }
+    const ViewSpec<D>& display_view() const { return frozen() ? display_view_ : culling_view_; }
+    bool frozen() const { return frozen_ != Frozen::nothing; }
+    Frozen frozen_part() const { return frozen_; }
     const Frame<D>& frame() const { return frame_; }
     const State<D>& state() const { return state_; }
     const Timeline& timeline() const { return timeline_; }
@@ -93,14 +99,25 @@ public:
     // Changing it. Each keeps the step as far as the new traversal has it, and the selection.
     /// What was made again.
     Invalidates change(const Settings& settings);
-    /// Moves the culling view, or while frozen the display view only.
+    /// Moves the culling view; while frozen the display view, which takes along what of the culling view is not frozen.
     void set_view(const ViewSpec<D>& view);
+    /// Moves the culling view, also while frozen.
+    void set_culling_view(const ViewSpec<D>& view);
     /// Another soup of primitives under the same views and settings, e.g. after an edit. What referred to a primitive
     /// or a cell that no longer exists is dropped.
     void set_scene(std::shared_ptr<const Scene<D>> scene);
     const std::shared_ptr<const Scene<D>>& shared_scene() const { return scene_; }
-    void freeze();
-    void unfreeze() { frozen_ = false; }
+    void freeze(Frozen part = Frozen::all);
+    void unfreeze() { frozen_ = Frozen::nothing; }
+
+    // Flying: frames that follow each other and are not recorded.
+    /// Moves the culling view and runs to the budget without a recording. Until land() there is nothing to step
+    /// through: recorded() is 0 and position() counts the steps of the frame.
+    Stop fly(const ViewSpec<D>& view);
+    bool flying() const { return flying_; }
+    /// Runs the frame again with a recording: the same steps, the same hash. Does nothing when not flying. Everything
+    /// that moves or changes the session lands first.
+    void land();
 
     // What people put into it.
     std::vector<Bookmark> bookmarks;
@@ -114,6 +131,7 @@ public:
 
     // Measured, made on first use.
     const Reference& reference() const;
+    bool has_reference() const { return reference_ != nullptr; }
     /// Layering number ζ of each primitive; 0: hit by no ray (visible_set.h).
     const std::vector<std::uint32_t>& layering() const;
     std::size_t visible_rendered() const;
@@ -123,6 +141,7 @@ public:
 
 private:
     void tessellate();
+    void aim(const ViewSpec<D>& view);
     void restart();
     void drop_dangling();
     void forget_measures();
@@ -135,10 +154,12 @@ private:
     std::span<const Method<D>> methods_;
     Method<D> method_;
     Settings settings_;
+    DrawIds draw_ids_;
     ViewSpec<D> culling_view_, display_view_;
     View<D> view_;
     Frame<D> frame_;  ///< points into what scene_ and cells_ own, which copies of the session share
-    bool frozen_ = false;
+    Frozen frozen_ = Frozen::nothing;
+    bool flying_ = false;
     State<D> state_;
     Timeline timeline_;
     std::uint32_t time_stop_ = none;
@@ -148,11 +169,12 @@ private:
 };
 
 extern template class Session<2>;
+extern template class Session<3>;
 
-/// The cell that the last step projected; none at step 0 and for orders of primitives.
+/// The cell that the last step projected; none at step 0, for orders of primitives, and when flying.
 template <int D>
 std::uint32_t last_cell(const Session<D>& session) {
-    return session.position() > 0 ? session.timeline().steps[session.position() - 1].cell : none;
+    return session.position() > 0 && !session.flying() ? session.timeline().steps[session.position() - 1].cell : none;
 }
 
 /// A copy at a recorded step, or at the last one where there are fewer, wherever a budget in milliseconds ended the

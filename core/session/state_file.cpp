@@ -18,13 +18,24 @@ namespace {
 
 using OrderedJson = nlohmann::ordered_json;
 
-OrderedJson view_json(const ViewSpec<2>& view) {
-    return {{"eye", {view.eye.x, view.eye.y}}, {"look_at", {view.look_at.x, view.look_at.y}}, {"fov", view.fov}};
+template <int D>
+OrderedJson point_json(const Vec<D>& point) {
+    OrderedJson json = OrderedJson::array();
+    for (int i = 0; i < D; ++i) json.push_back(point[i]);
+    return json;
 }
 
-Vec<2> read_point(const Json& json) {
-    if (json.size() != 2) throw InputError("a point is no pair of numbers");
-    return {json.at(0).get<double>(), json.at(1).get<double>()};
+template <int D>
+OrderedJson view_json(const ViewSpec<D>& view) {
+    return {{"eye", point_json<D>(view.eye)}, {"look_at", point_json<D>(view.look_at)}, {"fov", view.fov}};
+}
+
+template <int D>
+Vec<D> read_point(const Json& json) {
+    if (json.size() != D) throw InputError(D == 2 ? "a point is no pair of numbers" : "a point is not three numbers");
+    Vec<D> point;
+    for (int i = 0; i < D; ++i) point[i] = json.at(static_cast<std::size_t>(i)).get<double>();
+    return point;
 }
 
 /// Only whole numbers: the library would round and wrap others.
@@ -47,20 +58,22 @@ const Json& list(const Json& object, const char* key) {
     return object.at(key);
 }
 
-ViewSpec<2> read_view(const Json& json) {
-    return {read_point(json.at("eye")), read_point(json.at("look_at")), json.at("fov").get<double>()};
+template <int D>
+ViewSpec<D> read_view(const Json& json) {
+    return {read_point<D>(json.at("eye")), read_point<D>(json.at("look_at")), json.at("fov").get<double>()};
 }
 
-OrderedJson note_json(const Note<2>& note) {
+template <int D>
+OrderedJson note_json(const Note<D>& note) {
     OrderedJson json{{"kind", note_kind_words[static_cast<std::size_t>(note.kind)]},
                      {"anchor", note_anchor_words[static_cast<std::size_t>(note.anchor)]},
                      {"text", note.text},
                      {"offset_pt", {note.offset_pt.x, note.offset_pt.y}}};
-    if (note.anchor == Note<2>::Anchor::point)
-        json["point"] = {note.point.x, note.point.y};
+    if (note.anchor == Note<D>::Anchor::point)
+        json["point"] = point_json<D>(note.point);
     else
         json["index"] = note.index;
-    if (note.kind == Note<2>::Kind::callout) json["number"] = note.number;
+    if (note.kind == Note<D>::Kind::callout) json["number"] = note.number;
     if (note.first_step > 0) json["first_step"] = note.first_step;
     if (note.last_step != none) json["last_step"] = note.last_step;
     return json;
@@ -74,14 +87,15 @@ Enum read_word(const Json& json, const std::array<std::string_view, n>& known) {
     return static_cast<Enum>(found - known.begin());
 }
 
-Note<2> read_note(const Json& json) {
-    Note<2> note;
-    note.kind = read_word<Note<2>::Kind>(json.at("kind"), note_kind_words);
-    note.anchor = read_word<Note<2>::Anchor>(json.at("anchor"), note_anchor_words);
+template <int D>
+Note<D> read_note(const Json& json) {
+    Note<D> note;
+    note.kind = read_word<typename Note<D>::Kind>(json.at("kind"), note_kind_words);
+    note.anchor = read_word<typename Note<D>::Anchor>(json.at("anchor"), note_anchor_words);
     note.text = json.at("text").get<std::string>();
-    note.offset_pt = read_point(json.at("offset_pt"));
-    if (note.anchor == Note<2>::Anchor::point)
-        note.point = read_point(json.at("point"));
+    note.offset_pt = read_point<2>(json.at("offset_pt"));
+    if (note.anchor == Note<D>::Anchor::point)
+        note.point = read_point<D>(json.at("point"));
     else
         note.index = read_count(json.at("index"));
     note.number = read_count(json, "number", 0);
@@ -90,17 +104,26 @@ Note<2> read_note(const Json& json) {
     return note;
 }
 
-Scene<2> read_scene(const Json& json, const std::string& name, bool two_sided) {
-    Scene<2> scene;
-    if (json.contains("embedded")) {
-        scene = scene_from_json(json.at("embedded"), name + ": scene");
-        // What a scene's own file does not say.
-        scene.source = json.value("source", scene.source);
-        if (json.contains("dropped")) {
-            const Json& dropped = json.at("dropped");
-            scene.dropped = {read_count(dropped, "degenerate", 0), read_count(dropped, "duplicate", 0),
-                             read_count(dropped, "not_finite", 0)};
-        }
+/// A scene that travels inside the state file; only 2D scenes do.
+Scene<2> embedded_scene(const Json& json, const std::string& name) {
+    Scene<2> scene = scene_from_json(json.at("embedded"), name + ": scene");
+    // What a scene's own file does not say.
+    scene.source = json.value("source", scene.source);
+    if (json.contains("dropped")) {
+        const Json& dropped = json.at("dropped");
+        scene.dropped = {read_count(dropped, "degenerate", 0), read_count(dropped, "duplicate", 0),
+                         read_count(dropped, "not_finite", 0)};
+    }
+    return scene;
+}
+
+template <int D>
+Scene<D> read_scene(const Json& json, const std::string& name, bool two_sided) {
+    Scene<D> scene;
+    bool embedded = false;
+    if constexpr (D == 2) embedded = json.contains("embedded");
+    if (embedded) {
+        if constexpr (D == 2) scene = embedded_scene(json, name);
         if (!json.contains("hash")) return scene;  // written by hand
     } else {
         // A file that is not where it was may lie beside the state file.
@@ -111,7 +134,7 @@ Scene<2> read_scene(const Json& json, const std::string& name, bool two_sided) {
         };
         const std::string beside = (std::filesystem::path(name).parent_path() / file).string();
         if (!exists(file) && exists(beside)) file = beside;
-        scene = load_scene(file, {.two_sided = two_sided});
+        scene = load_scene<D>(file, {.two_sided = two_sided});
     }
     if (hash_text(scene_hash(scene)) != json.at("hash").get<std::string>())
         throw InputError("scene '" + scene.id + "' is not the one the state was made with (its hash differs)");
@@ -125,25 +148,36 @@ std::uint32_t read_selected(const Json& json, const char* key, std::size_t size)
     return selected;
 }
 
-void read_breakpoints(const Json& json, Session<2>& session) {
+template <int D>
+void read_breakpoints(const Json& json, Session<D>& session) {
     for (const Json& breakpoint : list(json, "breakpoints")) {
         session.breakpoints.push_back({breakpoint.at("condition").get<std::string>(), breakpoint.at("on").get<bool>()});
-        const Condition<2> must_be_one(session.breakpoints.back().condition);
+        const Condition<D> must_be_one(session.breakpoints.back().condition);
     }
 }
 
+Settings read_settings(const Json& json) {
+    Settings settings;
+    for (const auto& [field, value] : json.items()) apply_setting(settings, field + "=" + value.get<std::string>());
+    return settings;
+}
+
 /// `shared`: the scene of a state that has none of its own.
-OpenedState read_state(const Json& json, const std::string& name, std::span<const Method<2>> methods,
-                       std::shared_ptr<const Scene<2>> shared = nullptr) {
+template <int D>
+OpenedState<D> read_state(const Json& json, const std::string& name, std::span<const Method<D>> methods,
+                          const DrawIds& draw_ids, std::shared_ptr<const Scene<D>> shared = nullptr) {
     if (json.at("format") != "sightline-state") throw InputError("\"format\" is not \"sightline-state\"");
     if (json.at("version") != 1) throw InputError("\"version\" is not 1, the only one known");
-    Settings settings;
-    for (const auto& [field, value] : json.at("settings").items())
-        apply_setting(settings, field + "=" + value.get<std::string>());
+    if (const int dimension = json.value("dimension", 2); dimension != D)
+        throw InputError("the state is one of " + std::to_string(dimension) + "D: open it with viewer" +
+                         std::to_string(dimension) + "d");
+    const Settings settings = read_settings(json.at("settings"));
     if (!shared || json.contains("scene"))
-        shared = std::make_shared<const Scene<2>>(read_scene(json.at("scene"), name, settings.two_sided == Switch::on));
-    OpenedState opened{Session<2>(std::move(shared), read_view(json.at("view")), settings, methods), {}, {}};
-    Session<2>& session = opened.session;
+        shared =
+            std::make_shared<const Scene<D>>(read_scene<D>(json.at("scene"), name, settings.two_sided == Switch::on));
+    OpenedState<D> opened{
+        Session<D>(std::move(shared), read_view<D>(json.at("view")), settings, methods, draw_ids), {}, {}};
+    Session<D>& session = opened.session;
     if (json.contains("time_stop")) session.set_time_stop(read_count(json.at("time_stop")));
     const std::uint32_t step = read_count(json.at("step"));
     session.seek(step);
@@ -153,16 +187,18 @@ OpenedState read_state(const Json& json, const std::string& name, std::span<cons
     else if (json.contains("state_hash") && json.at("state_hash").get<std::string>() != hash_text(session.hash()))
         opened.warnings.push_back(name + ": step " + std::to_string(step) + " differs from what was saved");
     if (json.contains("display_view")) {
+        // Frozen as a whole first: to set the display view must not move the culling view.
         session.freeze();
-        session.set_view(read_view(json.at("display_view")));
+        session.set_view(read_view<D>(json.at("display_view")));
+        if (json.contains("frozen")) session.freeze(read_word<Frozen>(json.at("frozen"), frozen_words));
     }
     for (const Json& bookmark : list(json, "bookmarks"))
         session.bookmarks.push_back({read_count(bookmark.at("step")), bookmark.at("label").get<std::string>()});
     for (const Json& note : list(json, "notes")) {
-        session.notes.push_back(read_note(note));
-        const Note<2>& read = session.notes.back();
-        if ((read.anchor == Note<2>::Anchor::cell && read.index >= session.cells().cell_count()) ||
-            (read.anchor == Note<2>::Anchor::primitive && read.index >= session.scene().primitives.size()))
+        session.notes.push_back(read_note<D>(note));
+        const Note<D>& read = session.notes.back();
+        if ((read.anchor == Note<D>::Anchor::cell && read.index >= session.cells().cell_count()) ||
+            (read.anchor == Note<D>::Anchor::primitive && read.index >= session.scene().primitives.size()))
             throw InputError("a note is anchored to something that does not exist");
     }
     if (json.contains("figure")) {
@@ -184,12 +220,14 @@ std::string why_not(const Json::exception& error) {
 }
 
 /// The state that stands beside the first one, if there is one.
-void read_other(const Json& json, const std::string& name, std::span<const Method<2>> methods, OpenedState& opened) {
+template <int D>
+void read_other(const Json& json, const std::string& name, std::span<const Method<D>> methods, const DrawIds& draw_ids,
+                OpenedState<D>& opened) {
     if (json.contains("align")) opened.align = read_word<Align>(json.at("align"), align_words);
     if (!json.contains("other")) return;
     const std::string place = name + ": other";
     try {
-        OpenedState other = read_state(json.at("other"), place, methods, opened.session.shared_scene());
+        OpenedState<D> other = read_state<D>(json.at("other"), place, methods, draw_ids, opened.session.shared_scene());
         opened.other = std::move(other.session);
         opened.warnings.insert(opened.warnings.end(), other.warnings.begin(), other.warnings.end());
     } catch (const Json::exception& error) {
@@ -200,7 +238,8 @@ void read_other(const Json& json, const std::string& name, std::span<const Metho
     }
 }
 
-OrderedJson scene_part(const Scene<2>& scene) {
+template <int D>
+OrderedJson scene_part(const Scene<D>& scene) {
     OrderedJson json{{"id", scene.id},
                      {"seed", scene.seed},
                      {"hash", hash_text(scene_hash(scene))},
@@ -209,22 +248,28 @@ OrderedJson scene_part(const Scene<2>& scene) {
                       {{"degenerate", scene.dropped.degenerate},
                        {"duplicate", scene.dropped.duplicate},
                        {"not_finite", scene.dropped.not_finite}}}};
-    if (std::string embedded = write_json(scene); embedded.size() <= embed_limit_bytes || scene.source == "edited")
-        json["embedded"] = OrderedJson::parse(embedded);
-    else
-        json["name"] = scene.name.empty() ? scene.id : scene.name;
+    if constexpr (D == 2)
+        if (std::string embedded = write_json(scene);
+            embedded.size() <= embed_limit_bytes || scene.source == "edited") {
+            json["embedded"] = OrderedJson::parse(embedded);
+            return json;
+        }
+    json["name"] = scene.name.empty() ? scene.id : scene.name;
     return json;
 }
 
 /// All but the scene and the figure, which two states may share.
-OrderedJson session_part(const Session<2>& session) {
+template <int D>
+OrderedJson session_part(const Session<D>& session) {
     OrderedJson settings;
     for (const SettingRow& row : settings_table()) settings[std::string(row.name)] = row.get(session.settings());
     OrderedJson json{{"settings", std::move(settings)},
-                     {"view", view_json(session.culling_view())},
+                     {"view", view_json<D>(session.culling_view())},
                      {"step", session.position()},
                      {"state_hash", hash_text(session.hash())}};
-    if (session.frozen()) json["display_view"] = view_json(session.display_view());
+    if (session.frozen()) json["display_view"] = view_json<D>(session.display_view());
+    if (session.frozen() && session.frozen_part() != Frozen::all)
+        json["frozen"] = frozen_words[static_cast<std::size_t>(session.frozen_part())];
     if (session.time_stop() != none) json["time_stop"] = session.time_stop();
     if (session.selected_cell != none) json["selected_cell"] = session.selected_cell;
     if (session.selected_primitive != none) json["selected_primitive"] = session.selected_primitive;
@@ -232,14 +277,16 @@ OrderedJson session_part(const Session<2>& session) {
         json["bookmarks"].push_back({{"step", bookmark.step}, {"label", bookmark.label}});
     for (const Breakpoint& breakpoint : session.breakpoints)
         json["breakpoints"].push_back({{"condition", breakpoint.condition}, {"on", breakpoint.on}});
-    for (const Note<2>& note : session.notes) json["notes"].push_back(note_json(note));
+    for (const Note<D>& note : session.notes) json["notes"].push_back(note_json<D>(note));
     return json;
 }
 
 }  // namespace
 
-std::string state_json(const Session<2>& session, const FigureSpec& figure, const Session<2>* other, Align align) {
-    const OrderedJson head{{"format", "sightline-state"}, {"version", 1}};
+template <int D>
+std::string state_json(const Session<D>& session, const FigureSpec& figure, const Session<D>* other, Align align) {
+    OrderedJson head{{"format", "sightline-state"}, {"version", 1}};
+    if (D == 3) head["dimension"] = D;
     OrderedJson json = head;
     json["scene"] = scene_part(session.scene());
     json["figure"] = {{"size", figure.size}, {"font_pt", figure.font_pt}, {"panels", figure.panels}};
@@ -254,11 +301,13 @@ std::string state_json(const Session<2>& session, const FigureSpec& figure, cons
     return json.dump(1, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 
-OpenedState open_state(std::string_view text, const std::string& name, std::span<const Method<2>> methods) {
+template <int D>
+OpenedState<D> open_state(std::string_view text, const std::string& name, std::span<const Method<D>> methods,
+                          const DrawIds& draw_ids) {
     try {
         const Json json = parse_json(text, name);
-        OpenedState opened = read_state(json, name, methods);
-        read_other(json, name, methods, opened);
+        OpenedState<D> opened = read_state<D>(json, name, methods, draw_ids);
+        read_other<D>(json, name, methods, draw_ids, opened);
         return opened;
     } catch (const Json::exception& error) {
         throw input_error(name, "", why_not(error));
@@ -268,5 +317,13 @@ OpenedState open_state(std::string_view text, const std::string& name, std::span
         throw input_error(name, "", why);
     }
 }
+
+#define SIGHTLINE_INSTANTIATE(D)                                                                            \
+    template std::string state_json<D>(const Session<D>&, const FigureSpec&, const Session<D>*, Align);     \
+    template OpenedState<D> open_state<D>(std::string_view, const std::string&, std::span<const Method<D>>, \
+                                          const DrawIds&);
+SIGHTLINE_INSTANTIATE(2)
+SIGHTLINE_INSTANTIATE(3)
+#undef SIGHTLINE_INSTANTIATE
 
 }  // namespace sightline

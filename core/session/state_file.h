@@ -14,25 +14,29 @@
 
 namespace sightline {
 
-/// A scene whose JSON is at most this long travels inside the state file; a larger one by id, seed and hash, unless
+/// A 2D scene whose JSON is at most this long travels inside the state file; a larger one by id, seed and hash, unless
 /// it was edited: then it lies nowhere else.
 inline constexpr std::size_t embed_limit_bytes = 1'000'000;
 
 /// `other`: a session that stands beside the first one, moved along as `align` says.
-std::string state_json(const Session<2>& session, const FigureSpec& figure = {}, const Session<2>* other = nullptr,
+template <int D>
+std::string state_json(const Session<D>& session, const FigureSpec& figure = {}, const Session<D>* other = nullptr,
                        Align align = Align::step);
 
+template <int D>
 struct OpenedState {
-    Session<2> session;
+    Session<D> session;
     FigureSpec figure;
     std::vector<std::string> warnings;  ///< e.g. that the traversal has changed since
-    std::optional<Session<2>> other{};  ///< shares the scene of `session` when it had the same
+    std::optional<Session<D>> other{};  ///< shares the scene of `session` when it had the same
     Align align = Align::step;
 };
 
 /// `name` begins every error line. Throws InputError when the text is no state file, when the scene it names cannot be
-/// found or is another one (by hash), when a setting does not exist, or when a breakpoint is no condition.
-OpenedState open_state(std::string_view text, const std::string& name,
-                       std::span<const Method<2>> methods = method_table<2>());
+/// found or is another one (by hash), when a setting does not exist, when it is of the other dimension, or when a
+/// breakpoint is no condition.
+template <int D = 2>
+OpenedState<D> open_state(std::string_view text, const std::string& name,
+                          std::span<const Method<D>> methods = method_table<D>(), const DrawIds& draw_ids = {});
 
 }  // namespace sightline

@@ -68,6 +68,8 @@ Session<D> Session<D>::in_the_middle(std::uint32_t substep) const {
 }
 
 template std::uint32_t substep_count<2>(const Session<2>&, std::uint32_t);
+template std::uint32_t substep_count<3>(const Session<3>&, std::uint32_t);
 template Session<2> Session<2>::in_the_middle(std::uint32_t) const;
+template Session<3> Session<3>::in_the_middle(std::uint32_t) const;
 
 }  // namespace sightline

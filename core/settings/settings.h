@@ -29,6 +29,11 @@ enum class LabelWhere : std::uint8_t { front, all, selected };
 enum class Palette : std::uint8_t { standard, paper, print };
 enum class ZoomAt : std::uint8_t { view, last, selected, point };
 enum class Legend : std::uint8_t { outside, inside, off };
+enum class DrawnAs : std::uint8_t { off, solid, wireframe, translucent };
+enum class SliceAcross : std::uint8_t { off, x, y, z, view };
+enum class OnlyCells : std::uint8_t { all, front, around };
+enum class Triangles : std::uint8_t { off, rendered, visible, all };
+enum class Inset : std::uint8_t { off, image, missed, both };
 
 /// The words of each enum, in the order of its values.
 template <typename E>
@@ -68,6 +73,16 @@ template <>
 inline constexpr auto words<ZoomAt> = std::to_array<std::string_view>({"view", "last", "selected", "point"});
 template <>
 inline constexpr auto words<Legend> = std::to_array<std::string_view>({"outside", "inside", "off"});
+template <>
+inline constexpr auto words<DrawnAs> = std::to_array<std::string_view>({"off", "solid", "wireframe", "translucent"});
+template <>
+inline constexpr auto words<SliceAcross> = std::to_array<std::string_view>({"off", "x", "y", "z", "view"});
+template <>
+inline constexpr auto words<OnlyCells> = std::to_array<std::string_view>({"all", "front", "around"});
+template <>
+inline constexpr auto words<Triangles> = std::to_array<std::string_view>({"off", "rendered", "visible", "all"});
+template <>
+inline constexpr auto words<Inset> = std::to_array<std::string_view>({"off", "image", "missed", "both"});
 
 /// Pixels of a reference; 0: what the dimension asks for. 2D references have a width only.
 struct ImageSize {
@@ -122,6 +137,19 @@ struct Settings {
     double zoom = 1;
     ZoomAt zoom_at = ZoomAt::view;
     double zoom_x = 0, zoom_y = 0;  ///< scene coordinates as the session has them
+
+    // picture, 3D
+    DrawnAs clean_as = DrawnAs::off;
+    DrawnAs projected_as = DrawnAs::solid;
+    DrawnAs enqueued_as = DrawnAs::wireframe;
+    DrawnAs unseen_as = DrawnAs::off;
+    double shrink = 1;
+    SliceAcross slice = SliceAcross::off;
+    double slice_at = 0.5;
+    OnlyCells only = OnlyCells::all;
+    std::uint32_t around = 2;
+    Triangles triangles = Triangles::rendered;
+    Inset inset = Inset::off;
 
     bool operator==(const Settings&) const = default;
 };

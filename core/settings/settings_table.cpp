@@ -131,6 +131,12 @@ ImageSize parse_image_size(std::string_view text) {
     throw InputError("'" + std::string(text) + "' is not auto, a width in [1, 16777216] or WxH in [1, 8192]");
 }
 
+/// The row of a setting that one dimension has to itself.
+SettingRow only_in(int dimension, SettingRow row) {
+    row.dimension = dimension;
+    return row;
+}
+
 using S = Settings;
 
 const std::vector<SettingRow>& rows() {
@@ -189,9 +195,10 @@ const std::vector<SettingRow>& rows() {
                             "colours: safe for colour-blind readers, as in the papers, or for print"),
         choice<&S::show_tessellation>("show_tessellation", Invalidates::picture, "TR fig. 1",
                                       "draw the cells' borders"),
-        choice<&S::show_states>("show_states", Invalidates::picture, "TR figs 1, 4", "fill cells by their state"),
-        choice<&S::show_primitives>("show_primitives", Invalidates::picture, "TR fig. 1",
-                                    "draw the scene: rendered, missed, hidden but rendered"),
+        only_in(2, choice<&S::show_states>("show_states", Invalidates::picture, "TR figs 1, 4",
+                                           "fill cells by their state")),
+        only_in(2, choice<&S::show_primitives>("show_primitives", Invalidates::picture, "TR fig. 1",
+                                               "draw the scene: rendered, missed, hidden but rendered")),
         choice<&S::show_visibility>(
             "show_visibility", Invalidates::picture, "TR figs 1, 4",
             "tell visible from hidden segments; off: only what is rendered, as the papers draw"),
@@ -208,15 +215,42 @@ const std::vector<SettingRow>& rows() {
         choice<&S::heat>("heat", Invalidates::picture, "docs/figures.md", "the number shown as a heat map"),
         choice<&S::legend>("legend", Invalidates::picture, "docs/figures.md", "where the legend stands"),
         choice<&S::caption>("caption", Invalidates::picture, "docs/figures.md", "a caption with the conditions"),
-        real<&S::zoom>("zoom", {0.01, 1000}, Invalidates::picture, "[0.01, 1000]", "docs/figures.md",
-                       "magnification; 1 shows the whole scene"),
-        choice<&S::zoom_at>("zoom_at", Invalidates::picture, "docs/figures.md",
-                            "the middle of the picture: what the display eye looks at, the cell projected last, the "
-                            "selected cell, or the point zoom_x, zoom_y"),
-        finite<&S::zoom_x>("zoom_x", Invalidates::picture, "docs/figures.md",
-                           "the middle of the picture with zoom_at=point, less the scene's origin"),
-        finite<&S::zoom_y>("zoom_y", Invalidates::picture, "docs/figures.md",
-                           "the middle of the picture with zoom_at=point, less the scene's origin"),
+        only_in(2, real<&S::zoom>("zoom", {0.01, 1000}, Invalidates::picture, "[0.01, 1000]", "docs/figures.md",
+                                  "magnification; 1 shows the whole scene")),
+        only_in(2, choice<&S::zoom_at>(
+                       "zoom_at", Invalidates::picture, "docs/figures.md",
+                       "the middle of the picture: what the display eye looks at, the cell projected last, the "
+                       "selected cell, or the point zoom_x, zoom_y")),
+        only_in(2, finite<&S::zoom_x>("zoom_x", Invalidates::picture, "docs/figures.md",
+                                      "the middle of the picture with zoom_at=point, less the scene's origin")),
+        only_in(2, finite<&S::zoom_y>("zoom_y", Invalidates::picture, "docs/figures.md",
+                                      "the middle of the picture with zoom_at=point, less the scene's origin")),
+
+        only_in(3, choice<&S::clean_as>(
+                       "clean_as", Invalidates::picture, "TVCG figs 1, 2",
+                       "how cells that no step has touched are drawn, when the eye of the picture is another")),
+        only_in(3, choice<&S::projected_as>("projected_as", Invalidates::picture, "TVCG fig. 1",
+                                            "how projected cells are drawn, when the eye of the picture is another")),
+        only_in(3, choice<&S::enqueued_as>("enqueued_as", Invalidates::picture, "TVCG fig. 1",
+                                           "how cells in the front are drawn, when the eye of the picture is another")),
+        only_in(3,
+                choice<&S::unseen_as>("unseen_as", Invalidates::picture, "gem, NS_UNSEEN",
+                                      "how cells outside the view are drawn, when the eye of the picture is another")),
+        only_in(3, real<&S::shrink>("shrink", {0.05, 1}, Invalidates::picture, "[0.05, 1]", "docs/figures.md",
+                                    "cells drawn at this share of their size, each about its centre")),
+        only_in(3, choice<&S::slice>("slice", Invalidates::picture, "docs/figures.md",
+                                     "cut away what lies above slice_at along an axis, or nearer to the eye")),
+        only_in(3, real<&S::slice_at>("slice_at", {0, 1}, Invalidates::picture, "[0, 1]", "docs/figures.md",
+                                      "where the slice lies in the box of the scene; cells whose centre lies beyond "
+                                      "are left out whole")),
+        only_in(3, choice<&S::only>("only", Invalidates::picture, "docs/figures.md",
+                                    "which cells are drawn: all, the front, or those around the selected or last one")),
+        only_in(3, whole<&S::around, 0, 1000>("around", Invalidates::picture, "[0, 1000]", "docs/figures.md",
+                                              "with only=around: how many rings of neighbours")),
+        only_in(3, choice<&S::triangles>("triangles", Invalidates::picture, "TVCG figs 1, 14",
+                                         "which triangles are drawn")),
+        only_in(3, choice<&S::inset>("inset", Invalidates::picture, "TVCG fig. 14",
+                                     "in a corner what the culling eye sees at this step, or the pixels it misses")),
     };
     return table;
 }

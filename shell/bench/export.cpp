@@ -42,7 +42,7 @@ void go_to_place(Session<2>& session, const std::string& place) {
 
 /// One panel; two, left and right, where there is a second session.
 void add_panels(const Workbench<2>& bench, const Session<2>& session, const std::string& title,
-                std::vector<PanelSource>& panels) {
+                std::vector<PanelSource<2>>& panels) {
     if (!bench.other) {
         panels.push_back({session, title});
         return;
@@ -89,7 +89,7 @@ void set_figure_size(Workbench<D>& bench, const std::string& size) {
 
 void write_shot(Workbench<2>& bench, const std::string& file) {
     const Stopwatch drawing;
-    std::vector<PanelSource> panels;
+    std::vector<PanelSource<2>> panels;
     if (bench.figure.panels.empty()) add_panels(bench, bench.session, "", panels);
     for (const std::string& place : bench.figure.panels) {
         Session<2> session = bench.session;

@@ -42,7 +42,7 @@ void check(const Workbench<2>& bench, const FilmSpec& film) {
 }
 
 std::vector<Figure> frames(const Session<2>& session, const FilmSpec& film) {
-    std::vector<PanelSource> sources;
+    std::vector<PanelSource<2>> sources;
     Session<2> walker = session;
     for (std::uint32_t step = film.first; step <= film.last; ++step) {
         walker.seek(step);

@@ -27,7 +27,7 @@ std::optional<std::string> state_text(const std::string& name) {
 Settings start_settings(const std::string& name, bool in_window) {
     Settings settings;
     if (in_window) settings.label = CellNumber::solidity;
-    const CatalogueRow* row = find_in_catalogue(name);
+    const CatalogueRow<2>* row = find_in_catalogue(name);
     if (!row) return settings;
     settings.error_bound = row->error_bound;
     settings.method = row->method;
@@ -52,7 +52,7 @@ Session<2> open_scene(const std::string& name, const Settings& settings, std::sp
 }
 
 void add_bookmarks(Session<2>& session) {
-    const CatalogueRow* row = find_in_catalogue(session.scene().id);
+    const CatalogueRow<2>* row = find_in_catalogue(session.scene().id);
     if (!row || session.scene().source != "generated") return;
     Session<2> scout = session;
     for (const CatalogueBookmark& bookmark : row->bookmarks) {

@@ -1,0 +1,40 @@
+// A session in three dimensions as a picture: solids, and over them everything that stays sharp at any size. Nothing
+// here moves a step.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+
+#include "core/draw/draw_list.h"
+#include "core/draw/solid_list.h"
+#include "core/session/comparison.h"
+#include "core/session/session.h"
+
+namespace sightline {
+
+struct PictureOptions3 {
+    /// What the lowest and the highest colour of the heat map stand for (number_range; panels of one figure share it).
+    std::optional<std::array<double, 2>> heat_range{};
+    /// Width / height of the picture; 0: that of the reference, which is the culling view's.
+    double aspect = 0;
+    /// Per cell, for two sessions beside each other: coloured by who projected it instead of by state. Empty: by state.
+    std::span<const Side> sides{};
+    /// A facet to point out, by its place among those of the last cell: where a substep looks across.
+    std::optional<std::uint32_t> facet{};
+};
+
+/// The display view at this aspect (PictureOptions3::aspect).
+View<3> picture_camera(const Session<3>& session, double aspect = 0);
+
+/// The triangles and the cells that the session's picture settings ask for. Cells are drawn while the picture is seen
+/// from outside (shown_cells.h). Asks for the reference where it tells visible from hidden triangles (show_visibility,
+/// from outside or with triangles = visible or all), and for what a heat map of share or zeta needs.
+SolidList make_solid(const Session<3>& session, const PictureOptions3& options = {});
+
+/// What lies over them, in the plane of the picture (image_plane): frustum and eye of the culling view while seen from
+/// outside, the last and the selected cell, rays, the chain of updates, notes, numbers on cells.
+DrawList make_picture(const Session<3>& session, const PictureOptions3& options = {});
+
+}  // namespace sightline

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/draw/solid_palette.h"
+
+#include <array>
+
+namespace sightline {
+
+namespace {
+
+SolidStyle solid(const char* name, Colour colour, double width_pt = 0.8) { return {name, colour, true, width_pt}; }
+
+SolidStyle edge(const char* name, Colour colour, double width_pt) { return {name, colour, false, width_pt}; }
+
+/// The states' colours are those of pictures in 2D; the triangles are of stone, so that a class with a hue stands out.
+std::vector<SolidStyle> standard() {
+    return {
+        solid("clean", {150, 165, 180}, 0.5), solid("enqueued", {36, 86, 150}),    solid("projected", {166, 203, 187}),
+        solid("unseen", {140, 140, 140}),     solid("both", {166, 203, 187}),      solid("only_left", {80, 145, 205}),
+        solid("only_right", {110, 80, 0}),    edge("border", {90, 110, 130}, 0.5), solid("plain", {205, 200, 190}),
+        solid("rest", {228, 230, 234}),       solid("rendered", {205, 200, 190}),  solid("missed", {200, 70, 0}),
+        solid("wasted", {160, 95, 150}),      solid("other", {228, 230, 234}),     solid("fresh", {240, 175, 20}),
+    };
+}
+
+/// TVCG fig. 1: projected cells red, others green; the front blue as in TR figs 1 and 4; missed pixels red (TVCG fig.
+/// 14).
+std::vector<SolidStyle> paper() {
+    const Colour red{255, 60, 60}, green{60, 220, 60}, blue{90, 130, 255};
+    return {
+        solid("clean", green, 0.5),
+        solid("enqueued", blue),
+        solid("projected", red),
+        solid("unseen", {110, 110, 110}),
+        solid("both", {0, 120, 0}),
+        solid("only_left", {52, 97, 192}),
+        solid("only_right", {62, 172, 152}),
+        edge("border", {120, 20, 20}, 0.5),
+        solid("plain", {215, 215, 215}),
+        solid("rest", {90, 90, 100}),
+        solid("rendered", {215, 215, 215}),
+        solid("missed", red),
+        solid("wasted", {255, 160, 160}),
+        solid("other", {90, 90, 100}),
+        solid("fresh", {255, 220, 0}),
+    };
+}
+
+/// Greys only.
+std::vector<SolidStyle> print() {
+    const auto grey = [](std::uint8_t v) { return Colour{v, v, v}; };
+    return {
+        solid("clean", grey(165), 0.5), solid("enqueued", grey(60)),    solid("projected", grey(205)),
+        solid("unseen", grey(125)),     solid("both", grey(195)),       solid("only_left", grey(140)),
+        solid("only_right", grey(86)),  edge("border", grey(110), 0.5), solid("plain", grey(190)),
+        solid("rest", grey(235)),       solid("rendered", grey(190)),   solid("missed", grey(30)),
+        solid("wasted", grey(130)),     solid("other", grey(235)),      solid("fresh", grey(80)),
+    };
+}
+
+}  // namespace
+
+const std::vector<SolidStyle>& solid_styles(Palette palette) {
+    static const std::array table{standard(), paper(), print()};
+    return table[static_cast<std::size_t>(palette)];
+}
+
+}  // namespace sightline

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/draw/solid_triangles.h"
+
+#include <array>
+
+#include "core/draw/solid_palette.h"
+
+namespace sightline {
+
+void add_triangles(const Session<3>& session, bool tell_visible, SolidList& list) {
+    const Triangles wanted = session.settings().triangles;
+    if (wanted == Triangles::off) return;
+    const State<3>& state = session.state();
+    const bool needs_reference = tell_visible || wanted == Triangles::visible;
+    const std::uint8_t* visible = needs_reference ? session.reference().visible.data() : nullptr;
+    // Flying leaves no record of steps.
+    const bool recorded = session.position() > 0 && session.position() <= session.recorded();
+    const std::uint32_t before_last =
+        recorded ? session.timeline().touched_before(session.position()) : state.touched_count;
+
+    std::array<std::vector<std::uint32_t>, static_cast<std::size_t>(SolidLook::count)> by_look;
+    const auto add = [&](std::uint32_t triangle, SolidLook look) {
+        by_look[static_cast<std::size_t>(look)].push_back(triangle);
+    };
+    std::vector<std::uint8_t> is_rendered;
+    if (wanted != Triangles::rendered) is_rendered.resize(session.scene().primitives.size());
+    for (std::uint32_t i = 0; i < state.touched_count; ++i) {
+        const std::uint32_t triangle = state.touched[i];
+        if (triangle & State<3>::culled_bit) continue;
+        if (!is_rendered.empty()) is_rendered[triangle] = 1;
+        if (wanted == Triangles::visible && !visible[triangle]) continue;
+        SolidLook look = SolidLook::plain;
+        if (tell_visible) look = visible[triangle] ? SolidLook::rendered : SolidLook::wasted;
+        add(triangle, i < before_last ? look : SolidLook::fresh);
+    }
+    for (std::uint32_t triangle = 0; triangle < is_rendered.size(); ++triangle) {
+        if (is_rendered[triangle] || (wanted == Triangles::visible && !visible[triangle])) continue;
+        SolidLook look = SolidLook::rest;
+        if (tell_visible) look = visible[triangle] ? SolidLook::missed : SolidLook::other;
+        add(triangle, look);
+    }
+    for (std::size_t look = 0; look < by_look.size(); ++look) {
+        const auto& triangles = by_look[look];
+        if (triangles.empty()) continue;
+        list.runs.push_back({static_cast<std::uint8_t>(look), static_cast<std::uint32_t>(list.triangles.size()),
+                             static_cast<std::uint32_t>(triangles.size())});
+        list.triangles.insert(list.triangles.end(), triangles.begin(), triangles.end());
+    }
+}
+
+}  // namespace sightline
