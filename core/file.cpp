@@ -14,7 +14,7 @@ void write_file(const std::filesystem::path& path, std::string_view content) {
     file.commit();
 }
 
-std::string read_file(const std::filesystem::path& path, std::uint64_t most) {
+std::uint64_t check_file(const std::filesystem::path& path) {
     namespace fs = std::filesystem;
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
@@ -25,6 +25,11 @@ std::string read_file(const std::filesystem::path& path, std::uint64_t most) {
 
     const std::uintmax_t size = fs::file_size(path, error);
     if (error) throw InputError(path.string() + ": cannot be read: " + error.message());
+    return size;
+}
+
+std::string read_file(const std::filesystem::path& path, std::uint64_t most) {
+    const std::uint64_t size = check_file(path);
     if (size > most)
         throw InputError(path.string() + ": has " + std::to_string(size) + " bytes; the limit is " +
                          std::to_string(most));

@@ -13,6 +13,10 @@ namespace sightline {
 /// names the file and the reason; the old file, if any, is then untouched.
 void write_file(const std::filesystem::path& path, std::string_view content);
 
+/// Size in bytes. Throws InputError, which names the file, when it is missing, not a regular file or cannot be looked
+/// at.
+std::uint64_t check_file(const std::filesystem::path& path);
+
 /// The whole content. Throws InputError, which names the file, when it is missing, not a regular file, unreadable or
 /// larger than `most` bytes.
 std::string read_file(const std::filesystem::path& path, std::uint64_t most = std::uint64_t{1} << 30);

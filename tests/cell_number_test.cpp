@@ -86,6 +86,7 @@ TEST(CellNumbers, CellNumbersAreWhatTheySay) {
         const std::uint32_t recorded = session.recorded();
         session.seek(session.position() / 2);
         ASSERT_EQ(number_range(session, CellNumber::order), range);
+        ASSERT_EQ(number_range(session, CellNumber::solidity), all);
         if (recorded > 0) {
             ASSERT_EQ(range, (std::array<double, 2>{1, double(recorded)}));
         }

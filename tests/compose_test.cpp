@@ -15,6 +15,10 @@ namespace {
 
 using namespace test;
 
+std::vector<Figure> film_of(const std::vector<PanelSource<2>>& frames) {
+    return make_film<2>(frames.size(), [&](std::size_t i) -> const PanelSource<2>& { return frames[i]; });
+}
+
 TEST(Compose, PanelsShareLegendAndScale) {
     Session<2> session = session_of(*find_in_catalogue("bottleneck"));
     for (const CellNumber heat : {CellNumber::none, CellNumber::order}) {
@@ -89,7 +93,7 @@ TEST(Compose, NothingJumpsInAFilm) {
                 frames.push_back({session, ""});
                 frames.back().session.seek(step);
             }
-            const std::vector<Figure> film = make_film(frames);
+            const std::vector<Figure> film = film_of(frames);
             ASSERT_EQ(film.size(), frames.size());
             const auto text_of = [](const std::vector<LegendRow>& rows) {
                 std::string text;
@@ -212,8 +216,7 @@ TEST(Compose, AFigureHasTheNotesThatAWindowShowsBesideTheScene) {
     const Box<2> world = make_figure(std::array{PanelSource{session, ""}}).panels[0].list.world;
     EXPECT_TRUE(world.contains(session.notes[0].point));
     EXPECT_FALSE(world.contains(note.point));
-    EXPECT_TRUE(
-        make_film(std::array{PanelSource{session, ""}})[0].panels[0].list.world.contains(session.notes[0].point));
+    EXPECT_TRUE(film_of({{session, ""}})[0].panels[0].list.world.contains(session.notes[0].point));
 }
 
 TEST(Compose, TheCaptionNamesTheConditions) {

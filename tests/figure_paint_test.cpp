@@ -12,7 +12,7 @@ namespace sightline {
 namespace {
 
 struct Note {
-    enum { path, circle, gradient, text } kind;
+    enum { path, circle, gradient, image, text } kind;
     Path outline;
     Vec<2> centre{};
     double radius = 0;
@@ -37,6 +37,7 @@ public:
     void gradient(const Rect&, std::span<const Colour>) override {
         notes.push_back({Note::gradient, {}, {}, 0, {}, {}, clipped_});
     }
+    void image(const Rect&, const DrawImage&) override { notes.push_back({Note::image, {}, {}, 0, {}, {}, clipped_}); }
     void text(const TextRun& run, const Colour& colour, const Colour&) override {
         notes.push_back({Note::text, {}, {}, 0, {colour}, run, clipped_});
     }

@@ -22,7 +22,7 @@ TEST(Projection, CornersOfTheViewAreThoseOfThePicture) {
     Random random(311);
     for (int i = 0; i < 300; ++i) {
         const View<3> view = random_view3(random);
-        const Box<2> plane = image_plane(view);
+        const Box<2> plane = picture_plane(view);
         ASSERT_EQ(plane.min, Vec<2>(0, 0));
         ASSERT_EQ(plane.max.y, 1);
         const double far = random.uniform(0.1, 50);  // at any depth
@@ -41,7 +41,7 @@ TEST(Projection, IsWhereTheRayThroughThePointMeetsThePicture) {
     Random random(312);
     for (int i = 0; i < 2000; ++i) {
         const View<3> view = random_view3(random);
-        const Box<2> plane = image_plane(view);
+        const Box<2> plane = picture_plane(view);
         const Vec<3> right = view.corners[1] - view.corners[0], up = view.corners[3] - view.corners[0];
         const Vec<2> asked(random.uniform(-2, 3), random.uniform(-2, 3));
         const Vec<3> on_plane = view.corners[0] + right * (asked.x / plane.max.x) + up * asked.y;
@@ -66,7 +66,7 @@ TEST(Projection, LinesAreCutBeforeTheEyeAndBesideThePicture) {
     int cut = 0, whole = 0, gone = 0;
     for (int i = 0; i < 3000; ++i) {
         const View<3> view = random_view3(random);
-        const Box<2> plane = image_plane(view);
+        const Box<2> plane = picture_plane(view);
         const double size = glm::length(view.look_at - view.eye);
         const Vec<3> a = view.eye + random_point(random, 3) * size, b = view.eye + random_point(random, 3) * size;
         const auto line = project_line(view, a, b);

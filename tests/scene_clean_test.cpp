@@ -30,15 +30,6 @@ TEST(SceneClean, DropsAndCountsWhatCannotBeUsed) {
     EXPECT_TRUE(scene.warnings.empty());
 }
 
-TEST(SceneClean, DropsFlatAndRepeatedTriangles) {
-    const Vec<3> a(0, 0, 0), b(1, 0, 0), c(0, 1, 0), d(2, 0, 0), e(0, 0, 1), f(0, 0, 2);
-    Scene<3> scene;
-    scene.primitives = {{a, b, c}, {c, a, b}, {b, a, c}, {a, b, d}, {a, e, f}, {a, a, b}, {a, b, e}};
-    clean(scene, Recentre::no, "x");
-    EXPECT_EQ(scene.dropped, (Dropped{3, 2, 0}));
-    EXPECT_EQ(scene.primitives.size(), 2u);
-}
-
 TEST(SceneClean, EmptySceneIsFineWithAWarning) {
     Scene<2> scene;
     clean(scene, Recentre::yes, "x");

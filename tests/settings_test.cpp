@@ -127,7 +127,7 @@ TEST(Settings, NamesDefaultsAndWordsAreThoseOfTheDesign) {
         {"outside_view", "unseen", "enqueue", "unseen | enqueue"},
         {"culled_cost", "free", "free", "free | charged"},
         {"neighbours_before_break", "yes", "no", "no | yes"},
-        {"reference_size", "auto", nullptr, "auto | 8192 | 1024x768"},
+        {"reference_size", "auto", nullptr, nullptr},
         {"seeds", "one", "one", "one | hull"},
     };
     Settings letter;

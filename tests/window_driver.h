@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "shell/window/window.h"
-#include "viewer2d/window2d.h"
+#include "viewer2d/stage2d.h"
 
 namespace sightline::test {
 

@@ -17,7 +17,7 @@ namespace {
 constexpr int samples = 4;
 
 DrawList at_the_end(const CatalogueRow<2>& row, double aspect) {
-    Settings settings = start_settings(row.id);
+    Settings settings = start_settings<2>(row.id);
     settings.show_tessellation = Switch::off;
     Session<2> session(std::make_shared<const Scene<2>>(make_scene(row)), row.view, settings);
     session.run();

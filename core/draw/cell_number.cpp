@@ -47,12 +47,15 @@ std::optional<std::array<double, 2>> number_range(const Session<D>& session, Cel
         if (!range) range = {number, number};
         range = {std::min((*range)[0], number), std::max((*range)[1], number)};
     };
-    const bool changes = what == CellNumber::solidity || what == CellNumber::order;  // from step to step
-    const Session<D> at_end = changes ? copy_at(session, session.recorded()) : session;
-    for (const auto& number : cell_numbers(at_end, what))
+    if (what == CellNumber::order) {
+        for (std::uint32_t step = 1; step <= session.recorded(); ++step)
+            if (session.timeline().steps[step - 1].cell != none) add(step);
+        return range;
+    }
+    for (const auto& number : cell_numbers(session, what))
         if (number) add(*number);
-    if (what == CellNumber::solidity)  // keys that were replaced later
-        for (const FacetRecord& record : at_end.timeline().facets)
+    if (what == CellNumber::solidity)  // a record holds the key that its step took away, or will give
+        for (const FacetRecord& record : session.timeline().facets)
             if (record.state == CellState::enqueued || record.state == CellState::projected) add(record.key);
     return range;
 }

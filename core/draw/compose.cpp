@@ -72,61 +72,58 @@ std::vector<LegendRow> rows_of(std::span<const Figure::Panel> panels, const Sett
     return legend_rows(lists, solids, settings, notes);
 }
 
-/// What all panels or frames stand on together.
+/// What all panels or frames share. The first one's settings say what the numbers, the legend and the colours are.
+template <int D>
 struct Common {
-    std::vector<LegendRow> legend;
-    std::optional<ColourBar> bar;
+    Settings settings;
+    HeatRange range;
+    std::optional<Box<2>> world;  ///< that of all; nothing: each has its own
+    std::vector<Figure::Panel> panels;
+    std::vector<Note<D>> notes;  ///< those that some panel shows
 };
 
-/// Draws each source, all of them with that world if there is one; the first one's settings say what the numbers, the
-/// legend and the colours are.
+/// Each source is met before the first one is drawn.
 template <int D>
-Common draw(std::span<const PanelSource<D>> sources, const std::optional<Box<2>>& world,
-            std::vector<Figure::Panel>& panels) {
-    Common common;
-    const Settings& settings = sources.front().session.settings();
-    HeatRange range;
-    if (settings.heat != CellNumber::none)
-        for (const PanelSource<D>& source : sources)
-            if (const auto own = number_range(source.session, settings.heat)) {
-                if (!range) range = own;
-                range = {std::min((*range)[0], (*own)[0]), std::max((*range)[1], (*own)[1])};
-            }
-    std::vector<Note<D>> notes;
-    for (const PanelSource<D>& source : sources) {
-        panels.push_back(draw_panel(source, range, world));
-        for (const Note<D>& note : current_notes(source.session)) {
-            const auto at = place_of(panels.back(), anchor_point(source.session, note));
-            if (at && panels.back().list.world.contains(*at)) notes.push_back(note);
-        }
-    }
-    common.legend = rows_of(panels, settings, notes);
-    if (range)
-        common.bar = ColourBar{std::string(number_title(settings.heat)), short_number((*range)[0]),
-                               short_number((*range)[1]), colours(settings.palette).heat};
-    return common;
+void meet(const PanelSource<D>& source, Common<D>& common) {
+    if (common.settings.heat == CellNumber::none) return;
+    const HeatRange own = number_range(source.session, common.settings.heat);
+    HeatRange& range = common.range;
+    if (!own) return;
+    if (!range) range = own;
+    range = {std::min((*range)[0], (*own)[0]), std::max((*range)[1], (*own)[1])};
 }
 
 /// What a film shows of the scene in all its frames.
-std::optional<Box<2>> film_world(std::span<const PanelSource<2>> frames) {
-    Box<2> world;
-    for (const PanelSource<2>& frame : frames) {
-        const Box<2> own = figure_world(frame.session);
-        world.add(own.min);
-        world.add(own.max);
-    }
-    return world;
+void widen_world(const PanelSource<2>& frame, Common<2>& common) {
+    const Box<2> own = figure_world(frame.session);
+    if (!common.world) common.world = own;
+    common.world->add(own.min);
+    common.world->add(own.max);
 }
-std::optional<Box<2>> film_world(std::span<const PanelSource<3>>) { return std::nullopt; }
+void widen_world(const PanelSource<3>&, Common<3>&) {}
+
+template <int D>
+void draw(const PanelSource<D>& source, Common<D>& common) {
+    common.panels.push_back(draw_panel(source, common.range, common.world));
+    const Figure::Panel& panel = common.panels.back();
+    for (const Note<D>& note : current_notes(source.session)) {
+        const auto at = place_of(panel, anchor_point(source.session, note));
+        if (at && panel.list.world.contains(*at)) common.notes.push_back(note);
+    }
+}
 
 /// A figure without its panels.
-Figure empty_figure(const Common& common, const Settings& settings) {
+template <int D>
+Figure empty_figure(const Common<D>& common) {
+    const Settings& settings = common.settings;
     Figure figure;
     figure.legend_place = settings.legend == Legend::inside    ? LegendPlace::inside
                           : settings.legend == Legend::outside ? LegendPlace::outside
                                                                : LegendPlace::off;
-    figure.legend = common.legend;
-    figure.bar = common.bar;
+    figure.legend = rows_of(common.panels, settings, common.notes);
+    if (common.range)
+        figure.bar = ColourBar{std::string(number_title(settings.heat)), short_number((*common.range)[0]),
+                               short_number((*common.range)[1]), colours(settings.palette).heat};
     figure.background = colours(settings.palette).background;
     figure.ink = colours(settings.palette).ink;
     return figure;
@@ -134,36 +131,47 @@ Figure empty_figure(const Common& common, const Settings& settings) {
 
 template <int D>
 Figure figure_of(std::span<const PanelSource<D>> sources) {
-    const Settings& settings = sources.front().session.settings();
-    std::vector<Figure::Panel> panels;
-    Figure figure = empty_figure(draw(sources, std::nullopt, panels), settings);
-    if (panels.size() > 1)
-        for (std::size_t i = 0; i < panels.size(); ++i)
-            panels[i].title = "(" + std::string(1, panel_letter(i)) + ") " + sources[i].title;
-    figure.panels = std::move(panels);
-    if (settings.caption == Switch::on) figure.caption = caption(sources);
+    Common<D> common{sources.front().session.settings(), {}, {}, {}, {}};
+    for (const PanelSource<D>& source : sources) meet(source, common);
+    for (const PanelSource<D>& source : sources) draw(source, common);
+    Figure figure = empty_figure(common);
+    figure.panels = std::move(common.panels);
+    if (sources.size() > 1)
+        for (std::size_t i = 0; i < sources.size(); ++i)
+            figure.panels[i].title = "(" + std::string(1, panel_letter(i)) + ") " + sources[i].title;
+    if (common.settings.caption == Switch::on) figure.caption = caption(sources);
     return figure;
-}
-
-template <int D>
-std::vector<Figure> film_of(std::span<const PanelSource<D>> frames) {
-    const Settings& settings = frames.front().session.settings();
-    std::vector<Figure::Panel> panels;
-    const Figure common = empty_figure(draw(frames, film_world(frames), panels), settings);
-    std::vector<Figure> film(frames.size(), common);
-    for (std::size_t i = 0; i < frames.size(); ++i) {
-        panels[i].title = frames[i].title;
-        film[i].panels.push_back(std::move(panels[i]));
-        if (settings.caption == Switch::on) film[i].caption = caption(frames.subspan(i, 1));
-    }
-    return film;
 }
 
 }  // namespace
 
 Figure make_figure(std::span<const PanelSource<2>> panels) { return figure_of(panels); }
 Figure make_figure(std::span<const PanelSource<3>> panels) { return figure_of(panels); }
-std::vector<Figure> make_film(std::span<const PanelSource<2>> frames) { return film_of(frames); }
-std::vector<Figure> make_film(std::span<const PanelSource<3>> frames) { return film_of(frames); }
+
+template <int D>
+std::vector<Figure> make_film(std::size_t frames, const std::function<const PanelSource<D>&(std::size_t)>& frame) {
+    Common<D> common{frame(0).session.settings(), {}, {}, {}, {}};
+    for (std::size_t i = 0; i < frames; ++i) {
+        const PanelSource<D>& source = frame(i);
+        meet(source, common);
+        widen_world(source, common);
+    }
+    std::vector<std::string> captions(frames);
+    for (std::size_t i = 0; i < frames; ++i) {
+        const PanelSource<D>& source = frame(i);
+        draw(source, common);
+        common.panels.back().title = source.title;
+        if (common.settings.caption == Switch::on) captions[i] = caption(std::span(&source, 1));
+    }
+    std::vector<Figure> film(frames, empty_figure(common));
+    for (std::size_t i = 0; i < frames; ++i) {
+        film[i].panels.push_back(std::move(common.panels[i]));
+        film[i].caption = std::move(captions[i]);
+    }
+    return film;
+}
+
+template std::vector<Figure> make_film<2>(std::size_t, const std::function<const PanelSource<2>&(std::size_t)>&);
+template std::vector<Figure> make_film<3>(std::size_t, const std::function<const PanelSource<3>&(std::size_t)>&);
 
 }  // namespace sightline

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -29,8 +30,10 @@ Figure make_figure(std::span<const PanelSource<2>> panels);
 Figure make_figure(std::span<const PanelSource<3>> panels);
 
 /// A film: a figure of one panel for each frame, all with the same legend, scale of the heat map and world, so that
-/// nothing jumps from one to the next (write_figure_pages). A frame's caption is about its own step.
-std::vector<Figure> make_film(std::span<const PanelSource<2>> frames);
-std::vector<Figure> make_film(std::span<const PanelSource<3>> frames);
+/// nothing jumps from one to the next (write_figure_pages). A frame's caption is about its own step. frame(i) is asked
+/// for in order, more than once, and read before it is asked for another: one session walks through a film. `frames` >
+/// 0.
+template <int D>
+std::vector<Figure> make_film(std::size_t frames, const std::function<const PanelSource<D>&(std::size_t)>& frame);
 
 }  // namespace sightline

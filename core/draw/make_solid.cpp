@@ -68,7 +68,7 @@ std::vector<CellPaint> paint_cells(const Session<3>& session, const PictureOptio
         glass = add_heat(set, translucent_alpha, list);
     }
     const auto [low, high] = options.heat_range.value_or(std::array<double, 2>{0, 0});
-    const std::vector<std::uint8_t> shown = shown_cells(session);
+    const std::vector<std::uint8_t> shown = shown_cells(session, list.slice);
     std::vector<CellPaint> paint(shown.size());
     for (std::uint32_t cell = 0; cell < paint.size(); ++cell) {
         if (!shown[cell]) continue;
@@ -84,7 +84,7 @@ std::vector<CellPaint> paint_cells(const Session<3>& session, const PictureOptio
         own.as = drawn_as(set, look);
         if (border) own.border = index(SolidLook::border);
         if (heat && !numbers[cell]) {
-            own.as = DrawnAs::off;
+            if (own.as != DrawnAs::wireframe) own.as = DrawnAs::off;
         } else if (heat) {
             const double share = high > low ? std::clamp((*numbers[cell] - low) / (high - low), 0.0, 1.0) : 0;
             own.style = static_cast<std::uint8_t>((own.as == DrawnAs::translucent ? glass : opaque) +

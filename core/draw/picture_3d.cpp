@@ -33,9 +33,9 @@ public:
           cells_(session.cells()),
           colours_(colours(set_.palette)),
           camera_(picture_camera(session, options.aspect)) {
-        list_.world = image_plane(camera_);
+        list_.world = picture_plane(camera_);
         list_.styles = colours_.looks;
-        if (set_.show_view == Switch::on && seen_from_outside(session)) view();
+        if (set_.show_view == Switch::on) seen_from_outside(session) ? view() : frame();
         if (set_.show_normals == Switch::on) normals();
         if (set_.show_penalties == Switch::on) penalties();
         highlights();
@@ -54,8 +54,11 @@ private:
         return at && list_.world.contains(*at) ? at : std::nullopt;
     }
 
+    /// Nothing for a line along which the eye looks: it is a point.
     void line(const Vec<3>& a, const Vec<3>& b, std::uint16_t style) {
-        if (const auto shown = project_line(camera_, a, b)) list_.add(ShapeKind::polyline, style, {shown->a, shown->b});
+        const auto shown = project_line(camera_, a, b);
+        if (shown && glm::length(shown->b - shown->a) > 1e-9)
+            list_.add(ShapeKind::polyline, style, {shown->a, shown->b});
     }
     void line(const Vec<3>& a, const Vec<3>& b, Look look) { line(a, b, index(look)); }
 
@@ -105,10 +108,16 @@ private:
             line(culling.eye, far[i], Look::view);
             line(far[i], far[(i + 1) % 4], Look::view);
         }
-        // Half as long as the pyramid is high there.
         const Vec<3> ahead = culling.look_at - culling.eye;
         arrow(culling.eye, culling.eye + ahead * (0.06 * reach), index(Look::eye));
         mark(ShapeKind::disc, culling.eye, index(Look::eye), 2.6);
+    }
+
+    /// From the culling eye itself: where its image ends in a picture of another shape.
+    void frame() {
+        const View<3>& culling = session_.frame().view;
+        if (std::abs(picture_plane(culling).max.x - list_.world.max.x) < 1e-9) return;
+        for (std::size_t i = 0; i < 4; ++i) line(culling.corners[i], culling.corners[(i + 1) % 4], Look::view);
     }
 
     void normals() {
@@ -204,7 +213,7 @@ private:
     void labels() {
         if (set_.label == CellNumber::none) return;
         const auto numbers = cell_numbers(session_, set_.label);
-        const std::vector<std::uint8_t> shown = shown_cells(session_);
+        const std::vector<std::uint8_t> shown = shown_cells(session_, slice_of(session_));
         const std::uint32_t last = last_cell(session_);
         struct Numbered {
             bool yields;

@@ -29,12 +29,14 @@ struct PictureOptions3 {
 View<3> picture_camera(const Session<3>& session, double aspect = 0);
 
 /// The triangles and the cells that the session's picture settings ask for. Cells are drawn while the picture is seen
-/// from outside (shown_cells.h). Asks for the reference where it tells visible from hidden triangles (show_visibility,
-/// from outside or with triangles = visible or all), and for what a heat map of share or zeta needs.
+/// from outside (shown_cells.h); in a heat map those without a number only where they are wire. Asks for the reference
+/// where it tells visible from hidden triangles (show_visibility, from outside or with triangles = visible or all), and
+/// for what a heat map of share or zeta needs.
 SolidList make_solid(const Session<3>& session, const PictureOptions3& options = {});
 
-/// What lies over them, in the plane of the picture (image_plane): frustum and eye of the culling view while seen from
-/// outside, the last and the selected cell, rays, the chain of updates, notes, numbers on cells.
+/// What lies over them, in the plane of the picture (picture_plane): frustum and eye of the culling view while seen
+/// from outside, else the border of its image where the picture has another shape; the last and the selected cell,
+/// rays, the chain of updates, notes, numbers on cells. Notes in the picture have the first labels, in their order.
 DrawList make_picture(const Session<3>& session, const PictureOptions3& options = {});
 
 }  // namespace sightline

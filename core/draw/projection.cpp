@@ -36,7 +36,7 @@ struct Axes {
 
 }  // namespace
 
-Box<2> image_plane(const View<3>& view) { return {{0, 0}, {Axes(view).aspect, 1}}; }
+Box<2> picture_plane(const View<3>& view) { return {{0, 0}, {Axes(view).aspect, 1}}; }
 
 double depth(const View<3>& view, const Vec<3>& p) {
     const Vec<3> forward = view.look_at - view.eye;

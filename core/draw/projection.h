@@ -10,7 +10,7 @@
 namespace sightline {
 
 /// The plane of a 3D picture: x right, y up, in heights of the picture; from (0, 0) to (width / height, 1).
-Box<2> image_plane(const View<3>& view);
+Box<2> picture_plane(const View<3>& view);
 
 /// Distance from the eye along the direction in which it looks, in distances to look_at; negative behind the eye.
 double depth(const View<3>& view, const Vec<3>& p);

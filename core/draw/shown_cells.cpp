@@ -30,8 +30,9 @@ std::vector<std::uint8_t> near(const CellComplex<3>& cells, std::uint32_t middle
 
 std::optional<Slice> slice_of(const Session<3>& session) {
     const Settings& set = session.settings();
+    if (set.slice == SliceAcross::off) return std::nullopt;
     const Box<3> box = bounds<3>(session.scene().primitives);
-    if (set.slice == SliceAcross::off || box.empty()) return std::nullopt;
+    if (box.empty()) return std::nullopt;
     Slice slice;
     if (set.slice != SliceAcross::view) {
         const int axis = static_cast<int>(set.slice) - static_cast<int>(SliceAcross::x);
@@ -55,7 +56,7 @@ std::optional<Slice> slice_of(const Session<3>& session) {
     return slice;
 }
 
-std::vector<std::uint8_t> shown_cells(const Session<3>& session) {
+std::vector<std::uint8_t> shown_cells(const Session<3>& session, const std::optional<Slice>& slice) {
     const Settings& set = session.settings();
     const CellComplex<3>& cells = session.cells();
     std::vector<std::uint8_t> shown;
@@ -66,7 +67,7 @@ std::vector<std::uint8_t> shown_cells(const Session<3>& session) {
     if (set.only == OnlyCells::front)
         for (std::uint32_t cell = 0; cell < shown.size(); ++cell)
             shown[cell] = session.state().mark(cell).state == CellState::enqueued;
-    if (const std::optional<Slice> slice = slice_of(session))
+    if (slice)
         for (std::uint32_t cell = 0; cell < shown.size(); ++cell)
             if (glm::dot(slice->normal, cells.centre(cell)) > slice->offset) shown[cell] = 0;
     return shown;

@@ -21,6 +21,12 @@ bool is_box(const CellComplex<3>& cells, std::uint32_t cell) { return cells.corn
 
 bool has_faces(const CellPaint& paint) { return paint.as == DrawnAs::solid || paint.as == DrawnAs::translucent; }
 
+/// Of a body of its own.
+std::uint8_t edge_style(const CellPaint& paint) {
+    if (paint.as == DrawnAs::off) return no_style;
+    return paint.as == DrawnAs::wireframe ? paint.style : paint.border;
+}
+
 /// Whether the cell of `own` draws the face between them; `other` is nullptr at the border of the tessellation.
 bool draws_face(const CellPaint& own, const CellPaint* other) {
     if (!other || !has_faces(*other)) return true;
@@ -71,6 +77,13 @@ public:
         : cells_(cells), paint_(paint), list_(list) {}
 
     void bodies(double shrink) {
+        std::size_t points = 0, edges = 0;
+        for (std::uint32_t cell = 0; cell < cells_.cell_count(); ++cell) {
+            if (has_faces(paint_[cell])) points += is_box(cells_, cell) ? 24u : 12u;
+            if (edge_style(paint_[cell]) != no_style) edges += edges_of(cells_, cell).size();
+        }
+        list_.points.reserve(list_.points.size() + points);
+        list_.edge_points.reserve(list_.edge_points.size() + 2 * edges);
         std::array<Vec<3>, 8> corners;
         for (std::uint32_t cell = 0; cell < cells_.cell_count(); ++cell) {
             const CellPaint& paint = paint_[cell];
@@ -85,8 +98,7 @@ public:
                 }
             };
             if (has_faces(paint)) is_box(cells_, cell) ? add_faces(box_faces) : add_faces(tetrahedron_faces);
-            const std::uint8_t style = paint.as == DrawnAs::wireframe ? paint.style : paint.border;
-            if (style != no_style)
+            if (const std::uint8_t style = edge_style(paint); style != no_style)
                 for (const Edge& edge : edges_of(cells_, cell)) add_edge(corners[edge[0]], corners[edge[1]], style);
         }
     }

@@ -55,11 +55,15 @@ struct SolidList {
     std::vector<Vec<3>> edge_points;
     std::vector<std::uint8_t> edge_style;
 
-    Colour background{255, 255, 255};
+    Colour background{255, 255, 255};  ///< opaque, whatever its a
 };
 
-/// Puts a list into pixels of this size; OpenGL does (shell/gl). Throws WorkError when it cannot.
-using DrawSolid = std::function<Pixels(const SolidList& list, int width, int height)>;
+/// The most pixels a side that a DrawSolid is asked for.
+inline constexpr int largest_solid_picture = 8192;
+
+/// Puts a list into this many opaque pixels, of which `px_per_pt` make a point of the edges' widths; OpenGL does
+/// (shell/gl). Throws WorkError when it cannot.
+using DrawSolid = std::function<Pixels(const SolidList& list, int width, int height, double px_per_pt)>;
 
 /// The list as text, a line per style, run of triangles, face and edge: for goldens.
 std::string to_text(const SolidList& list);

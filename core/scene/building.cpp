@@ -115,7 +115,8 @@ void house_rooms(Model& m, Random& random, const House& house) {
         const double spine = house.depth / 2 - thin / 2;
         // A wall from side to side, and one or two from it to the front and the back. None meets a window.
         {
-            const double at = random.uniform(1.2, 2.4) + (random.below(2) == 0 ? 0 : house.width / 2);
+            const bool right = random.below(2) == 1;
+            const double at = random.uniform(1.2, 2.4) + (right ? house.width / 2 : 0);
             const WallOpening door{at - 0.45, at + 0.45, floor, floor + 2};
             const Inside place(m, {0, spine, 0});
             wall_panel(m, {x0, x1, floor, ceiling, thin}, std::span(&door, 1));

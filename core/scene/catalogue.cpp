@@ -165,6 +165,7 @@ std::span<const CatalogueRow<2>> catalogue<2>() {
 
 template <int D>
 const CatalogueRow<D>* find_in_catalogue(std::string_view id) {
+    if (D == 3) id = id.substr(0, id.find(':'));  // "city:500k"
     for (const CatalogueRow<D>& row : catalogue<D>())
         if (id == row.id) return &row;
     return nullptr;

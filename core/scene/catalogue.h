@@ -65,7 +65,7 @@ std::span<const CatalogueRow<2>> catalogue<2>();
 template <>
 std::span<const CatalogueRow<3>> catalogue<3>();
 
-/// nullptr when no row has this id.
+/// nullptr when no row has this id; in 3D a size may follow it.
 template <int D = 2>
 const CatalogueRow<D>* find_in_catalogue(std::string_view id);
 

@@ -5,7 +5,6 @@
 #include <unordered_set>
 
 #include "core/error.h"
-#include "core/geometry/predicates.h"
 #include "core/number.h"
 #include "core/scene/text.h"
 
@@ -13,49 +12,26 @@ namespace sightline {
 
 namespace {
 
-bool is_degenerate(const Primitive<2>& p) { return p[0] == p[1]; }
+bool less(const Vec<2>& a, const Vec<2>& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
 
-/// Collinear in all three axis projections, which is exactly collinear (or worse).
-bool is_degenerate(const Primitive<3>& p) {
-    for (int i = 0; i < 3; ++i) {
-        const int j = (i + 1) % 3;
-        if (orient(Vec<2>(p[0][i], p[0][j]), Vec<2>(p[1][i], p[1][j]), Vec<2>(p[2][i], p[2][j])) != 0) return false;
-    }
-    return true;
-}
-
-template <int D>
-bool less(const Vec<D>& a, const Vec<D>& b) {
-    for (int i = 0; i < D; ++i)
-        if (a[i] != b[i]) return a[i] < b[i];
-    return false;
-}
-
-/// The same points in one order, with one zero: equal for primitives that cover the same set.
-template <int D>
-Primitive<D> unordered(Primitive<D> p) {
-    for (Vec<D>& v : p)
-        for (int i = 0; i < D; ++i) v[i] += 0.0;  // -0 becomes +0
-    std::sort(p.begin(), p.end(), less<D>);
+/// The same points in one order, with one zero: equal for segments that cover the same set.
+Primitive<2> unordered(Primitive<2> p) {
+    for (Vec<2>& v : p) v += 0.0;  // -0 becomes +0
+    std::sort(p.begin(), p.end(), less);
     return p;
 }
 
 struct HashPoints {
-    template <std::size_t N, typename V>
-    std::size_t operator()(const std::array<V, N>& p) const {
+    std::size_t operator()(const Primitive<2>& p) const {
         Hash hash;
-        for (const V& v : p)
-            for (int i = 0; i < V::length(); ++i) hash.add(v[i]);
+        for (const Vec<2>& v : p)
+            for (int i = 0; i < 2; ++i) hash.add(v[i]);
         return hash.value();
     }
 };
 
-template <int D>
-const char* noun() {
-    return D == 2 ? "segment " : "triangle ";
-}
+}  // namespace
 
-/// A number near `centre` with few bits, so that origins are short to print.
 double origin_for(double centre, double longest_side) {
     if (std::abs(centre) <= 4 * longest_side) return 0;
     int exponent = 0;
@@ -66,31 +42,26 @@ double origin_for(double centre, double longest_side) {
     return std::abs(steps) < 0x1p52 ? std::floor(steps + 0.5) * quantum : centre;
 }
 
-}  // namespace
-
-template <int D>
-void clean(Scene<D>& scene, Recentre recentre, const std::string& name) {
-    std::unordered_set<Primitive<D>, HashPoints> seen;
+void clean(Scene<2>& scene, Recentre recentre, const std::string& name) {
+    std::unordered_set<Primitive<2>, HashPoints> seen;
     seen.reserve(scene.primitives.size());
     std::size_t kept = 0;
     for (std::size_t k = 0; k < scene.primitives.size(); ++k) {
-        const Primitive<D> p = scene.primitives[k];
-        bool finite = true;
-        for (const Vec<D>& v : p) finite = finite && is_finite(v);
-        if (!finite) {
+        const Primitive<2> p = scene.primitives[k];
+        if (!is_finite(p[0]) || !is_finite(p[1])) {
             ++scene.dropped.not_finite;
             continue;
         }
-        for (const Vec<D>& v : p)
-            for (int i = 0; i < D; ++i)
+        for (const Vec<2>& v : p)
+            for (int i = 0; i < 2; ++i)
                 if (std::abs(v[i]) > largest_coordinate)
-                    throw input_error(name, noun<D>() + std::to_string(k),
+                    throw input_error(name, "segment " + std::to_string(k),
                                       "coordinate " + number_text(v[i]) + " is too large (limit 1e150)");
-        if (is_degenerate(p)) {
+        if (p[0] == p[1]) {
             ++scene.dropped.degenerate;
             continue;
         }
-        if (!seen.insert(unordered<D>(p)).second) {
+        if (!seen.insert(unordered(p)).second) {
             ++scene.dropped.duplicate;
             continue;
         }
@@ -102,24 +73,20 @@ void clean(Scene<D>& scene, Recentre recentre, const std::string& name) {
         return;
     }
 
-    const Box<D> box = bounds<D>(scene.primitives);
+    const Box<2> box = bounds<2>(scene.primitives);
     const double side = box.longest_side();
     if (side < 1 / largest_coordinate)
         throw input_error(name, "", "the scene is " + number_text(side) + " units wide, too small (limit 1e-150)");
     if (recentre == Recentre::no) return;
-    Vec<D> shift{};
-    for (int i = 0; i < D; ++i) shift[i] = origin_for(box.centre()[i], side);
-    for (Primitive<D>& p : scene.primitives)
-        for (Vec<D>& v : p) v -= shift;
+    const Vec<2> shift(origin_for(box.centre().x, side), origin_for(box.centre().y, side));
+    for (Primitive<2>& p : scene.primitives)
+        for (Vec<2>& v : p) v -= shift;
     scene.origin += shift;
     if (scene.start_view) {
         scene.start_view->eye -= shift;
         scene.start_view->look_at -= shift;
     }
 }
-
-template void clean<2>(Scene<2>&, Recentre, const std::string&);
-template void clean<3>(Scene<3>&, Recentre, const std::string&);
 
 template <int D>
 void check_view(const ViewSpec<D>& view, const std::string& name, const std::string& place) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/progress.h"
 #include "core/scene/scene.h"
 
 namespace sightline {
@@ -12,15 +13,27 @@ inline constexpr double largest_coordinate = 1e150;
 
 enum class Recentre { no, yes };
 
-/// Drops, in this order and in place, primitives that are not finite, degenerate (zero length, zero area) or repeat an
-/// earlier one in whatever direction, and adds to scene.dropped. The others keep their order.
-/// Recentre::yes then moves each axis along which the box is far from zero (its centre more than 4 longest sides away)
-/// by a multiple of the power of two just below the longest side, and adds that to scene.origin and subtracts it from
-/// the start view. By Sterbenz's lemma the subtraction is exact: origin + coordinate is the file's number, bit for bit.
+/// The shift of an axis: 0 while the centre is within 4 longest sides of zero, else a number near it with few bits (a
+/// multiple of the power of two just below the longest side), so that origins are short to print.
+double origin_for(double centre, double longest_side);
+
+/// Drops, in this order and in place, segments that are not finite, of zero length or repeat an earlier one in either
+/// direction, and adds to scene.dropped. The others keep their order.
+/// Recentre::yes then moves each axis by its origin_for() and adds that to scene.origin and subtracts it from the start
+/// view. By Sterbenz's lemma the subtraction is exact: origin + coordinate is the file's number, bit for bit.
 /// Warns when nothing is left. Throws InputError, which begins with `name`, when a coordinate is beyond
 /// largest_coordinate or the scene is too small.
-template <int D>
-void clean(Scene<D>& scene, Recentre recentre, const std::string& name);
+void clean(Scene<2>& scene, Recentre recentre, const std::string& name);
+
+/// As largest_coordinate, for triangles: graphics cards square floats.
+inline constexpr double largest_triangle_coordinate = 1e18;
+
+/// The same for triangles. Recentring comes first, over all that is finite, and then each coordinate is rounded to
+/// float (no -0), so what is tested is what is drawn and measured. Dropped are triangles that are not finite, have
+/// exactly no area or have the corners of an earlier one in the same cyclic order; one that turns the other way stays.
+/// scene.two_sided is kept in step (empty when none is); of two equal triangles the one that stays is two-sided when
+/// either is. Extra memory: at most 16 bytes a triangle. Limits as above, at largest_triangle_coordinate.
+void clean(Scene<3>& scene, Recentre recentre, const std::string& name, const Progress& progress = {});
 
 /// A view for scenes that come without one. The box, grown by one cell on every side, is cut into cells of 1/32 of its
 /// longest side; the eye stands in the centre of the cell that no segment crosses and that is farthest from crossed

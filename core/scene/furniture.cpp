@@ -121,8 +121,9 @@ void furnish_room(Model& m, Random& random, double width, double depth) {
     }
     // Something against the wall on the right, turned to look into the room.
     const Inside place(m, {width / 2 - 0.05, random.uniform(-0.2, 0.2) * depth, 0}, -90);
+    const double wide = random.uniform(0.8, 1.4), high = random.uniform(1.2, 2.1);
     if (random.below(2) == 0)
-        shelf(m, random, random.uniform(0.8, 1.4), random.uniform(1.2, 2.1));
+        shelf(m, random, wide, high);
     else
         m.box({-0.5, -0.45, 0}, {0.5, 0, 0.9}, all_sides & ~bottom_side);
 }

@@ -80,8 +80,8 @@ void add_lot(Model& m, std::uint64_t seed, const Lot& lot) {
     House house{};
     house.width = random.uniform(8, 10);
     house.depth = random.uniform(8, 9.5);
-    house.storeys = 2 + static_cast<int>(random.below(5)) / 2 % 2 + (random.below(8) == 0 ? 1 : 0);
-    house.flat_roof = random.below(4) == 0;
+    static constexpr int storeys[] = {2, 2, 2, 3, 3, 4};
+    house.storeys = storeys[random.below(6)];
     const double x = (lot_width - house.width) / 2 + random.uniform(-0.7, 0.7), y = random.uniform(1.5, 3);
     {
         const Inside place(m, {x, y, 0});
@@ -112,7 +112,7 @@ Generated city(std::uint64_t seed, std::size_t triangles) {
     model.triangles.reserve(triangles + 500);
     std::size_t lots = 0;
     double radius = 0;
-    for (const Lot& lot : lots_by_distance(triangles / 800 + 8)) {
+    for (const Lot& lot : lots_by_distance(triangles / 600 + 8)) {
         if (model.full()) break;
         add_lot(model, seed, lot);
         radius = std::sqrt(lot.distance());

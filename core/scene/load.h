@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/progress.h"
 #include "core/scene/scene.h"
 
 namespace sightline {
@@ -15,6 +16,7 @@ inline constexpr const char* freedoom_folder = "/usr/share/games/doom";
 struct LoadOptions {
     bool two_sided = false;  ///< WAD: also lines that can be seen through; 3D: all triangles are seen from both sides
     std::string games_folder = freedoom_folder;
+    Progress progress{};  ///< 3D
 };
 
 /// In 2D `name` is, tried in this order:
@@ -22,7 +24,8 @@ struct LoadOptions {
 ///  - a file: a Doom WAD, GeoJSON or the project's JSON, told apart by content; FILE.wad#MAP picks a map, FILE.wad
 ///    alone the file's first;
 ///  - freedoom1#E1M2, freedoom2#MAP01, freedoom1: a map of the installed package `freedoom`.
-/// In 3D: an id of the catalogue with or without a size ("city:500k"), or a file or a folder of meshes (read_mesh.h).
+/// In 3D: an id of the catalogue with or without a size ("city:500k"), a file or a folder of meshes, or several: "a.obj;b.obj"
+/// (read_mesh.h).
 /// Throws InputError "name: place: reason".
 template <int D = 2>
 Scene<D> load_scene(const std::string& name, const LoadOptions& options = {});

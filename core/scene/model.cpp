@@ -61,6 +61,29 @@ void Model::rod(const Vec<3>& a, const Vec<3>& b, double radius, int corners) {
     turned_solid(a, (b - a) / length, {{0, 0}, {radius, 0}, {radius, length}, {0, length}}, corners);
 }
 
+void Model::bent_rod(const Vec<3>& a, const Vec<3>& corner, const Vec<3>& c, double radius, int pieces, int corners) {
+    // One direction square to all of the curve, which lies in a plane.
+    Vec<3> across = glm::cross(corner - a, c - corner);
+    across /= std::sqrt(glm::dot(across, across));
+    std::vector<Vec<3>> before, ring(static_cast<std::size_t>(corners));
+    for (int piece = 0; piece <= pieces; ++piece) {
+        const double t = static_cast<double>(piece) / pieces;
+        Vec<3> along = (1 - t) * (corner - a) + t * (c - corner);
+        along /= std::sqrt(glm::dot(along, along));
+        const Vec<3> middle = (1 - t) * (1 - t) * a + 2 * t * (1 - t) * corner + t * t * c;
+        const Vec<3> up = glm::cross(along, across);
+        for (int i = 0; i < corners; ++i) {
+            const SinCos turn = sincos_degrees(360.0 * i / corners);
+            ring[static_cast<std::size_t>(i)] = middle + radius * (turn.cos * across + turn.sin * up);
+        }
+        for (std::size_t i = 0; i < before.size(); ++i) {
+            const std::size_t next = (i + 1) % before.size();
+            polygon({before[i], before[next], ring[next], ring[i]});
+        }
+        before = ring;
+    }
+}
+
 Inside::Inside(Model& model, const Vec<3>& origin, double degrees)
     : model_(model), outer_plan_(model.plan), outer_height_(model.height) {
     const Placement inner = turned({0, 0}, degrees);

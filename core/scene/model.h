@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "core/geometry/float_value.h"
 #include "core/scene/catalogue.h"
 #include "core/scene/sketch.h"
 
@@ -36,7 +37,7 @@ struct Model {
     bool full() const { return triangles.size() + 240 >= wanted; }
     Vec<3> at(const Vec<3>& p) const {
         const Vec<2> q = plan.at({p.x, p.y});
-        return {static_cast<float>(q.x), static_cast<float>(q.y), static_cast<float>(p.z + height)};
+        return {float_value(q.x), float_value(q.y), float_value(p.z + height)};
     }
     /// Corners counter-clockwise as seen from the front.
     void triangle(const Vec<3>& a, const Vec<3>& b, const Vec<3>& c) { triangles.push_back({at(a), at(b), at(c)}); }
@@ -54,6 +55,9 @@ struct Model {
     }
     /// A rod with closed ends between two points.
     void rod(const Vec<3>& a, const Vec<3>& b, double radius, int corners);
+    /// A rod with open ends that begins at a toward the corner and bends to c, as a quadratic Bezier curve. The three
+    /// points are not in line.
+    void bent_rod(const Vec<3>& a, const Vec<3>& corner, const Vec<3>& c, double radius, int pieces, int corners);
 };
 
 /// A frame inside the model's own until the end of the scope.

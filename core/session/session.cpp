@@ -202,6 +202,11 @@ void Session<D>::aim(const ViewSpec<D>& view) {
 }
 
 template <int D>
+void Session<D>::check(const ViewSpec<D>& view) const {
+    view_of(view, *scene_, settings_);
+}
+
+template <int D>
 void Session<D>::set_culling_view(const ViewSpec<D>& view) {
     land();
     const std::uint32_t step = state_.step;
@@ -213,7 +218,7 @@ void Session<D>::set_culling_view(const ViewSpec<D>& view) {
 template <int D>
 void Session<D>::set_view(const ViewSpec<D>& view) {
     if (!frozen()) return set_culling_view(view);
-    view_of(view, *scene_, settings_);  // throws where it cannot be
+    check(view);
     display_view_ = view;
     const Vec<D> direction = culling_view_.look_at - culling_view_.eye;
     if (frozen_ == Frozen::eye)

@@ -67,7 +67,7 @@ public:
     const Frame<D>& frame() const { return frame_; }
     const State<D>& state() const { return state_; }
     const Timeline& timeline() const { return timeline_; }
-    std::uint32_t position() const { return state_.step; }
+    std::uint32_t position() const { return flying_ ? 0 : state_.step; }
     std::uint32_t recorded() const { return static_cast<std::uint32_t>(timeline_.steps.size()); }
     /// Whether the run ends here: step() would say why.
     bool finished() const;
@@ -99,6 +99,8 @@ public:
     // Changing it. Each keeps the step as far as the new traversal has it, and the selection.
     /// What was made again.
     Invalidates change(const Settings& settings);
+    /// Throws InputError for a view that cannot be.
+    void check(const ViewSpec<D>& view) const;
     /// Moves the culling view; while frozen the display view, which takes along what of the culling view is not frozen.
     void set_view(const ViewSpec<D>& view);
     /// Moves the culling view, also while frozen.
@@ -112,7 +114,7 @@ public:
 
     // Flying: frames that follow each other and are not recorded.
     /// Moves the culling view and runs to the budget without a recording. Until land() there is nothing to step
-    /// through: recorded() is 0 and position() counts the steps of the frame.
+    /// through: recorded() and position() are 0, while state() has the whole frame.
     Stop fly(const ViewSpec<D>& view);
     bool flying() const { return flying_; }
     /// Runs the frame again with a recording: the same steps, the same hash. Does nothing when not flying. Everything
@@ -175,6 +177,17 @@ extern template class Session<3>;
 template <int D>
 std::uint32_t last_cell(const Session<D>& session) {
     return session.position() > 0 && !session.flying() ? session.timeline().steps[session.position() - 1].cell : none;
+}
+
+/// Both views and what of them is frozen, at once; the traversal is made again where the culling view is another one.
+template <int D>
+void set_views(Session<D>& session, const ViewSpec<D>& culling, const ViewSpec<D>& display, Frozen frozen) {
+    session.unfreeze();
+    if (session.culling_view() != culling) session.set_view(culling);
+    if (frozen == Frozen::nothing) return;
+    session.freeze();  // as a whole: the display view must not take the culling view along
+    session.set_view(display);
+    session.freeze(frozen);
 }
 
 /// A copy at a recorded step, or at the last one where there are fewer, wherever a budget in milliseconds ended the

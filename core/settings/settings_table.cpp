@@ -119,7 +119,8 @@ SettingRow whole(std::string_view name, Invalidates invalidates, std::string_vie
             }};
 }
 
-/// Widths to 2^24 alone, or both sides to 8192.
+constexpr const char* image_size_range = "auto, a width in [1, 16777216] or WxH in [1, 8192]";
+
 ImageSize parse_image_size(std::string_view text) {
     if (text == "auto") return {};
     const std::size_t x = text.find('x');
@@ -128,7 +129,7 @@ ImageSize parse_image_size(std::string_view text) {
     if (x != std::string_view::npos && width && *width >= 1 && *width <= 8192)
         if (const auto height = parse_whole(text.substr(x + 1)); height && *height >= 1 && *height <= 8192)
             return {static_cast<int>(*width), static_cast<int>(*height)};
-    throw InputError("'" + std::string(text) + "' is not auto, a width in [1, 16777216] or WxH in [1, 8192]");
+    throw InputError("'" + std::string(text) + "' is not " + image_size_range);
 }
 
 /// The row of a setting that one dimension has to itself.
@@ -188,7 +189,7 @@ const std::vector<SettingRow>& rows() {
             "reference_size",
             "pixels of the item buffer: a width in 2D (auto: 8192), width x height in 3D (auto: 1024x768), where "
             "it also gives the view its aspect",
-            "TVCG 4.4", Invalidates::reference, "auto | 8192 | 1024x768", Field<&S::reference_size>::get,
+            "TVCG 4.4", Invalidates::reference, image_size_range, Field<&S::reference_size>::get,
             [](Settings& s, std::string_view value) { s.reference_size = parse_image_size(value); }},
 
         choice<&S::palette>("palette", Invalidates::picture, "TR figs 1, 2, 4",
@@ -228,14 +229,16 @@ const std::vector<SettingRow>& rows() {
 
         only_in(3, choice<&S::clean_as>(
                        "clean_as", Invalidates::picture, "TVCG figs 1, 2",
-                       "how cells that no step has touched are drawn, when the eye of the picture is another")),
-        only_in(3, choice<&S::projected_as>("projected_as", Invalidates::picture, "TVCG fig. 1",
-                                            "how projected cells are drawn, when the eye of the picture is another")),
-        only_in(3, choice<&S::enqueued_as>("enqueued_as", Invalidates::picture, "TVCG fig. 1",
-                                           "how cells in the front are drawn, when the eye of the picture is another")),
-        only_in(3,
-                choice<&S::unseen_as>("unseen_as", Invalidates::picture, "gem, NS_UNSEEN",
-                                      "how cells outside the view are drawn, when the eye of the picture is another")),
+                       "how cells that no step has touched are drawn, seen from another eye than the culling view's")),
+        only_in(3, choice<&S::projected_as>(
+                       "projected_as", Invalidates::picture, "TVCG fig. 1",
+                       "how projected cells are drawn, seen from another eye than the culling view's")),
+        only_in(3, choice<&S::enqueued_as>(
+                       "enqueued_as", Invalidates::picture, "TVCG fig. 1",
+                       "how cells in the front are drawn, seen from another eye than the culling view's")),
+        only_in(3, choice<&S::unseen_as>(
+                       "unseen_as", Invalidates::picture, "gem, NS_UNSEEN",
+                       "how cells outside the view are drawn, seen from another eye than the culling view's")),
         only_in(3, real<&S::shrink>("shrink", {0.05, 1}, Invalidates::picture, "[0.05, 1]", "docs/figures.md",
                                     "cells drawn at this share of their size, each about its centre")),
         only_in(3, choice<&S::slice>("slice", Invalidates::picture, "docs/figures.md",

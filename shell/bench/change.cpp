@@ -58,7 +58,7 @@ void change_settings(Workbench<D>& bench, const Settings& settings, const std::s
     find_method<D>(bench.methods, settings.method);
     if (settings == bench.session.settings()) return;
     std::shared_ptr<const Scene<D>> scene = bench.session.shared_scene();
-    if (what == Invalidates::scene) scene = reread(scene, settings);
+    if (what == Invalidates::scene) scene = reread<D>(scene, settings);
     remember(bench, gesture);
     const std::vector<StepRecord> before = bench.session.timeline().steps;
     if (scene != bench.session.shared_scene()) bench.session.set_scene(scene);
@@ -70,22 +70,17 @@ void change_settings(Workbench<D>& bench, const Settings& settings, const std::s
 
 template <int D>
 void change_view(Workbench<D>& bench, const ViewSpec<D>& view, const std::string& gesture) {
-    make_view(view);  // throws before anything is remembered
+    bench.session.check(view);  // throws before anything is remembered
     remember(bench, gesture);
     bench.session.set_view(view);
-    bench.session.frozen() ? moved(bench) : traversal_changed(bench);
+    bench.session.frozen_part() == Frozen::all ? moved(bench) : traversal_changed(bench);
 }
 
 template <int D>
 void change_culling_view(Workbench<D>& bench, const ViewSpec<D>& view, const std::string& gesture) {
-    if (!bench.session.frozen()) return change_view(bench, view, gesture);
-    make_view(view);  // throws before anything is remembered
+    bench.session.check(view);  // throws before anything is remembered
     remember(bench, gesture);
-    const ViewSpec<D> display = bench.session.display_view();
-    bench.session.unfreeze();
-    bench.session.set_view(view);
-    bench.session.freeze();
-    bench.session.set_view(display);
+    bench.session.set_culling_view(view);
     traversal_changed(bench);
 }
 
@@ -111,11 +106,18 @@ void replace_session(Workbench<D>& bench, Session<D> session) {
 }
 
 template void traversal_changed<2>(Workbench<2>&);
+template void traversal_changed<3>(Workbench<3>&);
 template void change_settings<2>(Workbench<2>&, const Settings&, const std::string&);
+template void change_settings<3>(Workbench<3>&, const Settings&, const std::string&);
 template void change_view<2>(Workbench<2>&, const ViewSpec<2>&, const std::string&);
+template void change_view<3>(Workbench<3>&, const ViewSpec<3>&, const std::string&);
 template void change_culling_view<2>(Workbench<2>&, const ViewSpec<2>&, const std::string&);
+template void change_culling_view<3>(Workbench<3>&, const ViewSpec<3>&, const std::string&);
 template void change_scene<2>(Workbench<2>&, std::shared_ptr<const Scene<2>>, const std::string&,
                               std::span<const std::uint32_t>);
+template void change_scene<3>(Workbench<3>&, std::shared_ptr<const Scene<3>>, const std::string&,
+                              std::span<const std::uint32_t>);
 template void replace_session<2>(Workbench<2>&, Session<2>);
+template void replace_session<3>(Workbench<3>&, Session<3>);
 
 }  // namespace sightline

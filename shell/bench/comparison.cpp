@@ -28,12 +28,8 @@ bool take_over(const Session<D>& lead, Other<D>& other) {
     const bool new_scene = lead.shared_scene() != other.lead_scene;
     const bool new_view = lead.culling_view() != other.lead_view && lead.culling_view() != session.culling_view();
     if (new_scene) session.set_scene(lead.shared_scene());
-    session.unfreeze();
-    if (new_view) session.set_view(lead.culling_view());
-    if (lead.frozen()) {
-        session.freeze();
-        session.set_view(lead.display_view());
-    }
+    set_views(session, new_view ? lead.culling_view() : session.culling_view(), lead.display_view(),
+              lead.frozen_part());
     session.notes = lead.notes;
     session.selected_primitive = lead.selected_primitive;
     session.selected_cell = lead.selected_cell;
@@ -170,6 +166,7 @@ std::array<std::string, 2> side_titles(const Workbench<D>& bench) {
     template void swap_sides<D>(Workbench<D>&);                                            \
     template std::array<std::string, 2> side_titles<D>(const Workbench<D>&);
 SIGHTLINE_INSTANTIATE(2)
+SIGHTLINE_INSTANTIATE(3)
 #undef SIGHTLINE_INSTANTIATE
 
 }  // namespace sightline

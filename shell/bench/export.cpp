@@ -16,7 +16,8 @@ namespace sightline {
 namespace {
 
 /// A place in the timeline, as --panels takes it.
-void go_to_place(Session<2>& session, const std::string& place) {
+template <int D>
+void go_to_place(Session<D>& session, const std::string& place) {
     if (place == "start") {
         session.seek(0);
         return;
@@ -31,7 +32,7 @@ void go_to_place(Session<2>& session, const std::string& place) {
             return;
         }
     } else if (place.starts_with("until ")) {
-        const Condition<2> condition(place.substr(6));
+        const Condition<D> condition(place.substr(6));
         session.seek(0);
         if (run_until(session, condition) != Stop::breakpoint)
             throw InputError("panel '" + place + "': the condition never holds before the run ends");
@@ -41,13 +42,14 @@ void go_to_place(Session<2>& session, const std::string& place) {
 }
 
 /// One panel; two, left and right, where there is a second session.
-void add_panels(const Workbench<2>& bench, const Session<2>& session, const std::string& title,
-                std::vector<PanelSource<2>>& panels) {
+template <int D>
+void add_panels(const Workbench<D>& bench, const Session<D>& session, const std::string& title,
+                std::vector<PanelSource<D>>& panels) {
     if (!bench.other) {
         panels.push_back({session, title});
         return;
     }
-    Session<2> other = bench.other->session;
+    Session<D> other = bench.other->session;
     if (session.position() != bench.session.position()) follow(session, other, bench.other->align);
     const std::vector<Side> sides = projected_sides(session, other);
     const auto titles = side_titles(bench);
@@ -87,24 +89,27 @@ void set_figure_size(Workbench<D>& bench, const std::string& size) {
     bench.figure = std::move(spec);
 }
 
-void write_shot(Workbench<2>& bench, const std::string& file) {
+template <int D>
+void write_shot(Workbench<D>& bench, const std::string& file) {
     const Stopwatch drawing;
-    std::vector<PanelSource<2>> panels;
+    std::vector<PanelSource<D>> panels;
     if (bench.figure.panels.empty()) add_panels(bench, bench.session, "", panels);
     for (const std::string& place : bench.figure.panels) {
-        Session<2> session = bench.session;
+        Session<D> session = bench.session;
         go_to_place(session, place);
         add_panels(bench, session, "step " + std::to_string(session.position()), panels);
     }
-    write_figure(make_figure(panels), figure_size(bench.figure), file);
+    write_figure(make_figure(std::span<const PanelSource<D>>(panels)), figure_size(bench.figure), file,
+                 bench.graphics.draw_solid);
     write_file(file + ".json", bench_state(bench));
     bench.session.times().draw += drawing.milliseconds();
     bench.say("wrote " + file + " and " + file + ".json");
 }
 
-std::string bench_state(const Workbench<2>& bench) {
-    if (!bench.other) return state_json(bench.session, bench.figure);
-    return state_json(bench.session, bench.figure, &bench.other->session, bench.other->align);
+template <int D>
+std::string bench_state(const Workbench<D>& bench) {
+    if (!bench.other) return state_json<D>(bench.session, bench.figure);
+    return state_json<D>(bench.session, bench.figure, &bench.other->session, bench.other->align);
 }
 
 void write_text(const std::string& file, const std::string& text) {
@@ -115,6 +120,12 @@ void write_text(const std::string& file, const std::string& text) {
     }
 }
 
-template void set_figure_size<2>(Workbench<2>&, const std::string&);
+#define SIGHTLINE_INSTANTIATE(D)                                         \
+    template void set_figure_size<D>(Workbench<D>&, const std::string&); \
+    template void write_shot<D>(Workbench<D>&, const std::string&);      \
+    template std::string bench_state<D>(const Workbench<D>&);
+SIGHTLINE_INSTANTIATE(2)
+SIGHTLINE_INSTANTIATE(3)
+#undef SIGHTLINE_INSTANTIATE
 
 }  // namespace sightline

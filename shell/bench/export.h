@@ -15,10 +15,12 @@ template <int D>
 void set_figure_size(Workbench<D>& bench, const std::string& size);
 
 /// Writes the figure and beside it FILE.json, a state file that opens the same again.
-void write_shot(Workbench<2>& bench, const std::string& file);
+template <int D>
+void write_shot(Workbench<D>& bench, const std::string& file);
 
 /// The state file of all that is on the bench, with the second session.
-std::string bench_state(const Workbench<2>& bench);
+template <int D>
+std::string bench_state(const Workbench<D>& bench);
 
 /// Writes the text of stats, trace or state; the name "-" is standard output.
 void write_text(const std::string& file, const std::string& text);

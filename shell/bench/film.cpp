@@ -30,7 +30,8 @@ std::string ending_of(const std::string& file) {
     return ending;
 }
 
-void check(const Workbench<2>& bench, const FilmSpec& film) {
+template <int D>
+void check(const Workbench<D>& bench, const FilmSpec& film) {
     const std::uint32_t end = whole_run(bench);
     const std::string steps = std::to_string(film.first) + "-" + std::to_string(film.last);
     if (film.first > film.last) throw InputError("steps " + steps + ": the first comes after the last");
@@ -41,21 +42,23 @@ void check(const Workbench<2>& bench, const FilmSpec& film) {
         throw InputError("the speed of a film is from 0.1fps to 100fps");
 }
 
-std::vector<Figure> frames(const Session<2>& session, const FilmSpec& film) {
-    std::vector<PanelSource<2>> sources;
-    Session<2> walker = session;
-    for (std::uint32_t step = film.first; step <= film.last; ++step) {
-        walker.seek(step);
-        sources.push_back({walker, "step " + std::to_string(step)});
-    }
-    return make_film(sources);
+template <int D>
+std::vector<Figure> frames(const Session<D>& session, const FilmSpec& film) {
+    PanelSource<D> walker{session, ""};
+    return make_film<D>(film.last - film.first + 1, [&](std::size_t i) -> const PanelSource<D>& {
+        const std::uint32_t step = film.first + static_cast<std::uint32_t>(i);
+        walker.session.seek(step);
+        walker.title = "step " + std::to_string(step);
+        return walker;
+    });
 }
 
 /// The state of the first step, which any state file's reader opens, with what the film is.
-std::string sidecar(const Workbench<2>& bench, const FilmSpec& film) {
-    Session<2> first = bench.session;
+template <int D>
+std::string sidecar(const Workbench<D>& bench, const FilmSpec& film) {
+    Session<D> first = bench.session;
     first.seek(film.first);
-    auto json = nlohmann::ordered_json::parse(state_json(first, bench.figure));
+    auto json = nlohmann::ordered_json::parse(state_json<D>(first, bench.figure));
     json["film"] = {{"first", film.first}, {"last", film.last}, {"frames_per_second", film.frames_per_second}};
     return json.dump(1) + "\n";
 }
@@ -67,15 +70,17 @@ std::string numbered(const fs::path& file, std::size_t number) {
 }
 
 /// FILE-0001.png and so on; takes back those written when one fails.
-void write_pictures(Workbench<2>& bench, std::span<const Figure> figures, const fs::path& file) {
+template <int D>
+void write_pictures(Workbench<D>& bench, std::span<const Figure> figures, const fs::path& file) {
     std::vector<fs::path> written;
+    const auto name = [&](std::size_t i) {
+        if (i > 0 && i % frames_per_word == 0)
+            bench.say(std::to_string(i) + " of " + std::to_string(figures.size()) + " pictures are drawn");
+        written.emplace_back(numbered(file, i + 1));
+        return written.back();
+    };
     try {
-        write_figure_frames(figures, figure_size(bench.figure), [&](std::size_t i) {
-            if (i > 0 && i % frames_per_word == 0)
-                bench.say(std::to_string(i) + " of " + std::to_string(figures.size()) + " pictures are drawn");
-            written.emplace_back(numbered(file, i + 1));
-            return written.back();
-        });
+        write_figure_frames(figures, figure_size(bench.figure), name, bench.graphics.draw_solid);
     } catch (...) {
         std::error_code error;
         for (const fs::path& path : written) fs::remove(path, error);
@@ -85,12 +90,13 @@ void write_pictures(Workbench<2>& bench, std::span<const Figure> figures, const 
 
 }  // namespace
 
-void write_film(Workbench<2>& bench, const FilmSpec& film) {
+template <int D>
+void write_film(Workbench<D>& bench, const FilmSpec& film) {
     const std::string ending = ending_of(film.file);
     check(bench, film);
     const std::vector<Figure> figures = frames(bench.session, film);
     if (ending == ".pdf") {
-        write_figure_pages(figures, figure_size(bench.figure), film.file);
+        write_figure_pages(figures, figure_size(bench.figure), film.file, bench.graphics.draw_solid);
     } else if (ending == ".png") {
         write_pictures(bench, figures, film.file);
     } else {
@@ -103,5 +109,8 @@ void write_film(Workbench<2>& bench, const FilmSpec& film) {
     write_file(film.file + ".json", sidecar(bench, film));
     bench.say("wrote " + film.file + ", " + std::to_string(figures.size()) + " steps, and " + film.file + ".json");
 }
+
+template void write_film<2>(Workbench<2>&, const FilmSpec&);
+template void write_film<3>(Workbench<3>&, const FilmSpec&);
 
 }  // namespace sightline

@@ -21,6 +21,7 @@ inline constexpr std::uint32_t most_frames = 1000;
 /// first one. The session on the bench stays where it is. GIF and video need the program ffmpeg. Throws InputError for
 /// steps that the run does not have, an unknown ending or an impossible speed, WorkError when writing fails; then no
 /// part of it is left.
-void write_film(Workbench<2>& bench, const FilmSpec& film);
+template <int D>
+void write_film(Workbench<D>& bench, const FilmSpec& film);
 
 }  // namespace sightline

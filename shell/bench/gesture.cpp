@@ -21,6 +21,8 @@ void cancel_gesture(Workbench<D>& bench, Gesture<D> gesture) {
 }
 
 template Gesture<2> begin_gesture<2>(Workbench<2>&);
+template Gesture<3> begin_gesture<3>(Workbench<3>&);
 template void cancel_gesture<2>(Workbench<2>&, Gesture<2>);
+template void cancel_gesture<3>(Workbench<3>&, Gesture<3>);
 
 }  // namespace sightline

@@ -10,7 +10,7 @@ namespace {
 template <int D>
 Snapshot<D> snapshot(const Session<D>& session) {
     return {session.shared_scene(), session.settings(), session.culling_view(), session.display_view(),
-            session.frozen(),       session.notes,      session.bookmarks,      session.selected_primitive};
+            session.frozen_part(),  session.notes,      session.bookmarks,      session.selected_primitive};
 }
 
 template <int D>
@@ -21,12 +21,7 @@ void bring_back(Workbench<D>& bench, const Snapshot<D>& to) {
         session.selected_primitive = to.selected_primitive;
     }
     session.change(to.settings);
-    session.unfreeze();
-    if (session.culling_view() != to.culling_view) session.set_view(to.culling_view);
-    if (to.frozen) {
-        session.freeze();
-        session.set_view(to.display_view);
-    }
+    set_views(session, to.culling_view, to.display_view, to.frozen);
     session.notes = to.notes;
     session.bookmarks = to.bookmarks;
     bench.selected_note = none;
@@ -67,7 +62,10 @@ bool redo(Workbench<D>& bench) {
 }
 
 template void remember<2>(Workbench<2>&, const std::string&);
+template void remember<3>(Workbench<3>&, const std::string&);
 template bool undo<2>(Workbench<2>&);
+template bool undo<3>(Workbench<3>&);
 template bool redo<2>(Workbench<2>&);
+template bool redo<3>(Workbench<3>&);
 
 }  // namespace sightline

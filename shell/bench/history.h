@@ -19,7 +19,7 @@ struct Snapshot {
     std::shared_ptr<const Scene<D>> scene;
     Settings settings;
     ViewSpec<D> culling_view, display_view;
-    bool frozen = false;
+    Frozen frozen = Frozen::nothing;
     std::vector<Note<D>> notes;
     std::vector<Bookmark> bookmarks;
     std::uint32_t selected_primitive = none;  ///< brought back with another scene only, whose numbers it means

@@ -36,6 +36,8 @@ void step_out(Workbench<D>& bench) {
 }
 
 template void step_into<2>(Workbench<2>&);
+template void step_into<3>(Workbench<3>&);
 template void step_out<2>(Workbench<2>&);
+template void step_out<3>(Workbench<3>&);
 
 }  // namespace sightline

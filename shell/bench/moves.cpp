@@ -76,13 +76,22 @@ std::uint32_t whole_run(const Workbench<D>& bench) {
 }
 
 template void moved<2>(Workbench<2>&);
+template void moved<3>(Workbench<3>&);
 template void step_forward<2>(Workbench<2>&, std::uint32_t);
+template void step_forward<3>(Workbench<3>&, std::uint32_t);
 template void step_back<2>(Workbench<2>&, std::uint32_t);
+template void step_back<3>(Workbench<3>&, std::uint32_t);
 template void go_to_step<2>(Workbench<2>&, std::uint32_t);
+template void go_to_step<3>(Workbench<3>&, std::uint32_t);
 template void run_to_end<2>(Workbench<2>&);
+template void run_to_end<3>(Workbench<3>&);
 template void run_until<2>(Workbench<2>&, const Condition<2>&);
+template void run_until<3>(Workbench<3>&, const Condition<3>&);
 template void run_to_breakpoint<2>(Workbench<2>&, std::uint32_t);
+template void run_to_breakpoint<3>(Workbench<3>&, std::uint32_t);
 template std::uint32_t step_of_cell<2>(const Workbench<2>&, std::uint32_t);
+template std::uint32_t step_of_cell<3>(const Workbench<3>&, std::uint32_t);
 template std::uint32_t whole_run<2>(const Workbench<2>&);
+template std::uint32_t whole_run<3>(const Workbench<3>&);
 
 }  // namespace sightline

@@ -14,30 +14,38 @@ namespace sightline {
 inline constexpr const char* first_scene = "bottleneck";
 
 /// The text of a state file; nothing when the name is that of a scene.
+template <int D>
 std::optional<std::string> state_text(const std::string& name);
 
 /// What a scene starts with: the catalogue's settings, or the defaults for a file.
 /// In a window the front is numbered, so that a step can be followed.
+template <int D>
 Settings start_settings(const std::string& name, bool in_window = false);
 
 /// Loads a scene by any name that load_scene takes and stays at step 0 of its start view. `warn` gets a line for each
 /// thing that was left out or looks odd. Throws InputError.
-Session<2> open_scene(const std::string& name, const Settings& settings, std::span<const Method<2>> methods,
-                      const std::function<void(const std::string&)>& warn);
+template <int D>
+Session<D> open_scene(const std::string& name, const Settings& settings, std::span<const Method<D>> methods,
+                      const Graphics& graphics, const std::function<void(const std::string&)>& warn);
 
 /// The bookmarks of the session's catalogue row: conditions there, steps here.
-void add_bookmarks(Session<2>& session);
+template <int D>
+void add_bookmarks(Session<D>& session);
 
 /// Puts a scene (by any name) or a state file (by its name) on the bench. Throws InputError; then nothing has changed.
-void open(Workbench<2>& bench, const std::string& name);
+template <int D>
+void open(Workbench<D>& bench, const std::string& name);
 
 /// The same for the text of a state file; `name` begins error lines.
-void open_state_text(Workbench<2>& bench, const std::string& text, const std::string& name);
+template <int D>
+void open_state_text(Workbench<D>& bench, const std::string& text, const std::string& name);
 
 /// Compares with what a scene or a state file holds. Throws InputError; then nothing has changed.
-void compare_file(Workbench<2>& bench, const std::string& name);
+template <int D>
+void compare_file(Workbench<D>& bench, const std::string& name);
 
 /// The scene read again as these settings ask; the same one where they do not matter to it.
-std::shared_ptr<const Scene<2>> reread(const std::shared_ptr<const Scene<2>>& scene, const Settings& settings);
+template <int D>
+std::shared_ptr<const Scene<D>> reread(const std::shared_ptr<const Scene<D>>& scene, const Settings& settings);
 
 }  // namespace sightline

@@ -53,9 +53,14 @@ void advance_clock(Workbench<D>& bench, double seconds) {
 }
 
 template TransportState transport_state<2>(const Workbench<2>&);
+template TransportState transport_state<3>(const Workbench<3>&);
 template void play<2>(Workbench<2>&);
+template void play<3>(Workbench<3>&);
 template void pause<2>(Workbench<2>&);
+template void pause<3>(Workbench<3>&);
 template void play_whole_run_in<2>(Workbench<2>&, double);
+template void play_whole_run_in<3>(Workbench<3>&, double);
 template void advance_clock<2>(Workbench<2>&, double);
+template void advance_clock<3>(Workbench<3>&, double);
 
 }  // namespace sightline

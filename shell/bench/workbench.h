@@ -14,6 +14,8 @@
 #include "core/session/session.h"
 #include "shell/bench/comparison.h"
 #include "shell/bench/desk.h"
+#include "shell/bench/flight.h"
+#include "shell/bench/graphics.h"
 #include "shell/bench/history.h"
 #include "shell/bench/transport.h"
 
@@ -49,10 +51,12 @@ struct Workbench {
     std::string marked_by{};              ///< its condition
     std::uint32_t hovered_cell = none;    ///< under the mouse, in whatever part of the window
     std::uint32_t selected_note = none;   ///< index; being moved or edited
+    Flight<D> flight{};
     Desk desk{};
     Clipboard clipboard{};
     std::vector<std::string> recent{};  ///< what `open` took, newest first
     std::vector<Place> places{};        ///< written anew by each frame of the window
+    Graphics graphics{};                ///< 3D
 
     /// Counts the traversals: what was derived from the recording is made again when this has changed.
     std::uint64_t run = 0;

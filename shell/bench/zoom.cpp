@@ -7,6 +7,8 @@
 
 #include "core/draw/shown_world.h"
 #include "core/error.h"
+#include "core/geometry/trig.h"
+#include "shell/bench/camera.h"
 #include "shell/bench/change.h"
 
 namespace sightline {
@@ -31,7 +33,30 @@ void zoom_about(Workbench<2>& bench, const Vec<2>& fixed, double factor, const s
     change_settings(bench, settings, gesture);
 }
 
-void zoom(Workbench<2>& bench, double factor) { zoom_about(bench, shown_world(bench.session).centre(), factor); }
+template <>
+void zoom<2>(Workbench<2>& bench, double factor) {
+    zoom_about(bench, shown_world(bench.session).centre(), factor);
+}
+
+template <>
+void zoom<3>(Workbench<3>& bench, double factor) {
+    if (!(factor > 0)) throw InputError("the factor must be above 0");
+    change_view(bench, approached(bench.session.display_view(), factor));
+}
+
+template <>
+void pan<2>(Workbench<2>& bench, const Vec<2>& shares) {
+    const Box<2> world = shown_world(bench.session);
+    centre_on(bench, world.centre() + shares * world.extent());
+}
+
+template <>
+void pan<3>(Workbench<3>& bench, const Vec<2>& shares) {
+    const ViewSpec<3>& view = bench.session.display_view();
+    const SinCos half = sincos_degrees(view.fov / 2);
+    const double tall = 2 * glm::length(view.look_at - view.eye) * half.sin / half.cos;
+    change_view(bench, walked(view, bench.session.scene().up_axis, Vec<3>(shares * tall, 0)));
+}
 
 void centre_on(Workbench<2>& bench, const Vec<2>& middle, const std::string& gesture) {
     Settings settings = bench.session.settings();
@@ -51,11 +76,21 @@ void hold(Workbench<2>& bench, const Box<2>& world, const std::string& gesture) 
     centre_on(bench, world.centre(), gesture);
 }
 
-void fit(Workbench<2>& bench) {
+template <>
+void fit<2>(Workbench<2>& bench) {
     Settings settings = bench.session.settings();
     settings.zoom = 1;
     settings.zoom_at = ZoomAt::view;
     change_settings(bench, settings);
+}
+
+template <>
+void fit<3>(Workbench<3>& bench) {
+    const Session<3>& session = bench.session;
+    if (session.scene().primitives.empty()) return;
+    const ImageSize size = image_size<3>(session.settings().reference_size);
+    change_view(bench, outside(session.display_view(), bounds<3>(session.scene().primitives), session.scene().up_axis,
+                               static_cast<double>(size.width) / size.height));
 }
 
 }  // namespace sightline

@@ -121,9 +121,14 @@ std::string point_text(const Vec<D>& point, const Scene<D>& scene) {
 }
 
 template std::uint32_t cell_argument<2>(const Workbench<2>&, Text);
+template std::uint32_t cell_argument<3>(const Workbench<3>&, Text);
 template std::uint32_t primitive_argument<2>(const Workbench<2>&, Text);
+template std::uint32_t primitive_argument<3>(const Workbench<3>&, Text);
 template std::uint32_t note_argument<2>(const Workbench<2>&, Text);
+template std::uint32_t note_argument<3>(const Workbench<3>&, Text);
 template Vec<2> parse_point<2>(Text, const Scene<2>&);
+template Vec<3> parse_point<3>(Text, const Scene<3>&);
 template std::string point_text<2>(const Vec<2>&, const Scene<2>&);
+template std::string point_text<3>(const Vec<3>&, const Scene<3>&);
 
 }  // namespace sightline

@@ -57,5 +57,6 @@ std::span<const Command<D>> change_commands() {
 }
 
 template std::span<const Command<2>> change_commands<2>();
+template std::span<const Command<3>> change_commands<3>();
 
 }  // namespace sightline

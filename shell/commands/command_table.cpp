@@ -47,13 +47,20 @@ std::string quote_command(std::string_view command) {
 
 template <int D>
 std::span<const CommandGroup<D>> command_groups() {
-    static const std::array groups{
-        CommandGroup<D>{"Move", move_commands<D>()},     CommandGroup<D>{"View", view_commands<D>()},
-        CommandGroup<D>{"Change", change_commands<D>()}, CommandGroup<D>{"Compare", compare_commands<D>()},
-        CommandGroup<D>{"Edit", edit_commands<D>()},     CommandGroup<D>{"Mark", mark_commands<D>()},
-        CommandGroup<D>{"Note", note_commands<D>()},     CommandGroup<D>{"Say", say_commands<D>()},
-        CommandGroup<D>{"File", file_commands<D>()},     CommandGroup<D>{"Window", desk_commands<D>()},
+    static const std::vector<CommandGroup<D>> all{
+        CommandGroup<D>{"Move", move_commands<D>()},       CommandGroup<D>{"View", view_commands<D>()},
+        CommandGroup<D>{"Fly", flight_commands<D>()},      CommandGroup<D>{"Change", change_commands<D>()},
+        CommandGroup<D>{"Compare", compare_commands<D>()}, CommandGroup<D>{"Edit", edit_commands<D>()},
+        CommandGroup<D>{"Mark", mark_commands<D>()},       CommandGroup<D>{"Note", note_commands<D>()},
+        CommandGroup<D>{"Say", say_commands<D>()},         CommandGroup<D>{"File", file_commands<D>()},
+        CommandGroup<D>{"Window", desk_commands<D>()},
     };
+    // 2D has nothing to fly with.
+    static const std::vector<CommandGroup<D>> groups = [] {
+        std::vector<CommandGroup<D>> some = all;
+        std::erase_if(some, [](const CommandGroup<D>& group) { return group.commands.empty(); });
+        return some;
+    }();
     return groups;
 }
 
@@ -90,7 +97,10 @@ void run_commands(Workbench<D>& bench, std::string_view text) {
 }
 
 template std::span<const CommandGroup<2>> command_groups<2>();
+template std::span<const CommandGroup<3>> command_groups<3>();
 template std::span<const Command<2>> command_table<2>();
+template std::span<const Command<3>> command_table<3>();
 template void run_commands<2>(Workbench<2>&, std::string_view);
+template void run_commands<3>(Workbench<3>&, std::string_view);
 
 }  // namespace sightline

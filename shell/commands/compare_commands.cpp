@@ -61,5 +61,6 @@ std::span<const Command<D>> compare_commands() {
 }
 
 template std::span<const Command<2>> compare_commands<2>();
+template std::span<const Command<3>> compare_commands<3>();
 
 }  // namespace sightline

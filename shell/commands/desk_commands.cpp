@@ -98,5 +98,6 @@ std::span<const Command<D>> desk_commands() {
 }
 
 template std::span<const Command<2>> desk_commands<2>();
+template std::span<const Command<3>> desk_commands<3>();
 
 }  // namespace sightline

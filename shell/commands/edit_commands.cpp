@@ -56,4 +56,14 @@ std::span<const Command<2>> edit_commands<2>() {
     return table;
 }
 
+/// Scenes in 3D are not edited; notes are.
+template <>
+std::span<const Command<3>> edit_commands<3>() {
+    static constexpr std::array table{
+        Command<3>{"delete", "", "delete the selected note", "Delete",
+                   [](Workbench<3>& bench, Text) { run_commands(bench, "note-edit selected delete"); }},
+    };
+    return table;
+}
+
 }  // namespace sightline

@@ -76,5 +76,6 @@ std::span<const Command<D>> file_commands() {
 }
 
 template std::span<const Command<2>> file_commands<2>();
+template std::span<const Command<3>> file_commands<3>();
 
 }  // namespace sightline

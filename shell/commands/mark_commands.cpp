@@ -101,5 +101,6 @@ std::span<const Command<D>> mark_commands() {
 }
 
 template std::span<const Command<2>> mark_commands<2>();
+template std::span<const Command<3>> mark_commands<3>();
 
 }  // namespace sightline

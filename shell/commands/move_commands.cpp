@@ -109,5 +109,6 @@ std::span<const Command<D>> move_commands() {
 }
 
 template std::span<const Command<2>> move_commands<2>();
+template std::span<const Command<3>> move_commands<3>();
 
 }  // namespace sightline

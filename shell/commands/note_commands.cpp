@@ -124,5 +124,6 @@ std::span<const Command<D>> note_commands() {
 }
 
 template std::span<const Command<2>> note_commands<2>();
+template std::span<const Command<3>> note_commands<3>();
 
 }  // namespace sightline

@@ -83,5 +83,6 @@ std::span<const Command<D>> say_commands() {
 }
 
 template std::span<const Command<2>> say_commands<2>();
+template std::span<const Command<3>> say_commands<3>();
 
 }  // namespace sightline

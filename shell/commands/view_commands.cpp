@@ -1,6 +1,5 @@
 // Commands that change where the traversal looks from, and how much of it the picture shows.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/draw/shown_world.h"
 #include "core/error.h"
 #include "shell/bench/change.h"
 #include "shell/bench/moves.h"
@@ -34,9 +33,12 @@ void fov(Workbench<D>& bench, Text text) {
 }
 
 template <int D>
-void freeze(Workbench<D>& bench, Text) {
+void freeze(Workbench<D>& bench, Text text) {
+    constexpr auto words = std::to_array<std::string_view>({"all", "eye", "direction"});
+    constexpr std::array parts{Frozen::all, Frozen::eye, Frozen::direction};
+    const Frozen part = parts[text.empty() ? 0 : word_argument(text, words)];
     remember(bench);
-    bench.session.freeze();
+    bench.session.freeze(part);
     moved(bench);
 }
 
@@ -47,13 +49,11 @@ void unfreeze(Workbench<D>& bench, Text) {
     moved(bench);
 }
 
-/// By shares of what the picture shows.
 template <int D>
-void pan(Workbench<D>& bench, Text text) {
+void pan_by(Workbench<D>& bench, Text text) {
     const auto shares = parse_pair(text);
     if (!shares) throw InputError("write the shares of the picture to move by as DX,DY");
-    const Box<2> world = shown_world(bench.session);
-    centre_on(bench, world.centre() + *shares * world.extent());
+    pan(bench, *shares);
 }
 
 }  // namespace
@@ -68,13 +68,16 @@ std::span<const Command<D>> view_commands() {
         Command<D>{"zoom", "FACTOR", "magnify the picture about its middle", "+=1.25 -=0.8",
                    [](Workbench<D>& bench, Text text) { zoom(bench, number_argument(text, "a factor")); }},
         Command<D>{"pan", "DX,DY", "move over the scene, by shares of what is shown: 0.1,0 to the right",
-                   "Alt+Right=0.1,0 Alt+Left=-0.1,0 Alt+Up=0,0.1 Alt+Down=0,-0.1", pan<D>},
-        Command<D>{"freeze", "", "keep the culling view; eye, look and fov move the display view", "F", freeze<D>},
+                   "Alt+Right=0.1,0 Alt+Left=-0.1,0 Alt+Up=0,0.1 Alt+Down=0,-0.1", pan_by<D>},
+        Command<D>{"freeze", "[all | eye | direction]",
+                   "keep the culling view, or its eye or its direction alone; eye, look and fov move the display view",
+                   "F", freeze<D>},
         Command<D>{"unfreeze", "", "the display view is the culling view again", "Shift+F", unfreeze<D>},
     };
     return table;
 }
 
 template std::span<const Command<2>> view_commands<2>();
+template std::span<const Command<3>> view_commands<3>();
 
 }  // namespace sightline

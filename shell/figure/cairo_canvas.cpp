@@ -36,11 +36,8 @@ void set_font(cairo_t* cairo, const Font& font) {
 
 }  // namespace
 
-void CairoDestroy::operator()(cairo_t* cairo) const { cairo_destroy(cairo); }
-void CairoDestroy::operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
-
-CairoCanvas::CairoCanvas(cairo_surface_t* surface, double scale, const Font& font)
-    : font_(font), cairo_(cairo_create(surface)) {
+CairoCanvas::CairoCanvas(cairo_surface_t* surface, double scale, double px_per_pt, const Font& font)
+    : font_(font), px_per_pt_(px_per_pt), cairo_(cairo_create(surface)) {
     cairo_scale(cairo_.get(), scale, scale);
     set_font(cairo_.get(), font);
     cairo_set_line_join(cairo_.get(), CAIRO_LINE_JOIN_ROUND);
@@ -100,6 +97,18 @@ void CairoCanvas::gradient(const Rect& rect, std::span<const Colour> stops) {
     cairo_set_source(cairo_.get(), pattern.get());
     cairo_rectangle(cairo_.get(), rect.x, rect.y, rect.w, rect.h);
     cairo_fill(cairo_.get());
+}
+
+void CairoCanvas::image(const Rect& rect, const DrawImage& draw) {
+    cairo_t* c = cairo_.get();
+    const PixelRect place = pixel_rect(rect, px_per_pt_);
+    const CairoSurface surface = image_of(draw(place.w, place.h, place.px_per_pt));
+    cairo_save(c);
+    cairo_translate(c, place.rect.x, place.rect.y);
+    cairo_scale(c, place.rect.w / place.w, place.rect.h / place.h);
+    cairo_set_source_surface(c, surface.get(), 0, 0);
+    cairo_paint(c);
+    cairo_restore(c);
 }
 
 void CairoCanvas::text(const TextRun& run, const Colour& colour, const Colour& halo) {

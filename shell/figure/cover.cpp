@@ -1,15 +1,60 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shell/figure/cover.h"
 
+#include "core/draw/solid_list.h"
+#include "core/measure/image_plane.h"
 #include "shell/figure/label.h"
 #include "shell/figure/outline.h"
 
 namespace sightline {
 
-double covered(const DrawList& list, const Layout::Panel& panel, const Layout& layout, const Font& font,
+namespace {
+
+/// Enough of a solid to tell where it is.
+constexpr std::size_t enough = 20000;
+
+double covered(const SolidList& solid, const Rect& place, const Rect& box) {
+    const ImagePlane plane = image_plane(solid.camera);
+    const auto length = [&](const Vec<3>& a, const Vec<3>& b) {
+        Vec<3> p = plane.project(a), q = plane.project(b);
+        if (p.z > q.z) std::swap(p, q);
+        const double near = 1e-4 * q.z;
+        if (!(q.z > 0)) return 0.0;
+        if (p.z < near) p = q + (p - q) * ((q.z - near) / (q.z - p.z));  // what lies behind the eye is not seen
+        const auto on_page = [&](const Vec<3>& v) {
+            return Vec<2>(place.x + (v.x / v.z + 1) / 2 * place.w, place.bottom() - (v.y / v.z + 1) / 2 * place.h);
+        };
+        const Vec<2> from = on_page(p), to = on_page(q);
+        return is_finite<2>(from) && is_finite<2>(to) ? clipped_length(from, to, box) : 0.0;
+    };
+    const auto outline = [&](std::span<const Vec<3>> points) {
+        double sum = 0;
+        for (std::size_t i = 0; i < points.size(); ++i) sum += length(points[i], points[(i + 1) % points.size()]);
+        return sum;
+    };
+    const auto step = [](std::size_t count) { return count / enough + 1; };
+    // What names points or triangles that there are not is not drawn either.
+    double faces = 0, triangles = 0;
+    const std::size_t face_step = step(solid.face_begin.size()), triangle_step = step(solid.triangles.size());
+    for (std::size_t i = 0; i + 1 < solid.face_begin.size(); i += face_step) {
+        const std::size_t begin = solid.face_begin[i], end = solid.face_begin[i + 1];
+        if (begin < end && end <= solid.points.size()) faces += outline({solid.points.data() + begin, end - begin});
+    }
+    for (const SolidList::Run& run : solid.runs)
+        for (std::size_t i = run.first; i < std::min(std::size_t{run.first} + run.count, solid.triangles.size());
+             i += triangle_step)
+            if (solid.scene && solid.triangles[i] < solid.scene->primitives.size())
+                triangles += outline(solid.scene->primitives[solid.triangles[i]]);
+    return faces * static_cast<double>(face_step) + triangles * static_cast<double>(triangle_step);
+}
+
+}  // namespace
+
+double covered(const Figure::Panel& content, const Layout::Panel& panel, const Layout& layout, const Font& font,
                const Rect& box) {
     const double line_weight = 3, mark_weight = 10, label_weight = 150;
-    double sum = 0;
+    const DrawList& list = content.list;
+    double sum = content.solid ? covered(*content.solid, world_on_page(list, panel, layout.scale), box) : 0;
     std::vector<Vec<2>> points;
     for (const Shape& s : list.shapes) {
         if (std::size_t{s.first_point} + s.point_count > list.points.size() || s.point_count == 0) continue;
@@ -52,7 +97,7 @@ Rect emptiest_corner(std::span<const Figure> pages, std::span<const Layout> layo
             double sum = 0;
             for (std::size_t p = 0; p < pages.size(); ++p)
                 if (has(layouts[p]))
-                    sum += covered(pages[p].panels[i].list, layouts[p].panels[i], layouts[p], font, box.grown(2));
+                    sum += covered(pages[p].panels[i], layouts[p].panels[i], layouts[p], font, box.grown(2));
             if (least < 0 || sum < least) {
                 least = sum;
                 best = box;

@@ -8,8 +8,9 @@
 
 namespace sightline {
 
-/// A measure of what is drawn under the box: lengths of outlines in points; lines and labels weigh more.
-double covered(const DrawList& list, const Layout::Panel& panel, const Layout& layout, const Font& font,
+/// A measure of what is drawn under the box: lengths of outlines in points; lines and labels weigh more. Of a solid it
+/// is the outlines of faces and triangles, also of hidden ones; of many, some that are spread over all.
+double covered(const Figure::Panel& content, const Layout::Panel& panel, const Layout& layout, const Font& font,
                const Rect& box);
 
 /// Of the corners of all panels that are big enough, the one where a box of this size hides least on all pages

@@ -43,9 +43,10 @@ std::string short_number(double value) {
     return text;
 }
 
-std::string svg_of(const Figure& figure, const FigureSize& size, const Layout& layout, const Font& font) {
-    SvgCanvas canvas(font);
-    paint(canvas, figure, layout, font);
+std::string svg_of(const Figure& figure, const FigureSize& size, const Layout& layout, const Font& font,
+                   const DrawSolid& draw_solid) {
+    SvgCanvas canvas(size.dpi, font);
+    paint(canvas, figure, layout, font, draw_solid);
     const auto length = [](double pt) { return short_number(pt * 25.4 / 72) + "mm"; };
     if (in_pixels(size))
         return canvas.document(std::to_string(size.width_px), std::to_string(size.height_px), layout.width,
@@ -53,7 +54,8 @@ std::string svg_of(const Figure& figure, const FigureSize& size, const Layout& l
     return canvas.document(length(layout.width), length(layout.height), layout.width, layout.height);
 }
 
-std::string png_of(const Figure& figure, const FigureSize& size, const Layout& layout, const Font& font) {
+std::string png_of(const Figure& figure, const FigureSize& size, const Layout& layout, const Font& font,
+                   const DrawSolid& draw_solid) {
     const double dpi = in_pixels(size) ? 96 : size.dpi, scale = dpi / 72;
     const double width = in_pixels(size) ? size.width_px : std::max(1.0, std::round(layout.width * scale));
     const double height = in_pixels(size) ? size.height_px : std::ceil(layout.height * scale - 1e-6);
@@ -62,8 +64,8 @@ std::string png_of(const Figure& figure, const FigureSize& size, const Layout& l
                          short_number(dpi) + " dpi is too large: at most 20000 px a side; lower the dpi or the size");
     const cairo_format_t format = figure.background.a == 255 ? CAIRO_FORMAT_RGB24 : CAIRO_FORMAT_ARGB32;
     const CairoSurface surface(cairo_image_surface_create(format, static_cast<int>(width), static_cast<int>(height)));
-    CairoCanvas canvas(surface.get(), scale, font);
-    paint(canvas, figure, layout, font);
+    CairoCanvas canvas(surface.get(), scale, scale, font);
+    paint(canvas, figure, layout, font, draw_solid);
     canvas.end_page();
     return encode_png(surface.get(), dpi);
 }
@@ -73,7 +75,8 @@ cairo_status_t append(void* text, const unsigned char* data, unsigned length) {
     return CAIRO_STATUS_SUCCESS;
 }
 
-std::string pdf_of(std::span<const Figure> pages, std::span<const Layout> layouts, const Font& font) {
+std::string pdf_of(std::span<const Figure> pages, std::span<const Layout> layouts, double dpi, const Font& font,
+                   const DrawSolid& draw_solid) {
     // Acrobat reads no page beyond 200 inches.
     if (std::max(layouts.front().width, layouts.front().height) > 14400)
         throw InputError("a PDF page of " + short_number(layouts.front().width) + "x" +
@@ -85,9 +88,9 @@ std::string pdf_of(std::span<const Figure> pages, std::span<const Layout> layout
         cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATOR, "Sightline");
         // The same figure is the same file, whenever it is written.
         cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, "2000-01-01T00:00:00Z");
-        CairoCanvas canvas(surface.get(), 1, font);
+        CairoCanvas canvas(surface.get(), 1, dpi / 72, font);
         for (std::size_t i = 0; i < pages.size(); ++i) {
-            paint(canvas, pages[i], layouts[i], font);
+            paint(canvas, pages[i], layouts[i], font, draw_solid);
             canvas.end_page();
         }
         cairo_surface_finish(surface.get());
@@ -105,36 +108,38 @@ void save(const std::filesystem::path& path, std::string_view data) {
 
 }  // namespace
 
-void write_figure(const Figure& figure, const FigureSize& size, const std::filesystem::path& path) {
+void write_figure(const Figure& figure, const FigureSize& size, const std::filesystem::path& path,
+                  const DrawSolid& draw_solid) {
     const Format format = format_of(path);
     check_size(size);
     const Font font = find_font();
     const std::vector<Layout> layouts = lay_out({&figure, 1}, size, font);
     switch (format) {
         case Format::png:
-            return save(path, png_of(figure, size, layouts[0], font));
+            return save(path, png_of(figure, size, layouts[0], font, draw_solid));
         case Format::svg:
-            return save(path, svg_of(figure, size, layouts[0], font));
+            return save(path, svg_of(figure, size, layouts[0], font, draw_solid));
         case Format::pdf:
-            return save(path, pdf_of({&figure, 1}, layouts, font));
+            return save(path, pdf_of({&figure, 1}, layouts, size.dpi, font, draw_solid));
     }
 }
 
-void write_figure_pages(std::span<const Figure> pages, const FigureSize& size, const std::filesystem::path& path) {
+void write_figure_pages(std::span<const Figure> pages, const FigureSize& size, const std::filesystem::path& path,
+                        const DrawSolid& draw_solid) {
     if (format_of(path) != Format::pdf)
         throw InputError("cannot write " + path.string() + ": several pages need the ending .pdf");
     if (pages.empty()) throw InputError("cannot write " + path.string() + ": there are no pages");
     check_size(size);
     const Font font = find_font();
-    save(path, pdf_of(pages, lay_out(pages, size, font), font));
+    save(path, pdf_of(pages, lay_out(pages, size, font), size.dpi, font, draw_solid));
 }
 
 void write_figure_frames(std::span<const Figure> pages, const FigureSize& size,
-                         const std::function<std::filesystem::path(std::size_t)>& file) {
+                         const std::function<std::filesystem::path(std::size_t)>& file, const DrawSolid& draw_solid) {
     check_size(size);
     const Font font = find_font();
     const std::vector<Layout> layouts = lay_out(pages, size, font);
-    for (std::size_t i = 0; i < pages.size(); ++i) save(file(i), png_of(pages[i], size, layouts[i], font));
+    for (std::size_t i = 0; i < pages.size(); ++i) save(file(i), png_of(pages[i], size, layouts[i], font, draw_solid));
 }
 
 }  // namespace sightline

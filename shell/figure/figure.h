@@ -7,6 +7,7 @@
 #include <span>
 
 #include "core/draw/draw_list.h"
+#include "core/draw/solid_list.h"
 
 namespace sightline {
 
@@ -15,22 +16,26 @@ struct FigureSize {
     double width_mm = 84;
     int width_px = 0, height_px = 0;  ///< both > 0: the picture has exactly this many pixels (PDF, SVG: 1/96 inch)
     double font_pt = 8;               ///< size of legend, caption, titles and labels of scale 1
-    double dpi = 300;                 ///< PNG with a width in millimetres
+    double dpi = 300;                 ///< PNG with a width in millimetres; images in SVG and PDF
 };
 
 /// Writes the figure; the ending of the name (.png, .svg, .pdf, any case) chooses the format. Lines are at least 0.5
 /// pt; text stays text; fonts are embedded in SVG and PDF. Texts shrink, down to half their size, where few pixels
 /// would leave no room for the panels. The file is written to a temporary name and renamed. The same figure gives the
-/// same bytes. Throws InputError for another ending, an impossible size or one too small for the content; WorkError
-/// when the file cannot be written or the font is not installed.
-void write_figure(const Figure& figure, const FigureSize& size, const std::filesystem::path& path);
+/// same bytes. Solids become images of at most largest_solid_picture a side, whatever lies on them stays vectors.
+/// Throws InputError for another ending, an impossible size or one too small for the content; WorkError when the file
+/// cannot be written, the font is not installed, or there is a solid and nothing that draws it.
+void write_figure(const Figure& figure, const FigureSize& size, const std::filesystem::path& path,
+                  const DrawSolid& draw_solid = {});
 
 /// The same for a PDF of several pages, e.g. the steps of a film: panels, legend and caption lie at the same places on
 /// each page, so that nothing jumps. The first page says where the legend stands.
-void write_figure_pages(std::span<const Figure> pages, const FigureSize& size, const std::filesystem::path& path);
+void write_figure_pages(std::span<const Figure> pages, const FigureSize& size, const std::filesystem::path& path,
+                        const DrawSolid& draw_solid = {});
 
 /// The same as PNGs that fit each other; file(i) is asked for the name of page i before it is drawn.
 void write_figure_frames(std::span<const Figure> pages, const FigureSize& size,
-                         const std::function<std::filesystem::path(std::size_t)>& file);
+                         const std::function<std::filesystem::path(std::size_t)>& file,
+                         const DrawSolid& draw_solid = {});
 
 }  // namespace sightline

@@ -43,6 +43,15 @@ inline Vec<2> to_page(const Layout::Panel& panel, double scale, const Vec<2>& p)
             panel.frame.bottom() - (p.y - panel.world.min.y) * scale};
 }
 
+/// The list's own world on the page: the frame, or the part of it that the world fills where the frame shows more.
+inline Rect world_on_page(const DrawList& list, const Layout::Panel& panel, double scale) {
+    const Vec<2> extent = list.world.extent();
+    if (!(extent.x > 0 && extent.y > 0 && is_finite<2>(list.world.min) && is_finite<2>(list.world.max)))
+        return panel.frame;
+    const Vec<2> low = to_page(panel, scale, list.world.min), high = to_page(panel, scale, list.world.max);
+    return {low.x, high.y, high.x - low.x, low.y - high.y};
+}
+
 /// Throws InputError for sizes that are no numbers or out of range.
 void check_size(const FigureSize& size);
 

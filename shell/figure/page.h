@@ -27,6 +27,16 @@ struct Rect {
     }
 };
 
+/// A rectangle of the page as whole pixels.
+struct PixelRect {
+    int w = 1, h = 1;
+    double px_per_pt = 1;
+    Rect rect;  ///< what they cover: the rectangle with its sides moved to whole multiples of a pixel
+};
+
+/// With so many pixels to the point, or fewer where a side would have more than largest_solid_picture.
+PixelRect pixel_rect(const Rect& rect, double px_per_pt);
+
 /// One line of text on the page. x is its left end, centre or right end, as `align` says.
 struct TextRun {
     std::string text;  ///< valid UTF-8 without control characters

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/error.h"
 #include "shell/figure/label.h"
 #include "shell/figure/outline.h"
 
@@ -129,9 +130,21 @@ void paint_leader(Canvas& canvas, const PlacedLabel& placed, const Vec<2>& tip, 
     paint_arrow(canvas, {placed.centre + d * std::min(across, along), tip}, 4, style, frame);
 }
 
-void paint_panel(Canvas& canvas, const DrawList& list, const Layout::Panel& panel, const Layout& layout,
-                 const Font& font, double pitch) {
+void paint_solid(Canvas& canvas, const SolidList& solid, const Rect& rect, const DrawSolid& draw_solid) {
+    if (!draw_solid) throw WorkError("the figure has a picture in 3D, and there is no OpenGL to draw it with");
+    canvas.image(rect, [&](int width, int height, double px_per_pt) {
+        Pixels pixels = draw_solid(solid, width, height, px_per_pt);
+        if (pixels.width != width || pixels.height != height)
+            throw WorkError("a picture in 3D has the wrong number of pixels");
+        return pixels;
+    });
+}
+
+void paint_panel(Canvas& canvas, const Figure::Panel& content, const Layout::Panel& panel, const Layout& layout,
+                 const Font& font, double pitch, const DrawSolid& draw_solid) {
+    const DrawList& list = content.list;
     canvas.clip(panel.frame);
+    if (content.solid) paint_solid(canvas, *content.solid, world_on_page(list, panel, layout.scale), draw_solid);
     for (const Shape& s : list.shapes) {
         if (s.style >= list.styles.size() || std::size_t{s.first_point} + s.point_count > list.points.size()) continue;
         std::vector<Vec<2>> points;
@@ -186,7 +199,7 @@ void paint_swatch(Canvas& canvas, const LegendRow& row, const Rect& swatch, doub
 
 }  // namespace
 
-void paint(Canvas& canvas, const Figure& figure, const Layout& layout, const Font& font) {
+void paint(Canvas& canvas, const Figure& figure, const Layout& layout, const Font& font, const DrawSolid& draw_solid) {
     const Rect page{0, 0, layout.width, layout.height};
     const Colour frame = mixed(figure.ink, figure.background, 0.45);
     const double pitch = std::max(2.5, 0.4 * layout.font_pt);
@@ -198,7 +211,7 @@ void paint(Canvas& canvas, const Figure& figure, const Layout& layout, const Fon
     };
     for (std::size_t i = 0; i < layout.panels.size(); ++i) {
         const Layout::Panel& panel = layout.panels[i];
-        paint_panel(canvas, figure.panels[i].list, panel, layout, font, pitch);
+        paint_panel(canvas, figure.panels[i], panel, layout, font, pitch, draw_solid);
         canvas.draw(rectangle(panel.frame), border);
         write(panel.title);
     }

@@ -12,13 +12,15 @@ namespace sightline {
 
 class SvgCanvas final : public Canvas {
 public:
-    explicit SvgCanvas(const Font& font) : font_(font) {}
+    /// Embedded images have `dpi` pixels to the inch.
+    SvgCanvas(double dpi, const Font& font) : font_(font), dpi_(dpi) {}
 
     void clip(const Rect& rect) override;
     void unclip() override;
     void draw(const Path& path, const Pen& pen) override;
     void circle(const Vec<2>& centre, double radius, const Pen& pen) override;
     void gradient(const Rect& rect, std::span<const Colour> stops) override;
+    void image(const Rect& rect, const DrawImage& draw) override;
     void text(const TextRun& run, const Colour& colour, const Colour& halo) override;
 
     /// The whole document. `width` and `height` are written as they are ("84mm", "1280"); the view box is in points.
@@ -29,6 +31,8 @@ private:
     void end_path();
 
     const Font& font_;
+    double dpi_;
+    bool has_image_ = false;
     std::string body_, defs_;
     std::set<std::string> defined_;  ///< ids in defs_
     std::set<char32_t> used_;

@@ -102,6 +102,8 @@ GlContext::Video::Video(Place place) {
 
 GlContext::Video::~Video() { SDL_QuitSubSystem(SDL_INIT_VIDEO); }
 
+bool has_current_context() { return SDL_GL_GetCurrentContext() != nullptr; }
+
 GlContext::GlContext(Place place, const std::string& title, int width, int height)
     : video_(place), messages_(std::make_unique<std::vector<std::string>>()) {
     ask_for_core_profile();

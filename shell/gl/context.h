@@ -26,6 +26,9 @@ private:
     bool found_ = false;
 };
 
+/// Whether some OpenGL context is current in this thread.
+bool has_current_context();
+
 class GlContext {
 public:
     enum class Place { window, off_screen };

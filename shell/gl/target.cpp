@@ -17,7 +17,8 @@ void check_complete(int width, int height) {
 
 }  // namespace
 
-GlTarget::GlTarget(int width, int height, int samples) : width_(width), height_(height), multisampled_(samples > 1) {
+GlTarget::GlTarget(int width, int height, int samples, bool depth)
+    : width_(width), height_(height), multisampled_(samples > 1) {
     GLint largest = 0;
     glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &largest);
     if (width < 1 || height < 1 || width > largest || height > largest)
@@ -33,16 +34,22 @@ GlTarget::GlTarget(int width, int height, int samples) : width_(width), height_(
     glBindFramebuffer(GL_FRAMEBUFFER, single_.name());
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture_.name(), 0);
     check_complete(width, height);
-    if (multisampled_) {
-        GLint most = 1;
-        glGetIntegerv(GL_MAX_SAMPLES, &most);
-        glBindRenderbuffer(GL_RENDERBUFFER, samples_.name());
-        glRenderbufferStorageMultisample(GL_RENDERBUFFER, std::min(samples, most), GL_RGBA8, width, height);
+    GLint most = 1;
+    glGetIntegerv(GL_MAX_SAMPLES, &most);
+    // Attaches to the bound framebuffer.
+    const auto attach = [&](const GlRenderbuffer& buffer, GLenum place, GLenum format) {
+        glBindRenderbuffer(GL_RENDERBUFFER, buffer.name());
+        glRenderbufferStorageMultisample(GL_RENDERBUFFER, multisampled_ ? std::min(samples, most) : 0, format, width,
+                                         height);
         glBindRenderbuffer(GL_RENDERBUFFER, 0);
-        glBindFramebuffer(GL_FRAMEBUFFER, multiple_.name());
-        glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, samples_.name());
+        glFramebufferRenderbuffer(GL_FRAMEBUFFER, place, GL_RENDERBUFFER, buffer.name());
         check_complete(width, height);
+    };
+    if (multisampled_) {
+        glBindFramebuffer(GL_FRAMEBUFFER, multiple_.name());
+        attach(samples_, GL_COLOR_ATTACHMENT0, GL_RGBA8);
     }
+    if (depth) attach(depth_, GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT32F);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 

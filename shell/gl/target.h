@@ -10,8 +10,9 @@ namespace sightline {
 /// An RGBA8 framebuffer of width x height pixels.
 class GlTarget {
 public:
-    /// samples > 1: drawn with up to that many samples a pixel. Throws WorkError when the driver cannot make it.
-    GlTarget(int width, int height, int samples = 1);
+    /// samples > 1: drawn with up to that many samples a pixel. `depth`: with a depth buffer of floats. Throws
+    /// WorkError when the driver cannot make it.
+    GlTarget(int width, int height, int samples = 1, bool depth = false);
 
     int width() const { return width_; }
     int height() const { return height_; }
@@ -28,7 +29,7 @@ private:
     int width_, height_;
     GlTexture texture_;
     GlFramebuffer single_;  ///< with the texture
-    GlRenderbuffer samples_;
+    GlRenderbuffer samples_, depth_;
     GlFramebuffer multiple_;
     bool multisampled_;
 };

@@ -29,5 +29,6 @@ std::vector<Row> breakpoint_rows(const Workbench<D>& bench) {
 }
 
 template std::vector<Row> breakpoint_rows<2>(const Workbench<2>&);
+template std::vector<Row> breakpoint_rows<3>(const Workbench<3>&);
 
 }  // namespace sightline

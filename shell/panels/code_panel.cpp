@@ -25,5 +25,6 @@ std::vector<Row> code_rows(const Workbench<D>& bench) {
 }
 
 template std::vector<Row> code_rows<2>(const Workbench<2>&);
+template std::vector<Row> code_rows<3>(const Workbench<3>&);
 
 }  // namespace sightline

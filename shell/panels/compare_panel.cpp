@@ -50,5 +50,6 @@ std::vector<Row> compare_rows(const Workbench<D>& bench) {
 }
 
 template std::vector<Row> compare_rows<2>(const Workbench<2>&);
+template std::vector<Row> compare_rows<3>(const Workbench<3>&);
 
 }  // namespace sightline

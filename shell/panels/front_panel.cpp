@@ -46,5 +46,6 @@ std::vector<Row> front_rows(const Workbench<D>& bench) {
 }
 
 template std::vector<Row> front_rows<2>(const Workbench<2>&);
+template std::vector<Row> front_rows<3>(const Workbench<3>&);
 
 }  // namespace sightline

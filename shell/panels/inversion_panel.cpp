@@ -20,5 +20,6 @@ std::vector<Row> inversion_rows(const Workbench<D>& bench) {
 }
 
 template std::vector<Row> inversion_rows<2>(const Workbench<2>&);
+template std::vector<Row> inversion_rows<3>(const Workbench<3>&);
 
 }  // namespace sightline

@@ -51,7 +51,10 @@ std::string panels_text(const Workbench<D>& bench) {
 }
 
 template std::span<const Panel<2>> panel_table<2>();
+template std::span<const Panel<3>> panel_table<3>();
 template const Panel<2>* find_panel<2>(std::string_view);
+template const Panel<3>* find_panel<3>(std::string_view);
 template std::string panels_text<2>(const Workbench<2>&);
+template std::string panels_text<3>(const Workbench<3>&);
 
 }  // namespace sightline

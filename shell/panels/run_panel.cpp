@@ -39,5 +39,6 @@ std::vector<Row> run_rows(const Workbench<D>& bench) {
 }
 
 template std::vector<Row> run_rows<2>(const Workbench<2>&);
+template std::vector<Row> run_rows<3>(const Workbench<3>&);
 
 }  // namespace sightline

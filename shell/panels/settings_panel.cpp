@@ -21,5 +21,6 @@ std::vector<Row> settings_rows(const Workbench<D>& bench) {
 }
 
 template std::vector<Row> settings_rows<2>(const Workbench<2>&);
+template std::vector<Row> settings_rows<3>(const Workbench<3>&);
 
 }  // namespace sightline

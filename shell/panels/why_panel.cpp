@@ -148,5 +148,6 @@ std::vector<Row> why_rows(const Workbench<D>& bench) {
 }
 
 template std::vector<Row> why_rows<2>(const Workbench<2>&);
+template std::vector<Row> why_rows<3>(const Workbench<3>&);
 
 }  // namespace sightline

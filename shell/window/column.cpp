@@ -55,5 +55,6 @@ void panel_column(Ui& ui, Workbench<D>& bench, Column side, const Area& area) {
 }
 
 template void panel_column<2>(Ui&, Workbench<2>&, Column, const Area&);
+template void panel_column<3>(Ui&, Workbench<3>&, Column, const Area&);
 
 }  // namespace sightline

@@ -85,5 +85,6 @@ void help_sheet(Ui& ui, const Area& area) {
 }
 
 template void help_sheet<2>(Ui&, const Area&);
+template void help_sheet<3>(Ui&, const Area&);
 
 }  // namespace sightline

@@ -212,6 +212,8 @@ void keep(const std::filesystem::path& file, const Memory& memory) {
 }
 
 template Memory read_memory<2>(const std::string&, const std::string&);
+template Memory read_memory<3>(const std::string&, const std::string&);
 template Recalled recall<2>(const std::filesystem::path&);
+template Recalled recall<3>(const std::filesystem::path&);
 
 }  // namespace sightline

@@ -54,5 +54,6 @@ float menu_bar(Ui& ui, Workbench<D>& bench) {
 }
 
 template float menu_bar<2>(Ui&, Workbench<2>&);
+template float menu_bar<3>(Ui&, Workbench<3>&);
 
 }  // namespace sightline

@@ -125,5 +125,6 @@ void overlays(Ui& ui, Workbench<D>& bench, const Stage& stage, const Area& area)
 }
 
 template void overlays<2>(Ui&, Workbench<2>&, const Stage&, const Area&);
+template void overlays<3>(Ui&, Workbench<3>&, const Stage&, const Area&);
 
 }  // namespace sightline

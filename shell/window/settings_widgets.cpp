@@ -92,5 +92,6 @@ void settings_widgets(Ui& ui, Workbench<D>& bench) {
 }
 
 template void settings_widgets<2>(Ui&, Workbench<2>&);
+template void settings_widgets<3>(Ui&, Workbench<3>&);
 
 }  // namespace sightline

@@ -26,6 +26,11 @@ struct Stage {
     /// Ends a drag or another gesture without effect; false when there is none.
     std::function<bool()> cancel;
 
+    /// Whether the picture wants this key for itself now, e.g. held down to fly; empty: never.
+    std::function<bool(const std::string& key)> takes_key;
+    /// Whether the next frame is to be drawn without waiting for an event; empty: never.
+    std::function<bool()> lively;
+
     std::vector<SceneChoice> scenes;
     /// A picture of the scene as a texture of this size in pixels, made when first asked for; 0: none yet, ask again.
     std::function<GLuint(const SceneChoice&, int width, int height)> thumbnail;

@@ -94,6 +94,8 @@ void projector_banner(Ui& ui, Workbench<D>& bench, const Area& area) {
 }
 
 template void status_line<2>(Ui&, Workbench<2>&, const Area&);
+template void status_line<3>(Ui&, Workbench<3>&, const Area&);
 template void projector_banner<2>(Ui&, Workbench<2>&, const Area&);
+template void projector_banner<3>(Ui&, Workbench<3>&, const Area&);
 
 }  // namespace sightline

@@ -225,5 +225,6 @@ void timeline(Ui& ui, Workbench<D>& bench, const Area& area) {
 }
 
 template void timeline<2>(Ui&, Workbench<2>&, const Area&);
+template void timeline<3>(Ui&, Workbench<3>&, const Area&);
 
 }  // namespace sightline

@@ -89,5 +89,6 @@ bool update(TimelineData& data, const Workbench<D>& bench, float x, float w, flo
 }
 
 template bool update<2>(TimelineData&, const Workbench<2>&, float, float, float);
+template bool update<3>(TimelineData&, const Workbench<3>&, float, float, float);
 
 }  // namespace sightline

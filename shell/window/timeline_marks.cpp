@@ -58,5 +58,6 @@ std::vector<MarkGroup> mark_groups(const StepAxis& axis, const std::vector<Timel
 }
 
 template std::vector<TimelineMark> timeline_marks<2>(const Workbench<2>&, const std::vector<Marker>&);
+template std::vector<TimelineMark> timeline_marks<3>(const Workbench<3>&, const std::vector<Marker>&);
 
 }  // namespace sightline

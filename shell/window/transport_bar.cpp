@@ -173,5 +173,6 @@ void transport_bar(Ui& ui, Workbench<D>& bench, const Area& area) {
 }
 
 template void transport_bar<2>(Ui&, Workbench<2>&, const Area&);
+template void transport_bar<3>(Ui&, Workbench<3>&, const Area&);
 
 }  // namespace sightline

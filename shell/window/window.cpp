@@ -235,7 +235,8 @@ void Window<D>::handle(const SDL_Event& event) {
     }
     const std::string key = key_name(event);
     // While text is typed, keys are letters; only Escape leaves.
-    if (!key.empty() && (!typing || key == "Escape")) press(key);
+    const bool taken = stage.takes_key && stage.takes_key(key);
+    if (!key.empty() && !taken && (!typing || key == "Escape")) press(key);
 }
 
 /// Fonts and sizes follow the window and the desk.
@@ -366,7 +367,7 @@ void Window<D>::frame(double seconds) {
 /// Sleeps while nothing moves.
 template <int D>
 void Window<D>::wait_for_something() {
-    if (bench_.transport.playing || lively_frames_-- > 0) return;
+    if (bench_.transport.playing || lively_frames_-- > 0 || (stage.lively && stage.lively())) return;
     lively_frames_ = 0;
     SDL_WaitEventTimeout(nullptr, 250);
 }
@@ -387,5 +388,6 @@ void Window<D>::run() {
 }
 
 template class Window<2>;
+template class Window<3>;
 
 }  // namespace sightline

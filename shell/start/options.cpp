@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "viewer2d/options.h"
+#include "shell/start/options.h"
 
 #include <CLI/CLI.hpp>
 #include <iostream>
@@ -22,9 +22,10 @@ std::string padded(std::string text, std::size_t width) {
 }
 
 /// The tables behind the options, so that help is complete without another page.
-std::string tables(std::span<const Method<2>> methods) {
+template <int D>
+std::string tables(std::span<const Method<D>> methods) {
     std::string text = "\nMethods:\n";
-    for (const Method<2>& m : methods)
+    for (const Method<D>& m : methods)
         text += "  " + padded(std::string(m.id), 14) + std::string(m.sentence) +
                 (m.guarantee == Guarantee::approximate ? " [approximate]\n" : " [conservative]\n");
     text += "\nPresets:\n";
@@ -32,13 +33,14 @@ std::string tables(std::span<const Method<2>> methods) {
     text += "\nSettings (--set FIELD=VALUE), with default and source:\n";
     const Settings defaults;
     for (const SettingRow& row : settings_table())
-        text += "  " + padded(std::string(row.name), 24) + std::string(row.help) + "\n" + std::string(26, ' ') +
-                std::string(row.values) + "; default " + row.get(defaults) + "; " + std::string(row.source) + "\n";
+        if (row.dimension == 0 || row.dimension == D)
+            text += "  " + padded(std::string(row.name), 24) + std::string(row.help) + "\n" + std::string(26, ' ') +
+                    std::string(row.values) + "; default " + row.get(defaults) + "; " + std::string(row.source) + "\n";
     text += "\nCommands (--do):\n";
-    for (const Command<2>& c : command_table<2>())
+    for (const Command<D>& c : command_table<D>())
         text += "  " + padded(std::string(c.id) + " " + std::string(c.arguments), 34) + std::string(c.text) + "\n";
     text += "\nFields of conditions (--until), values after a step:\n";
-    for (const RecordField<2>& field : record_fields<2>())
+    for (const RecordField<D>& field : record_fields<D>())
         text += "  " + padded(std::string(field.name), 16) + std::string(field.help) + "\n";
     return text;
 }
@@ -58,22 +60,29 @@ std::array<int, 2> window_size(const std::string& text) {
 
 }  // namespace
 
-std::optional<Options> parse_options(int argc, const char* const* argv, std::span<const Method<2>> methods) {
+template <int D>
+std::optional<Options> parse_options(int argc, const char* const* argv, std::span<const Method<D>> methods) {
     Options o;
     CLI::App app{
-        "Steps occlusion-culling methods through a scene of line segments, forward and back, explains every number, "
-        "measures it against the exact visible set, and writes figures.",
-        "viewer2d"};
+        std::string("Steps occlusion-culling methods through a scene of ") + (D == 2 ? "line segments" : "triangles") +
+            ", forward and back, explains every number, measures it against the exact visible set, and writes figures.",
+        D == 2 ? "viewer2d" : "viewer3d"};
     app.get_formatter()->column_width(34);
     std::string fov, steps, font, scale, window;
     app.add_option("SCENE", o.scene,
-                   "a catalogue id (--list), a file (Sightline JSON, GeoJSON, Doom WAD as FILE.wad#MAP), or "
-                   "freedoom1#E1M2; default: the last one opened, without a window bottleneck");
-    app.add_flag("--list", o.list, "print the catalogue and the installed levels, and end");
+                   D == 2 ? "a catalogue id (--list), a file (Sightline JSON, GeoJSON, Doom WAD as FILE.wad#MAP), or "
+                            "freedoom1#E1M2; default: the last one opened, without a window bottleneck"
+                          : "a catalogue id (--list), with a size if you like (city:100k), a file (OBJ, PLY, STL, OFF, "
+                            "glTF, GLB and whatever else Assimp reads) or a folder of them; default: the last one "
+                            "opened, without a window bottleneck");
+    app.add_flag("--list", o.list,
+                 D == 2 ? "print the catalogue and the installed levels, and end" : "print the catalogue, and end");
     app.add_flag("--headless", o.headless, "no window: obey the options, write the files, end");
-    app.add_option("--eye", o.eye, "X,Y of the eye, in the file's coordinates");
-    app.add_option("--look-at", o.look_at, "X,Y of a point to look at");
-    app.add_option("--fov", fov, "opening of the view in degrees; 360 looks all round");
+    app.add_option("--eye", o.eye, std::string(D == 2 ? "X,Y" : "X,Y,Z") + " of the eye, in the file's coordinates");
+    app.add_option("--look-at", o.look_at, std::string(D == 2 ? "X,Y" : "X,Y,Z") + " of a point to look at");
+    app.add_option("--fov", fov,
+                   D == 2 ? "opening of the view in degrees; 360 looks all round"
+                          : "opening of the view in degrees, from top to bottom");
     app.add_option("--method", o.method, "method id, see below");
     app.add_option("--preset", o.preset, "preset id, see below");
     app.add_option("--set", o.settings, "FIELD=VALUE, see below; may be given several times")->allow_extra_args(false);
@@ -95,7 +104,7 @@ std::optional<Options> parse_options(int argc, const char* const* argv, std::spa
     try {
         app.parse(argc, argv);
     } catch (const CLI::CallForHelp&) {
-        std::cout << app.help() << tables(methods);
+        std::cout << app.help() << tables<D>(methods);
         return std::nullopt;
     } catch (const CLI::ParseError& error) {
         throw InputError(std::string(error.what()) + " (--help lists the options)");
@@ -123,5 +132,8 @@ std::optional<Options> parse_options(int argc, const char* const* argv, std::spa
     if (!o.state.empty() && !o.scene.empty()) throw InputError("--state names its own scene: leave out " + o.scene);
     return o;
 }
+
+template std::optional<Options> parse_options<2>(int, const char* const*, std::span<const Method<2>>);
+template std::optional<Options> parse_options<3>(int, const char* const*, std::span<const Method<3>>);
 
 }  // namespace sightline

@@ -1,4 +1,4 @@
-// The command line of viewer2d.
+// The command line of both viewers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -33,6 +33,7 @@ struct Options {
 };
 
 /// Nothing when help was asked for (and printed). Throws InputError for wrong usage.
-std::optional<Options> parse_options(int argc, const char* const* argv, std::span<const Method<2>> methods);
+template <int D>
+std::optional<Options> parse_options(int argc, const char* const* argv, std::span<const Method<D>> methods);
 
 }  // namespace sightline

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "viewer2d/window2d.h"
+#include "viewer2d/stage2d.h"
 
-#include <iostream>
 #include <memory>
 
-#include "core/error.h"
 #include "core/scene/catalogue.h"
 #include "core/scene/load.h"
-#include "shell/window/memory.h"
 #include "viewer2d/picture2d.h"
 #include "viewer2d/thumbnails.h"
 
@@ -17,7 +14,7 @@ namespace {
 
 std::vector<SceneChoice> choices() {
     std::vector<SceneChoice> all;
-    for (const CatalogueRow<2>& row : catalogue()) all.push_back({row.id, row.title, row.lesson});
+    for (const CatalogueRow<2>& row : catalogue<2>()) all.push_back({row.id, row.title, row.lesson});
     for (const std::string& map : installed_maps()) all.push_back({map, map, "A level of Freedoom."});
     return all;
 }
@@ -39,27 +36,6 @@ Stage stage2d(Workbench<2>& bench) {
         return thumbnails->texture(scene, width, height);
     };
     return stage;
-}
-
-void run_window(Workbench<2>& bench, const WindowOptions& options, const std::filesystem::path& memory,
-                const std::string& word) {
-    Window<2> window(bench, options);
-    window.stage = stage2d(bench);
-    if (!word.empty()) window.tell({word, true});
-    const auto remember = [&] { keep(memory, {window.placement(), lasting(bench.desk), bench.recent}); };
-    window.opened = [&] {
-        try {
-            remember();
-        } catch (const WorkError& error) {
-            window.tell({error.what(), true});
-        }
-    };
-    window.run();
-    try {
-        remember();
-    } catch (const WorkError& error) {
-        std::cerr << "warning: " << error.what() << "\n";
-    }
 }
 
 }  // namespace sightline

@@ -1,0 +1,40 @@
+// One 3D file through Assimp.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "core/scene/scene.h"
+
+namespace sightline {
+
+/// What a file says beside its triangles.
+struct ImportedFile {
+    std::string format;                 ///< Assimp's first ending for the reader that took it: "obj", "gltf"
+    int up_axis = 2;                    ///< see below
+    std::optional<ViewSpec<3>> camera;  ///< the first camera; look_at one unit ahead
+};
+
+/// Appends the triangles of a file to `scene`, in the file's coordinates as doubles, not cleaned, with the transforms
+/// of its nodes (in double precision; mirrored ones swap two corners) and, where a material is two-sided, two_sided.
+/// Polygons are cut into triangles; points and lines are left out; pictures and materials that are missing do not
+/// matter. Coordinates of OBJ, OFF, ASCII PLY and ASCII STL are exact to float relative to the box (shift_vertices());
+/// Assimp holds those of other formats, and node transforms, as floats before they get here.
+///
+/// The axis that points up is what the file says (FBX) or: z for PLY, STL, OFF, 3MF, AMF and RAW, which have no rule or
+/// whose rule is z; y for all others: OBJ's custom, glTF's rule, and Assimp turns the rest to y.
+///
+/// Assimp runs in a process of its own: bad files make it crash, and its memory is free when this returns.
+/// JoinIdenticalVertices is not asked for: a soup has no use for it, and it would double the memory and triple the
+/// time. `progress` takes a share in [0, 1], estimated from the file's size (Assimp says little). Throws InputError
+/// "name: place: reason".
+ImportedFile import_mesh(const std::string& path, const std::string& name, const std::string& place, Scene<3>& scene,
+                         const std::function<void(double share)>& progress);
+
+/// Whether Assimp reads files with this ending (".obj"; any case). Endings of formats that are mostly something else
+/// (".xml", ".raw") count as well.
+bool is_mesh_ending(const std::string& ending);
+
+}  // namespace sightline

@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shell/start/start.h"
+
+#include <iostream>
+#include <new>
+#include <optional>
+
+#include "core/error.h"
+#include "core/file.h"
+#include "core/number.h"
+#include "core/scene/text.h"
+#include "core/session/condition.h"
+#include "core/session/report.h"
+#include "core/session/state_file.h"
+#include "core/stopwatch.h"
+#include "shell/bench/export.h"
+#include "shell/bench/moves.h"
+#include "shell/bench/open.h"
+#include "shell/bench/recent.h"
+#include "shell/commands/arguments.h"
+#include "shell/commands/command_table.h"
+#include "shell/gl/context.h"
+#include "shell/start/options.h"
+#include "shell/window/memory.h"
+#include "shell/window/window.h"
+
+namespace sightline {
+
+namespace {
+
+void apply_options(Settings& settings, const Options& o) {
+    if (!o.preset.empty()) apply_preset(settings, o.preset);
+    if (!o.method.empty()) settings.method = o.method;
+    if (!o.budget.empty()) settings.budget = parse_budget(o.budget);
+    for (const std::string& assignment : o.settings) apply_setting(settings, assignment);
+}
+
+template <int D>
+ViewSpec<D> apply_options(ViewSpec<D> view, const Options& o, const Scene<D>& scene) {
+    if (!o.eye.empty()) view.eye = parse_point(o.eye, scene);
+    if (!o.look_at.empty()) view.look_at = parse_point(o.look_at, scene);
+    if (o.fov) view.fov = *o.fov;
+    return view;
+}
+
+void warn(const std::string& line) { std::cerr << "warning: " << line << "\n"; }
+
+template <int D>
+Session<D> open_session(const Options& o, bool in_window, std::span<const Method<D>> methods,
+                        const Graphics& graphics) {
+    const std::string name = o.scene.empty() ? first_scene : o.scene;
+    Settings settings = start_settings<D>(name, in_window);
+    apply_options(settings, o);
+    Session<D> session = open_scene<D>(name, settings, methods, graphics, warn);
+    const ViewSpec<D> view = apply_options<D>(session.culling_view(), o, session.scene());
+    if (view != session.culling_view()) session.set_view(view);
+    return session;
+}
+
+template <int D>
+Workbench<D> open_bench(const Options& o, bool in_window, std::span<const Method<D>> methods,
+                        const Graphics& graphics) {
+    // JSON on standard output stays alone there.
+    std::ostream& out = o.stats == "-" || o.trace == "-" ? std::cerr : std::cout;
+    const auto say = [&out](const std::string& line) { out << line << "\n"; };
+    if (o.state.empty()) {
+        Workbench<D> bench{open_session<D>(o, in_window, methods, graphics), {}, Stop::steps, false, say, methods};
+        bench.graphics = graphics;
+        return bench;
+    }
+    OpenedState<D> opened = open_state<D>(read_file(o.state), o.state, methods, graphics.draw_ids);
+    for (const std::string& warning : opened.warnings) warn(warning);
+    for (const std::string& warning : opened.session.scene().warnings) warn(warning);
+    Settings settings = opened.session.settings();
+    apply_options(settings, o);
+    if (difference(opened.session.settings(), settings) == Invalidates::scene)
+        throw InputError("two_sided decides how the scene is read: it cannot be changed in a state file");
+    opened.session.change(settings);
+    const ViewSpec<D> view = apply_options<D>(opened.session.culling_view(), o, opened.session.scene());
+    if (view != opened.session.culling_view()) opened.session.set_view(view);
+    Workbench<D> bench{std::move(opened.session), std::move(opened.figure), Stop::steps, false, say, methods};
+    bench.graphics = graphics;
+    if (opened.other) compare_with(bench, std::move(*opened.other), "right", opened.align);
+    return bench;
+}
+
+/// As open_bench. Where no scene was asked for: the one that was opened last, or the first one where that is gone.
+template <int D>
+Workbench<D> open_last(const Options& o, bool in_window, Recalled& recalled, std::span<const Method<D>> methods,
+                       const Graphics& graphics) {
+    if (!o.scene.empty() || !o.state.empty() || recalled.memory.recent.empty())
+        return open_bench<D>(o, in_window, methods, graphics);
+    const std::string& last = recalled.memory.recent.front();
+    try {
+        Options again = o;
+        (state_text<D>(last) ? again.state : again.scene) = last;
+        return open_bench<D>(again, in_window, methods, graphics);
+    } catch (const InputError& error) {
+        Workbench<D> bench =
+            open_bench<D>(o, in_window, methods, graphics);  // throws again where the options are to blame
+        recalled.word +=
+            (recalled.word.empty() ? "" : "; ") + std::string("the last scene does not open: ") + error.what();
+        recalled.memory.recent.erase(recalled.memory.recent.begin());
+        note_opened(recalled.memory.recent, first_scene);
+        return bench;
+    }
+}
+
+/// The window as it was the last time, and as the options ask.
+template <int D>
+void arrange(Workbench<D>& bench, const Options& o, Recalled& recalled) {
+    bench.desk = recalled.memory.desk;
+    if (o.window) recalled.memory.placement = {(*o.window)[0], (*o.window)[1], std::nullopt, false};
+    bench.recent = recalled.memory.recent;
+    const std::string asked = o.state.empty() ? o.scene : o.state;
+    if (!asked.empty() || bench.recent.empty()) note_opened(bench.recent, asked.empty() ? first_scene : asked);
+}
+
+/// Without a word about where to stand, a run without a window goes to its end, and so does a window in 3D, where the
+/// start shows nothing; in 2D it waits at the start.
+template <int D>
+void move(Workbench<D>& bench, const Options& o, bool window) {
+    const bool asked = (D == 2 && window) || o.steps || !o.until.empty() || !o.commands.empty();
+    if (!asked && o.state.empty()) run_to_end(bench);
+    if (!asked && !o.state.empty()) go_to_step(bench, bench.session.position());
+    if (!o.commands.empty()) run_commands(bench, o.commands);
+    if (!o.until.empty()) {
+        const Condition<D> condition(o.until);
+        go_to_step(bench, 0);
+        run_until(bench, condition);
+    }
+    if (o.steps) go_to_step(bench, *o.steps);
+}
+
+std::string value(const std::optional<double>& v) { return v ? short_number(*v) : "none (nothing is visible)"; }
+
+template <int D>
+std::string wrong_text(const Session<D>& s) {
+    const auto touched = std::span(s.state().touched).first(s.state().touched_count);
+    return short_number(100 * wrong_pixels(s.reference(), touched)) + " %";
+}
+
+template <int D>
+void print_summary(const Workbench<D>& bench) {
+    const Session<D>& s = bench.session;
+    const Reference& reference = s.reference();
+    const auto inversions = s.inversions();
+    const auto so_far =
+        std::count_if(inversions.begin(), inversions.end(), [&](const Inversion& i) { return i.step <= s.position(); });
+    bench.say(conditions(s));
+    bench.say("Step " + std::to_string(s.position()) +
+              " (stopped by: " + std::string(stop_words[static_cast<std::size_t>(bench.last_stop)]) +
+              "): " + std::to_string(s.state().rendered_count) + " rendered, " + std::to_string(s.visible_rendered()) +
+              " of " + std::to_string(reference.count) + " visible; coverage " +
+              value(coverage(reference, s.visible_rendered())) +
+              (D == 2 ? " (exact reference)" : " (" + reference.name + "), wrong pixels " + wrong_text(s)) +
+              ", inversions " + std::to_string(so_far) + ", state " + hash_text(s.hash()));
+    if (s.cells().cell_count() == 0) std::cerr << "warning: no cells: too few leaf centres without a border\n";
+    if (reference.eye_on > 0)
+        std::cerr << "warning: the eye lies on " << reference.eye_on
+                  << (reference.eye_on == 1 ? " segment, which subtends" : " segments, which subtend")
+                  << " no angle there: not visible\n";
+    if (s.cells().unassigned > 0)
+        std::cerr << "warning: " << s.cells().unassigned << (D == 2 ? " segments" : " triangles")
+                  << " lie in no cell and are never rendered (border="
+                  << words<Border>[static_cast<std::size_t>(s.settings().border)] << ")\n";
+}
+
+/// What `--panels` asks for, in its order.
+std::vector<std::string> split_panels(const std::string& text) {
+    std::vector<std::string> panels;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find(';', begin), text.size());
+        const std::string part = text.substr(begin, end - begin);
+        const std::size_t first = part.find_first_not_of(' ');
+        if (first != std::string::npos) panels.push_back(part.substr(first, part.find_last_not_of(' ') - first + 1));
+        begin = end + 1;
+    }
+    return panels;
+}
+
+/// The window with what it remembers from one time to the next.
+template <int D>
+struct KeptWindow {
+    Workbench<D>& bench;
+    std::filesystem::path memory;
+    Window<D> window;
+
+    KeptWindow(Workbench<D>& on, const WindowOptions& options, const std::filesystem::path& file)
+        : bench(on), memory(file), window(on, options) {}
+
+    void remember() { keep(memory, {window.placement(), lasting(bench.desk), bench.recent}); }
+    void run() {
+        window.opened = [this] {
+            try {
+                remember();
+            } catch (const WorkError& error) {
+                window.tell({error.what(), true});
+            }
+        };
+        window.run();
+        try {
+            remember();
+        } catch (const WorkError& error) {
+            std::cerr << "warning: " << error.what() << "\n";
+        }
+    }
+};
+
+template <int D>
+void obey(const Options& o, std::span<const Method<D>> methods, const Viewer<D>& viewer) {
+    std::optional<Display> display;
+    if (!o.headless) display.emplace();
+    const bool in_window = display && display->found();
+    if (!o.headless && !in_window)
+        std::cerr << viewer.name << ": no display found; doing the same as with --headless\n";
+    Recalled recalled;
+    const std::filesystem::path memory = memory_file(viewer.name);
+    if (in_window) recalled = recall<D>(memory);
+    Workbench<D> bench = open_last<D>(o, in_window, recalled, methods, viewer.graphics);
+    if (in_window) arrange(bench, o, recalled);
+    // What follows may need OpenGL, which in 3D is the window's.
+    std::optional<KeptWindow<D>> window;
+    if (in_window) {
+        // An asked scale stands for what the screen's density would ask, and is not remembered.
+        const WindowOptions options{.placement = recalled.memory.placement, .scale = o.scale.value_or(0)};
+        window.emplace(bench, options, memory);
+        window->window.stage = viewer.stage(bench);
+        if (!recalled.word.empty()) window->window.tell({recalled.word, true});
+    }
+    if (o.state.empty()) add_bookmarks(bench.session);
+    if (!o.size.empty()) set_figure_size(bench, o.size);
+    if (o.font_pt) bench.figure.font_pt = *o.font_pt;
+    if (!o.panels.empty()) bench.figure.panels = split_panels(o.panels);
+    move(bench, o, in_window);
+    if (!in_window || o.writes()) print_summary(bench);
+    for (const std::string& file : o.shots) write_shot(bench, file);
+    if (!o.trace.empty()) write_text(o.trace, trace_json(bench.session));
+    if (!o.stats.empty()) write_text(o.stats, stats_json(bench.session, bench.last_stop));
+    if (window && !bench.quit) window->run();
+}
+
+int report(const std::string& program, const char* what, int status) {
+    std::cerr << program << ": " << one_line(what, 4096) << "\n";
+    return status;
+}
+
+}  // namespace
+
+template <int D>
+int start(int argc, const char* const* argv, std::span<const Method<D>> methods, const Viewer<D>& viewer) {
+    try {
+        const std::optional<Options> options = parse_options<D>(argc, argv, methods);
+        if (!options) return 0;
+        if (options->list)
+            viewer.print_catalogue();
+        else
+            obey<D>(*options, methods, viewer);
+        std::cout.flush();
+        if (!std::cout) throw WorkError("standard output: cannot be written");
+        return 0;
+    } catch (const InputError& error) {
+        return report(viewer.name, error.what(), 2);
+    } catch (const std::bad_alloc&) {
+        return report(viewer.name, "out of memory", 1);
+    } catch (const std::exception& error) {
+        return report(viewer.name, error.what(), 1);
+    }
+}
+
+template int start<2>(int, const char* const*, std::span<const Method<2>>, const Viewer<2>&);
+template int start<3>(int, const char* const*, std::span<const Method<3>>, const Viewer<3>&);
+
+}  // namespace sightline

@@ -1,0 +1,32 @@
+// The inset: what the culling view sees at this very step, and which of its pixels are missed.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "core/session/session.h"
+#include "shell/gl/handles.h"
+#include "shell/gl/solid_renderer.h"
+#include "shell/gl/target.h"
+#include "shell/window/ui.h"
+
+namespace sightline {
+
+/// Made, used and destroyed while one OpenGL context is current.
+class InsetPicture {
+public:
+    /// As the setting `inset` asks. A new revision says that the session may have changed. Draws off screen; leaves the
+    /// default framebuffer bound.
+    void update(const Session<3>& session, std::uint64_t revision);
+    /// In the upper right corner of the area, where the setting asks for it.
+    void draw(ImDrawList& list, const Ui& ui, const Area& area, const Session<3>& session) const;
+
+private:
+    std::uint64_t revision_ = 0;
+    SolidRenderer renderer_;
+    std::optional<GlTarget> image_;
+    GlTexture missed_;
+};
+
+}  // namespace sightline

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "viewer3d/mouse3d.h"
+
+#include <cmath>
+
+#include "core/draw/projection.h"
+#include "core/error.h"
+#include "core/number.h"
+#include "shell/bench/camera.h"
+#include "shell/bench/change.h"
+#include "shell/bench/flight.h"
+#include "shell/bench/zoom.h"
+#include "shell/commands/arguments.h"
+#include "shell/window/theme.h"
+
+namespace sightline {
+
+namespace {
+
+/// Window units, at scale 1: what a click may move, how near a handle is hit.
+constexpr float click_slack = 4, handle_reach = 10;
+/// Of a drag across the height of the picture.
+constexpr double orbit_degrees = 180, turn_degrees = 70;
+/// Of one notch of the wheel.
+constexpr double wheel_factor = 1.15;
+
+constexpr ImGuiButtonFlags any_button =
+    ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle;
+
+std::string cell_words(const Session<3>& session, std::uint32_t cell) {
+    const CellMark mark = session.state().mark(cell);
+    std::string text =
+        "cell " + std::to_string(cell) + ", " + std::string(cell_state_words[static_cast<std::size_t>(mark.state)]);
+    if (mark.state == CellState::enqueued || mark.state == CellState::projected)
+        text += ", ρ " + short_number(mark.key);
+    text += ", |A| " + std::to_string(session.cells().count(cell));
+    if (session.has_reference()) text += ", visible share " + short_number(session.reference().cell_share[cell]);
+    return text;
+}
+
+}  // namespace
+
+std::optional<ImVec2> Mouse3d::handle_at(const Pane3d& pane, Drag handle) const {
+    const Session<3>& s = bench_.session;
+    if (!s.frozen() || s.display_view() == s.culling_view() || s.settings().show_view == Switch::off)
+        return std::nullopt;
+    const auto at =
+        project(pane.camera(), handle == Drag::frozen_eye ? s.culling_view().eye : s.culling_view().look_at);
+    if (!at) return std::nullopt;
+    const ImVec2 window = pane.to_window(*at);
+    return pane.area().contains(window) ? std::optional(window) : std::nullopt;
+}
+
+/// While nothing is frozen the traversal follows the eye: without a recording until the button goes up.
+void Mouse3d::move_view(Ui& ui, const ViewSpec<3>& view) {
+    if (view == bench_.session.display_view()) return;
+    try {
+        fly_to(bench_, view, "mouse");
+    } catch (const InputError&) {
+        return;  // a place that cannot be: the view stays
+    }
+    ++ui.revision;
+}
+
+void Mouse3d::press(Ui& ui, const Pane3d& pane) {
+    const ImGuiIO& io = ImGui::GetIO();
+    pressed_ = io.MousePos;
+    before_ = begin_gesture(bench_);
+    from_ = bench_.session.display_view();
+    drag_ = io.MouseClicked[ImGuiMouseButton_Right]        ? Drag::turn
+            : io.MouseClicked[ImGuiMouseButton_Middle]     ? Drag::pan
+            : bench_.flight.on && !bench_.session.frozen() ? Drag::turn
+                                                           : Drag::orbit;
+    if (drag_ == Drag::orbit && io.KeyShift) drag_ = Drag::pan;
+    if (!io.MouseClicked[ImGuiMouseButton_Left]) return;
+    for (const Drag handle : {Drag::frozen_look, Drag::frozen_eye})
+        if (const auto at = handle_at(pane, handle);
+            at && std::hypot(at->x - pressed_.x, at->y - pressed_.y) <= handle_reach * ui.unit) {
+            drag_ = handle;
+            from_ = bench_.session.culling_view();
+        }
+}
+
+void Mouse3d::drag(Ui& ui, const Pane3d& pane) {
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    const double right = (mouse.x - pressed_.x) / pane.area().h, up = (pressed_.y - mouse.y) / pane.area().h;
+    const int axis = bench_.session.scene().up_axis;
+    if (drag_ == Drag::orbit) move_view(ui, orbited(from_, axis, -right * orbit_degrees, -up * orbit_degrees));
+    if (drag_ == Drag::turn) move_view(ui, turned(from_, axis, right * turn_degrees, up * turn_degrees));
+    if (drag_ == Drag::pan) {
+        const View<3>& camera = pane.camera();
+        const double height = glm::length(camera.corners[3] - camera.corners[0]);  // at the distance of look_at
+        move_view(ui, walked(from_, axis, Vec<3>(-right * height, -up * height, 0)));
+    }
+    if (drag_ == Drag::frozen_eye || drag_ == Drag::frozen_look) {
+        // In the plane through the handle that is parallel to the picture.
+        const View<3>& camera = pane.camera();
+        const Vec<3> at = drag_ == Drag::frozen_eye ? from_.eye : from_.look_at;
+        const double scale = depth(camera, at);
+        const Vec<3> across = (camera.corners[1] - camera.corners[0]) / picture_plane(camera).max.x;
+        const Vec<3> by = (across * right + (camera.corners[3] - camera.corners[0]) * up) * scale;
+        ViewSpec<3> view = from_;
+        view.look_at += by;
+        if (drag_ == Drag::frozen_eye) view.eye += by;
+        try {
+            change_culling_view(bench_, view, "mouse");
+            ++ui.revision;
+        } catch (const InputError&) {
+        }
+    }
+}
+
+/// Clicks at one place take the triangle, then the cell, and so on.
+void Mouse3d::click(Ui& ui, const Pane3d& pane) {
+    const ImVec2 at = ImGui::GetIO().MousePos;
+    const bool again = std::hypot(at.x - clicked_.x, at.y - clicked_.y) <= click_slack * ui.unit;
+    clicks_ = again ? clicks_ + 1 : 0;
+    clicked_ = at;
+    const Pick3d under = pick(pane.solid(), pane.to_plane(at));
+    const Tool tool = bench_.desk.tool;
+    if (tool >= Tool::text) {
+        const std::string anchor = under.primitive != none ? "primitive:" + std::to_string(under.primitive)
+                                   : under.cell != none
+                                       ? "cell:" + std::to_string(under.cell)
+                                       : point_text(bench_.session.display_view().look_at, bench_.session.scene());
+        const std::string kind(tool_words[static_cast<std::size_t>(tool)]);
+        field_.open(at, "note " + kind + " " + anchor + (tool == Tool::arrow ? " [34,26]" : " [0,14]"), "tool select");
+        return;
+    }
+    std::vector<std::string> choices;
+    if (under.cell != none) choices.push_back(std::to_string(under.cell));
+    if (under.primitive != none) choices.push_back("primitive:" + std::to_string(under.primitive));
+    if (choices.empty()) return ui.act("select none");
+    ui.act("select " + choices[static_cast<std::size_t>(clicks_) % choices.size()]);
+}
+
+void Mouse3d::frame(Ui& ui, std::span<const Pane3d> panes) {
+    const ImGuiIO& io = ImGui::GetIO();
+    hovered_ = ImGui::IsItemHovered();
+    const Pane3d* under = &panes.front();
+    for (const Pane3d& pane : panes)
+        if (pane.area().contains(io.MousePos)) under = &pane;
+    if (hovered_ && io.MouseWheel != 0) {
+        const ViewSpec<3>& view = bench_.session.display_view();
+        move_view(ui, bench_.flight.on ? walked(view, bench_.session.scene().up_axis,
+                                                Vec<3>(0, 0, io.MouseWheel * flight_speed(bench_) * 0.2))
+                                       : approached(view, std::pow(wheel_factor, io.MouseWheel)));
+        if (!bench_.flight.on) land(bench_);
+    }
+    if (ImGui::IsItemActivated()) press(ui, *under);
+    if (drag_ != Drag::none && ImGui::IsItemActive()) {
+        if (std::hypot(io.MousePos.x - pressed_.x, io.MousePos.y - pressed_.y) > click_slack * ui.unit)
+            drag(ui, *under);
+    } else if (drag_ != Drag::none) {
+        const bool still = std::hypot(io.MousePos.x - pressed_.x, io.MousePos.y - pressed_.y) <= click_slack * ui.unit;
+        drag_ = Drag::none;
+        before_.reset();
+        end_gesture(bench_);
+        if (!bench_.flight.on) land(bench_);
+        ++ui.revision;
+        if (still && io.MouseReleased[ImGuiMouseButton_Left]) click(ui, *under);
+    }
+}
+
+bool Mouse3d::cancel() {
+    if (field_.close()) return true;
+    if (drag_ == Drag::none) return false;
+    drag_ = Drag::none;
+    cancel_gesture(bench_, std::move(*before_));
+    before_.reset();
+    return true;
+}
+
+void Mouse3d::tooltip(Ui& ui, const Pane3d& pane) {
+    if (!hovered_ || !ui.mouse_awake || drag_ != Drag::none || field_.is_open() || bench_.session.flying()) return;
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    const Pick3d under = pick(pane.solid(), pane.to_plane(mouse));
+    if (!under.hits()) return;
+    if (under.cell != none) ui.hovering = under.cell;
+    const std::string text =
+        under.cell != none ? cell_words(bench_.session, under.cell) : "triangle " + std::to_string(under.primitive);
+    ImGui::SetNextWindowPos({mouse.x + 18 * ui.unit, mouse.y + 18 * ui.unit});
+    ImGui::SetTooltip("%s", text.c_str());
+}
+
+void Mouse3d::draw(Ui& ui, std::span<const Pane3d> panes, const Area& area) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const Pane3d& lead = panes.front();
+    for (const Drag handle : {Drag::frozen_eye, Drag::frozen_look}) {
+        const auto at = handle_at(lead, handle);
+        if (!at) continue;
+        const bool lit = drag_ == handle;
+        list.AddCircleFilled(*at, 6 * ui.unit, lit ? colour(theme::accent) : IM_COL32_WHITE);
+        list.AddCircle(*at, 6 * ui.unit, colour(theme::ink), 0, 1.5f * ui.unit);
+        bench_.places.push_back({handle == Drag::frozen_eye ? "frozen eye" : "frozen look", at->x, at->y, 0, 0});
+    }
+    tooltip(ui, lead);
+    field_.draw(ui, area);
+    ui.awaits_text = field_.is_open();
+}
+
+}  // namespace sightline

@@ -1,0 +1,46 @@
+// The mouse on the 3D picture: circle, turn, move, come nearer, pick, and the handles of the frozen eye.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "shell/bench/gesture.h"
+#include "shell/window/note_field.h"
+#include "viewer3d/pane3d.h"
+#include "viewer3d/picking3d.h"
+
+namespace sightline {
+
+class Mouse3d {
+public:
+    /// The bench must live longer.
+    explicit Mouse3d(Workbench<3>& bench) : bench_(bench) {}
+
+    /// After the ImGui item that covers all panes, which are as the person sees them.
+    void frame(Ui& ui, std::span<const Pane3d> panes);
+    /// Handles, tooltips, the note's field.
+    void draw(Ui& ui, std::span<const Pane3d> panes, const Area& area);
+    /// Ends a drag without effect, or drops a note that is being written; false when there is neither.
+    bool cancel();
+
+private:
+    enum class Drag { none, orbit, turn, pan, frozen_eye, frozen_look };
+    void press(Ui& ui, const Pane3d& pane);
+    void drag(Ui& ui, const Pane3d& pane);
+    void click(Ui& ui, const Pane3d& pane);
+    void move_view(Ui& ui, const ViewSpec<3>& view);
+    std::optional<ImVec2> handle_at(const Pane3d& pane, Drag handle) const;
+    void tooltip(Ui& ui, const Pane3d& pane);
+
+    Workbench<3>& bench_;
+    NoteField field_;
+    Drag drag_ = Drag::none;
+    std::optional<Gesture<3>> before_;
+    ViewSpec<3> from_{};  ///< the view that is dragged, as the button went down
+    ImVec2 pressed_{}, clicked_{-1e9f, -1e9f};
+    int clicks_ = 0;
+    bool hovered_ = false;
+};
+
+}  // namespace sightline

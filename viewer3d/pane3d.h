@@ -1,0 +1,75 @@
+// One session's 3D picture in the window: solids, lines and labels, each made again only when it changes.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/draw/picture_3d.h"
+#include "shell/gl/list_renderer.h"
+#include "shell/gl/solid_renderer.h"
+#include "shell/gl/target.h"
+#include "shell/gl/texture_quad.h"
+#include "shell/window/legend.h"
+
+namespace sightline {
+
+class Pane3d {
+public:
+    /// Brings everything up to date. A new `revision` says that the session or the options may have changed; `run`
+    /// counts its traversals (Workbench::run). Draws off screen; leaves the default framebuffer bound.
+    void update(const Ui& ui, const Session<3>& session, const PictureOptions3& options, std::uint64_t revision,
+                std::uint64_t run, const Area& area, bool projector, bool with_legend);
+
+    /// Lays the picture onto the default framebuffer.
+    void draw() const;
+    /// Labels of the picture and texts of the legend.
+    void draw_texts(ImDrawList& list, const Ui& ui) const;
+
+    const View<3>& camera() const { return solid_.camera; }
+    const SolidList& solid() const { return solid_; }
+    const Area& area() const { return area_; }
+    ImVec2 to_window(const Vec<2>& plane) const;
+    /// The point of the picture's plane under a point of the window.
+    Vec<2> to_plane(const ImVec2& window) const;
+    const std::vector<LabelSpot>& spots() const { return spots_; }
+    double draw_ms() const { return draw_ms_; }  ///< of the last time
+
+private:
+    struct Size {
+        int x = 0, y = 0, w = 0, h = 0;  ///< framebuffer pixels, y up
+        double px_per_pt = 0, line_scale = 1;
+        bool operator==(const Size&) const = default;
+    };
+    /// What the solids were made from, but for the camera.
+    struct SolidKey {
+        const Scene<3>* scene = nullptr;
+        std::uint64_t run = 0;
+        std::uint32_t position = 0, cell = none, primitive = none;
+        bool outside = false, flying = false, sides = false;
+        Settings settings;
+        std::optional<std::uint32_t> facet;
+        std::optional<ViewSpec<3>> sliced_from;  ///< the plane of a slice across the view turns with it
+        std::optional<std::array<double, 2>> heat;
+        bool operator==(const SolidKey&) const = default;
+    };
+
+    void make_solid_list(const Session<3>& session, const PictureOptions3& options, std::uint64_t run);
+    void make_legend_box(const Ui& ui, const Session<3>& session, const PictureOptions3& options);
+    void render();
+
+    Area area_;
+    Size size_;
+    std::uint64_t revision_ = 0;
+    std::optional<SolidKey> key_;
+    SolidList solid_;
+    DrawList over_;
+    SolidRenderer solid_renderer_;
+    ListRenderer over_renderer_, legend_renderer_;
+    TextureQuad quad_;
+    std::optional<GlTarget> picture_;
+    LegendBox legend_;
+    Area legend_area_;
+    std::vector<LabelSpot> spots_, legend_spots_;
+    LabelMemory memory_;
+    double draw_ms_ = 0;
+};
+
+}  // namespace sightline

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "viewer3d/renderers.h"
+
+namespace sightline {
+
+Renderers::Made& Renderers::made() {
+    if (made_) return *made_;
+    if (!has_current_context()) {
+        off_screen_.reset();
+        off_screen_.emplace(GlContext::Place::off_screen, "sightline", 64, 64);
+    }
+    return made_.emplace();
+}
+
+Graphics graphics_of(const std::shared_ptr<Renderers>& renderers) {
+    Graphics graphics;
+    graphics.draw_ids = [renderers](const Scene<3>& scene, const View<3>& view, const ImageSize& size, int layers) {
+        return renderers->ids().draw(scene, view, size, layers);
+    };
+    graphics.draw_solid = [renderers](const SolidList& list, int width, int height, double px_per_pt) {
+        return renderers->solids().picture(list, width, height, px_per_pt);
+    };
+    return graphics;
+}
+
+}  // namespace sightline

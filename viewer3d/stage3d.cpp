@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "viewer3d/stage3d.h"
+
+#include "core/scene/catalogue.h"
+#include "viewer3d/picture3d.h"
+
+namespace sightline {
+
+namespace {
+
+std::vector<SceneChoice> choices() {
+    std::vector<SceneChoice> all;
+    for (const CatalogueRow<3>& row : catalogue<3>()) all.push_back({row.id, row.title, row.lesson});
+    return all;
+}
+
+/// What of OpenGL the window's end takes with it.
+struct Held {
+    Held(Workbench<3>& bench, std::shared_ptr<Renderers> shared) : renderers(std::move(shared)), picture(bench) {
+        renderers->drop();  // made before there was a window
+    }
+    ~Held() { renderers->drop(); }
+    Held(const Held&) = delete;
+    Held& operator=(const Held&) = delete;
+
+    std::shared_ptr<Renderers> renderers;
+    Picture3d picture;
+};
+
+}  // namespace
+
+Stage stage3d(Workbench<3>& bench, const std::shared_ptr<Renderers>& renderers) {
+    const auto held = std::make_shared<Held>(bench, renderers);
+    Stage stage;
+    stage.draw = [held](Ui& ui, const Area& area) { held->picture.draw(ui, area); };
+    stage.interact = [held](Ui& ui, const Area& area) { held->picture.interact(ui, area); };
+    stage.cancel = [held] { return held->picture.cancel(); };
+    stage.takes_key = [held](const std::string& key) { return held->picture.takes_key(key); };
+    stage.lively = [held] { return held->picture.lively(); };
+    stage.scenes = choices();
+    stage.thumbnail = [](const SceneChoice&, int, int) -> GLuint { return 0; };
+    return stage;
+}
+
+}  // namespace sightline
