@@ -15,6 +15,7 @@
 #include "core/session/explain.h"
 #include "core/traversal/facet_geometry.h"
 #include "core/traversal/star_shape.h"
+#include "tests/picture_3d_goldens.h"
 #include "tests/picture_support.h"
 #include "tests/session_3d_support.h"
 
@@ -55,13 +56,12 @@ std::string hash_of(const std::string& text) {
 }
 
 /// Goldens, the hash of the solids and that of the lines. After a wanted change the failure prints the new table.
-using Goldens = std::vector<std::array<const char*, 6>>;
-const Goldens& goldens();
+const Goldens& goldens = test::picture_3d_goldens;
 
 TEST(Picture3, IsThatOfTheGoldens) {
     Random random(330);
     std::string table;
-    bool same = goldens().size() == 4;
+    bool same = goldens.size() == 4;
     for (std::size_t i = 0; i < 4; ++i) {
         Start3 start = random_start_3d(random);
         start.settings.budget = {};
@@ -86,7 +86,7 @@ TEST(Picture3, IsThatOfTheGoldens) {
         table += "        {";
         for (std::size_t k = 0; k < now.size(); ++k) {
             table += (k ? ", \"" : "\"") + now[k] + "\"";
-            same = same && now[k] == goldens()[i][k];
+            same = same && now[k] == goldens[i][k];
         }
         table += "},\n";
     }
@@ -489,20 +489,6 @@ TEST(Picture3, AnEmptySceneHasAPicture) {
     session.set_view({{5, 5, 5}, {0, 0, 0}, 60});
     set_all(session, {"slice=view", "clean_as=solid", "triangles=all"});
     EXPECT_NO_THROW(make_figure(std::array{PanelSource{session, ""}}));
-}
-
-const Goldens& goldens() {
-    static const Goldens table{
-        {"7ee4498dc6c27ae4", "9936d66d87adb8f8", "8e4f69b44799d45c", "1c64e3d8f9876bed", "4333f8bcdee7fc57",
-         "5c9c1784ffc72f61"},
-        {"68f40397d0c9f117", "bab038786cde77c0", "2b84c935e8f3000e", "bc8c652d3d65c79d", "d2a20033a8f95d49",
-         "656e0b1d3bdfbe8e"},
-        {"e59b8c6d50b8e349", "b4a5ca7965e40fba", "9c570eb2778cb24e", "b27be4fed1cc1b44", "81fe9d2d342d4f08",
-         "e6a5a708b8262341"},
-        {"b6af65220cbe8611", "2e2290f72491d009", "e57c7334a5010cc8", "078928acda684bff", "4481c0099e4a9aaf",
-         "f9066e5f0afa8171"},
-    };
-    return table;
 }
 
 }  // namespace

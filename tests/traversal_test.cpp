@@ -283,25 +283,12 @@ TEST(Traversal, StartingAnotherFrameForgetsTheLast) {
 TEST(Traversal, StepsBothWaysInThreeDimensions) {
     Random random(18);
     for (int i = 0; i < 30; ++i) {
-        std::vector<Primitive<3>> triangles;
-        for (int t = 0; t < 60; ++t) {
-            const Vec<3> at(random.unit(), random.unit(), random.unit());
-            const auto near = [&] {
-                return at + Vec<3>(random.uniform(-.1, .1), random.uniform(-.1, .1), random.uniform(-.1, .1));
-            };
-            triangles.push_back({near(), near(), near()});
-        }
-        CellComplex<3> cells = tree_cells(build_tree<3>(triangles, 0.1));
-        std::vector<CellPrimitive> pairs;
-        for (std::uint32_t t = 0; t < triangles.size(); ++t)
-            for (const Vec<3>& p : triangles[t]) pairs.push_back({locate(cells, p), t});
-        std::sort(pairs.begin(), pairs.end());
-        pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-        set_cell_primitives<3>(cells, pairs);
-
-        Settings settings = test::random_settings(random);
+        const Scene<3> scene = test::random_scene_3d(random, 60);
+        const Settings settings = test::random_settings(random);
+        const CellComplex<3> cells = build_cells(scene, settings);
+        if (cells.cell_count() == 0) continue;
         const ViewSpec<3> spec{{random.uniform(-1, 2), random.uniform(-1, 2), random.uniform(-1, 2)}, {.5, .5, .5}, 60};
-        const Frame<3> frame = make_frame<3>(triangles, cells, make_view(spec, 4.0 / 3), settings);
+        const Frame<3> frame = make_frame<3>(scene.primitives, cells, make_view(spec, 4.0 / 3), settings);
         const Method<3>& method = find_method<3>(method_table<3>(), settings.method);
         State<3> state;
         Timeline timeline = record_all(method, frame, state);

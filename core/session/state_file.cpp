@@ -262,7 +262,8 @@ OrderedJson scene_part(const Scene<D>& scene) {
 template <int D>
 OrderedJson session_part(const Session<D>& session) {
     OrderedJson settings;
-    for (const SettingRow& row : settings_table()) settings[std::string(row.name)] = row.get(session.settings());
+    for (const SettingRow& row : settings_table())
+        if (row.dimension == 0 || row.dimension == D) settings[std::string(row.name)] = row.get(session.settings());
     OrderedJson json{{"settings", std::move(settings)},
                      {"view", view_json<D>(session.culling_view())},
                      {"step", session.position()},

@@ -69,19 +69,30 @@ public:
 
     const std::vector<std::uint32_t>& cells_of(std::uint32_t, const Primitive<3>& triangle) {
         found_.clear();
-        descend(0, TriangleTest(triangle));
+        const TriangleTest test(triangle);
+        const Box<3>& root = tree_.root_box();
+        descend(0, test, root.contains(test.bounds().min) && root.contains(test.bounds().max));
         return found_;
     }
 
 private:
-    void descend(std::uint32_t node, const TriangleTest& test) {
+    /// inside: the triangle is known to lie in the node.
+    void descend(std::uint32_t node, const TriangleTest& test, bool inside) {
         const Tree<3>::Node& at = tree_.nodes[node];
-        if (!test.meets(at.box)) return;
+        if (!inside && !test.meets(at.box)) return;
         if (at.first_child == none) {
             found_.push_back(at.leaf);
             return;
         }
-        for (std::uint32_t child = 0; child < Tree<3>::child_count; ++child) descend(at.first_child + child, test);
+        const Vec<3>& middle = tree_.nodes[at.first_child].box.max;
+        std::uint32_t low = 0, high = 0;  // bit i: the triangle's box reaches the lower, the upper half of axis i
+        for (int i = 0; i < 3; ++i) {
+            low |= static_cast<std::uint32_t>(test.bounds().min[i] <= middle[i]) << i;
+            high |= static_cast<std::uint32_t>(test.bounds().max[i] >= middle[i]) << i;
+        }
+        const bool one = (low ^ high) == 7;
+        for (std::uint32_t child = 0; child < Tree<3>::child_count; ++child)
+            if ((child & ~high) == 0 && (~child & 7 & ~low) == 0) descend(at.first_child + child, test, inside && one);
     }
 
     const Tree<3>& tree_;

@@ -33,13 +33,17 @@ struct CellPrimitive {
     auto operator<=>(const CellPrimitive&) const = default;
 };
 
-/// Compresses the pairs into rows sorted by primitive, and fills rho_max and rho_p95.
+/// Compresses the pairs, which are sorted by primitive, into rows, and fills rho_max and rho_p95.
 template <int D>
 void set_cell_primitives(CellComplex<D>& cells, std::span<const CellPrimitive> pairs);
 
 /// As locate(), but where several cells hold p it is not said which one comes back. Faster.
 template <int D>
 std::uint32_t any_holding(const CellComplex<D>& cells, const Vec<D>& p, std::uint32_t near = none);
+
+/// Fills rho_max and rho_p95 from the rows.
+template <int D>
+void set_solidity_scales(CellComplex<D>& cells);
 
 /// Fills border_cells.
 template <int D>

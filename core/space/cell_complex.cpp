@@ -75,18 +75,16 @@ std::uint32_t any_holding(const CellComplex<D>& cells, const Vec<D>& p, std::uin
     if (cells.cell_count() == 0) return none;
     if (cells.kind == Tessellation::tree && !cells.tree.root_box().contains(p)) return none;
     std::uint32_t cell = near != none ? near : cells.leaf_cell[cells.tree.leaf_at(p)];
-    // Visibility walk: on a Delaunay triangulation it ends (no cycle), in a tree it starts at its end.
-    for (bool moved = true; moved;) {
-        moved = false;
-        for (const HalfFacet& half : cells.facets_of(cell))
-            if (facet_side(cells, half, p) < 0) {
-                if (half.neighbour == none) return none;
-                cell = half.neighbour;
-                moved = true;
-                break;
-            }
+    // Visibility walk: on a Delaunay triangulation it comes to no cell twice, in a tree it starts at its end.
+    for (std::uint32_t step = 0; step < cells.cell_count(); ++step) {
+        const auto facets = cells.facets_of(cell);
+        const auto beyond = std::find_if(facets.begin(), facets.end(),
+                                         [&](const HalfFacet& half) { return facet_side(cells, half, p) < 0; });
+        if (beyond == facets.end()) return cell;
+        if (beyond->neighbour == none) return none;
+        cell = beyond->neighbour;
     }
-    return cell;
+    return none;
 }
 
 template <int D>
@@ -105,22 +103,24 @@ void set_cell_primitives(CellComplex<D>& cells, std::span<const CellPrimitive> p
     std::vector<std::uint32_t>& begin = cells.cell_primitive_begin;
     begin.assign(cells.cell_count() + 1, 0);
     for (const CellPrimitive& pair : pairs) ++begin[pair.cell + 1];
-    cells.rho_max = cells.rho_p95 = 0;
-    std::vector<std::uint32_t> counts;
-    for (const std::uint32_t count : begin)
-        if (count > 0) counts.push_back(count);
-    if (!counts.empty()) {
-        const auto p95 = counts.begin() + static_cast<std::ptrdiff_t>((counts.size() - 1) * 95 / 100);
-        std::nth_element(counts.begin(), p95, counts.end());
-        cells.rho_p95 = *p95;
-        cells.rho_max = *std::max_element(counts.begin(), counts.end());
-    }
     for (std::size_t i = 1; i < begin.size(); ++i) begin[i] += begin[i - 1];
     cells.cell_primitives.resize(pairs.size());
     std::vector<std::uint32_t> end(begin.begin(), begin.end() - 1);
     for (const CellPrimitive& pair : pairs) cells.cell_primitives[end[pair.cell]++] = pair.primitive;
+    set_solidity_scales(cells);
+}
+
+template <int D>
+void set_solidity_scales(CellComplex<D>& cells) {
+    cells.rho_max = cells.rho_p95 = 0;
+    std::vector<std::uint32_t> counts;
     for (std::uint32_t cell = 0; cell < cells.cell_count(); ++cell)
-        std::sort(cells.cell_primitives.begin() + begin[cell], cells.cell_primitives.begin() + begin[cell + 1]);
+        if (cells.count(cell) > 0) counts.push_back(cells.count(cell));
+    if (counts.empty()) return;
+    const auto p95 = counts.begin() + static_cast<std::ptrdiff_t>((counts.size() - 1) * 95 / 100);
+    std::nth_element(counts.begin(), p95, counts.end());
+    cells.rho_p95 = *p95;
+    cells.rho_max = *std::max_element(counts.begin(), counts.end());
 }
 
 template <int D>
@@ -153,6 +153,7 @@ CellComplex<D> build_cells(const Scene<D>& scene, const Settings& settings) {
     template std::uint32_t any_holding<D>(const CellComplex<D>&, const Vec<D>&, std::uint32_t); \
     template double distance_to_facet<D>(const CellComplex<D>&, std::uint32_t, const Vec<D>&);  \
     template void set_cell_primitives<D>(CellComplex<D>&, std::span<const CellPrimitive>);      \
+    template void set_solidity_scales<D>(CellComplex<D>&);                                      \
     template void set_border_cells<D>(CellComplex<D>&);                                         \
     template CellComplex<D> tessellation<D>(const Scene<D>&, const Settings&);                  \
     template CellComplex<D> build_cells<D>(const Scene<D>&, const Settings&);

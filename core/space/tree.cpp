@@ -1,30 +1,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/space/tree.h"
 
-#include <algorithm>
-#include <span>
-
 namespace sightline {
 
 namespace {
 
+/// Vertices come one after the other and are not copied: a leaf remembers the first it got and splits when another one
+/// comes that differs. The nodes are put into depth-first order at the end, which does not depend on that of the
+/// vertices.
 template <int D>
 class Builder {
 public:
     Builder(const std::vector<Primitive<D>>& primitives, double error_bound) {
-        Box<D> box;
-        for (const Primitive<D>& p : primitives)
-            for (const Vec<D>& v : p) {
-                box.add(v);
-                points_.push_back(v);
-            }
+        const Box<D> box = bounds<D>(primitives);
         smallest_side_ = box.longest_side() * error_bound;
-        tree_.nodes.push_back({root(box)});
-        split(0, points_);
+        add_node(root(box));
+        for (const Primitive<D>& p : primitives)
+            for (const Vec<D>& v : p) insert(v);
     }
-    Tree<D> take() { return std::move(tree_); }
+
+    Tree<D> take() {
+        tree_.nodes.push_back({made_[0].box});
+        copy_below(0, 0);
+        return std::move(tree_);
+    }
 
 private:
+    struct Node : Tree<D>::Node {
+        Vec<D> vertex{};
+        bool occupied = false;
+    };
+
     static Box<D> root(const Box<D>& box) {
         const double side = box.longest_side();
         if (box.empty() || side == 0) {
@@ -35,43 +41,72 @@ private:
         return {glm::min(box.min, box.centre() - Vec<D>(side / 2)), glm::max(box.max, box.centre() + Vec<D>(side / 2))};
     }
 
-    bool is_leaf(const Box<D>& box, std::span<const Vec<D>> points) const {
-        if (box.max.x - box.min.x < smallest_side_ || points.size() < 2) return true;
-        const Vec<D> middle = box.centre();
-        for (int i = 0; i < D; ++i)
-            if (!(box.min[i] < middle[i] && middle[i] < box.max[i])) return true;  // out of doubles
-        return std::all_of(points.begin(), points.end(), [&](const Vec<D>& p) { return p == points.front(); });
+    void add_node(const Box<D>& box) {
+        Node node;
+        node.box = box;
+        made_.push_back(node);
     }
 
-    void split(std::uint32_t node, std::span<Vec<D>> points) {
-        const Box<D> box = tree_.nodes[node].box;
-        if (is_leaf(box, points)) {
-            tree_.nodes[node].leaf = static_cast<std::uint32_t>(tree_.leaves.size());
-            tree_.leaves.push_back(node);
-            return;
-        }
+    bool can_split(const Box<D>& box) const {
+        if (box.max.x - box.min.x < smallest_side_) return false;
         const Vec<D> middle = box.centre();
-        const auto first_child = static_cast<std::uint32_t>(tree_.nodes.size());
-        tree_.nodes[node].first_child = first_child;
+        for (int i = 0; i < D; ++i)
+            if (!(box.min[i] < middle[i] && middle[i] < box.max[i])) return false;  // out of doubles
+        return true;
+    }
+
+    std::uint32_t child_at(std::uint32_t node, const Vec<D>& p) const {
+        const Vec<D>& middle = made_[made_[node].first_child].box.max;
+        std::uint32_t child = made_[node].first_child;
+        for (int i = 0; i < D; ++i) child += static_cast<std::uint32_t>(p[i] >= middle[i]) << i;
+        return child;
+    }
+
+    void insert(const Vec<D>& p) {
+        std::uint32_t node = 0;
+        for (;;) {
+            while (made_[node].first_child != none) node = child_at(node, p);
+            if (!made_[node].occupied) {
+                made_[node].occupied = true;
+                made_[node].vertex = p;
+                return;
+            }
+            if (made_[node].vertex == p || !can_split(made_[node].box)) return;
+            split(node);
+        }
+    }
+
+    void split(std::uint32_t node) {
+        const Box<D> box = made_[node].box;
+        const Vec<D> middle = box.centre();
+        made_[node].first_child = static_cast<std::uint32_t>(made_.size());
         for (int child = 0; child < Tree<D>::child_count; ++child) {
             Box<D> part = box;
             for (int i = 0; i < D; ++i) (child >> i & 1 ? part.min : part.max)[i] = middle[i];
-            tree_.nodes.push_back({part});
+            add_node(part);
         }
-        for (int child = 0; child < Tree<D>::child_count; ++child) {
-            const auto rest = std::partition(points.begin(), points.end(), [&](const Vec<D>& p) {
-                for (int i = 0; i < D; ++i)
-                    if ((p[i] >= middle[i]) != (child >> i & 1)) return false;
-                return true;
-            });
-            const auto size = static_cast<std::size_t>(rest - points.begin());
-            split(first_child + static_cast<std::uint32_t>(child), points.first(size));
-            points = points.subspan(size);
+        Node& heir = made_[child_at(node, made_[node].vertex)];
+        heir.occupied = true;
+        heir.vertex = made_[node].vertex;
+    }
+
+    void copy_below(std::uint32_t from, std::uint32_t to) {
+        const std::uint32_t children = made_[from].first_child;
+        if (children == none) {
+            tree_.nodes[to].leaf = static_cast<std::uint32_t>(tree_.leaves.size());
+            tree_.leaves.push_back(to);
+            return;
         }
+        const auto first_child = static_cast<std::uint32_t>(tree_.nodes.size());
+        tree_.nodes[to].first_child = first_child;
+        for (std::uint32_t child = 0; child < Tree<D>::child_count; ++child)
+            tree_.nodes.push_back({made_[children + child].box});
+        for (std::uint32_t child = 0; child < Tree<D>::child_count; ++child)
+            copy_below(children + child, first_child + child);
     }
 
     Tree<D> tree_;
-    std::vector<Vec<D>> points_;
+    std::vector<Node> made_;  ///< in the order in which they came
     double smallest_side_ = 0;
 };
 

@@ -32,11 +32,25 @@ bool meets_ray(const View<2>& view, int side_a, int side_b, const Vec<2>& a, con
     return side_a > side_b ? turn <= 0 : turn >= 0;
 }
 
+/// More than products of coordinates lose when they underflow.
+constexpr double smallest_product = 1e-300;
+
+/// The plane through the eye, a and b, with the inner point on its inner side. The exact normal is the cross product of
+/// the exact differences; each of its components is computed with an error below 4 u (|p| + |r|), where p and r are its
+/// two products and u = 2^-53. A difference q and the three products and two sums with it add less than 4 u to that
+/// factor. Twice the sum is kept.
+ViewPlane plane_through(const Vec<3>& eye, const Vec<3>& a, const Vec<3>& b, const Vec<3>& inner) {
+    const Vec<3> u = a - eye, v = b - eye;
+    const Vec<3> p(u.y * v.z, u.z * v.x, u.x * v.y), r(u.z * v.y, u.x * v.z, u.y * v.x);
+    // Where the eye, a, b and the inner point lie in one plane after rounding, nothing is outside.
+    return {(p - r) * static_cast<double>(orient(eye, a, b, inner)), (glm::abs(p) + glm::abs(r)) * 0x1p-49};
+}
+
 }  // namespace
 
 View<2> make_view(const ViewSpec<2>& spec) {
     check(spec);
-    View<2> view{spec.eye, spec.look_at, spec.fov, spec.fov == 360, {}};
+    View<2> view{spec.eye, spec.look_at, spec.fov, spec.fov == 360, {}, {}};
     if (view.all_round) return view;
     const SinCos half = sincos_degrees(spec.fov / 2);
     const Vec<2> d = spec.look_at - spec.eye;
@@ -49,7 +63,7 @@ View<2> make_view(const ViewSpec<2>& spec) {
 
 View<3> make_view(const ViewSpec<3>& spec, double aspect, int up_axis) {
     check(spec);
-    View<3> view{spec.eye, spec.look_at, spec.fov, false, {}};
+    View<3> view{spec.eye, spec.look_at, spec.fov, false, {}, {}};
     const Vec<3> forward = view.forward();
     Vec<3> up_hint(0);
     up_hint[std::abs(forward[up_axis]) < 0.999999 ? up_axis : 3 - up_axis] = 1;
@@ -62,6 +76,8 @@ View<3> make_view(const ViewSpec<3>& spec, double aspect, int up_axis) {
     const Vec<3> centre = spec.look_at;
     view.corners = {centre - right * w - up * h, centre + right * w - up * h, centre + right * w + up * h,
                     centre - right * w + up * h};
+    for (std::size_t i = 0; i < 4; ++i)
+        view.planes[i] = plane_through(view.eye, view.corners[i], view.corners[(i + 1) % 4], view.look_at);
     return view;
 }
 
@@ -84,13 +100,14 @@ bool in_view(const View<2>& view, std::span<const Vec<2>> cell_corners) {
 }
 
 bool in_view(const View<3>& view, std::span<const Vec<3>> cell_corners) {
-    for (std::size_t side = 0; side < view.corners.size(); ++side) {
-        const Vec<3>& c0 = view.corners[side];
-        const Vec<3>& c1 = view.corners[(side + 1) % view.corners.size()];
-        const int inner = orient(view.eye, c0, c1, view.look_at);
-        bool all_outside = true;
-        for (const Vec<3>& p : cell_corners) all_outside &= orient(view.eye, c0, c1, p) == -inner;
-        if (all_outside) return false;
+    const auto beyond = [&](const ViewPlane& plane, const Vec<3>& p) {
+        const Vec<3> q = p - view.eye;
+        return glm::dot(plane.inward, q) < -(glm::dot(plane.uncertainty, glm::abs(q)) + smallest_product);
+    };
+    for (const ViewPlane& plane : view.planes) {
+        std::size_t outside = 0;
+        while (outside < cell_corners.size() && beyond(plane, cell_corners[outside])) ++outside;
+        if (outside == cell_corners.size()) return false;
     }
     return true;
 }

@@ -10,6 +10,12 @@
 
 namespace sightline {
 
+/// A plane through the eye that bounds a 3D view cone. For a point q relative to the eye, dot(inward, q) is the side it
+/// lies on, positive inside; the rounding error is below dot(uncertainty, |q|).
+struct ViewPlane {
+    Vec<3> inward{}, uncertainty{};
+};
+
 /// Eye and view cone. The cone is fixed by points, not angles, so that every test on it is exact: it is the set of
 /// points between the rays from the eye through corners[i]. 2D: corners are {right, left} as seen from the eye; 3D:
 /// four, counter-clockwise as seen from the eye. all_round: there is no cone, everything is in view.
@@ -20,6 +26,8 @@ struct View {
     double fov = 60;  ///< degrees; kept for display, decisions use the corners
     bool all_round = false;
     std::array<Vec<D>, 2 * (D - 1)> corners{};
+    /// 3D: through corners i and i + 1.
+    std::array<ViewPlane, D == 3 ? 4 : 0> planes{};
 
     /// Unit vector from the eye to look_at.
     Vec<D> forward() const { return (look_at - eye) / std::sqrt(glm::dot(look_at - eye, look_at - eye)); }
@@ -38,7 +46,8 @@ inline bool faces(const View<3>& view, const Primitive<3>& triangle) {
     return orient(triangle[0], triangle[1], triangle[2], view.eye) > 0;
 }
 
-/// Whether the closed primitive meets the closed cone. 2D: exact. 3D: conservative (never false when it does).
+/// Whether the closed primitive meets the closed cone. 2D: exact. 3D: conservative (never false when it does): true
+/// also for one that lies beyond no single plane of the cone.
 bool in_view(const View<2>& view, const Primitive<2>& segment);
 bool in_view(const View<3>& view, const Primitive<3>& triangle);
 

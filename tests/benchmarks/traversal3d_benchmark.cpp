@@ -1,0 +1,104 @@
+// 3D: from a city to its cells, and one frame of each method on the street. Frame cost should follow what is seen, not
+// what exists: the last rows compare the same street view in cities of different size.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <benchmark/benchmark.h>
+
+#include <map>
+
+#include "core/scene/generators_3d.h"
+#include "core/space/builders.h"
+#include "core/traversal/methods.h"
+
+namespace sightline {
+namespace {
+
+constexpr std::size_t usual = 500'000;
+
+/// A city of so many triangles with leaves as large as those of the usual size, and the path along its street.
+struct City {
+    Generated made;
+    Settings settings;
+    CellComplex<3> cells;
+    std::vector<View<3>> views;
+
+    explicit City(std::size_t triangles) : made(generate::city(1, triangles)) {
+        static const double leaf = 0.05 * bounds<3>(generate::city(1, usual).triangles).longest_side();
+        settings.error_bound = leaf / bounds<3>(made.triangles).longest_side();
+        Scene<3> scene;
+        scene.primitives = std::move(made.triangles);
+        cells = build_cells(scene, settings);
+        made.triangles = std::move(scene.primitives);
+        for (const FlightPath<3>& path : made.paths)
+            if (path.id == "street")
+                for (std::size_t frame = 0; frame < path.frames.size(); frame += 10)
+                    views.push_back(make_view(path.frames[frame], 4.0 / 3));
+    }
+};
+
+const City& city(std::size_t triangles) {
+    static std::map<std::size_t, City> made;
+    return made.try_emplace(triangles, triangles).first->second;
+}
+
+/// Each iteration is one frame; they go through the views in turn.
+void frames(benchmark::State& run, const City& city, const char* method_id, std::uint32_t budget) {
+    const Method<3>& method = find_method<3>(method_table<3>(), method_id);
+    State<3> state;
+    std::size_t next = 0, steps = 0, rendered = 0, met = 0, count = 0;
+    for (auto _ : run) {
+        Frame<3> frame =
+            make_frame<3>(city.made.triangles, city.cells, city.views[next], city.settings, city.made.two_sided);
+        frame.budget = budget;
+        method.start(frame, state);
+        benchmark::DoNotOptimize(method.run(frame, state, none));
+        next = (next + 1) % city.views.size();
+        ++count;
+        steps += state.step;
+        rendered += state.rendered_count;
+        met += state.touched_count;
+    }
+    run.counters["cells"] = city.cells.cell_count();
+    run.counters["steps"] = static_cast<double>(steps) / static_cast<double>(count);
+    run.counters["rendered"] = static_cast<double>(rendered) / static_cast<double>(count);
+    run.counters["met"] = static_cast<double>(met) / static_cast<double>(count);
+}
+
+constexpr std::array<const char*, 5> methods{"published", "layers", "centroid", "view", "everything"};
+
+/// Arguments: method, budget in per cent.
+void BM_Frame3(benchmark::State& run) {
+    const char* method = methods[static_cast<std::size_t>(run.range(0))];
+    run.SetLabel(method);
+    frames(run, city(usual), method, static_cast<std::uint32_t>(usual / 100 * static_cast<std::size_t>(run.range(1))));
+}
+BENCHMARK(BM_Frame3)->ArgsProduct({{0, 1, 2, 3, 4}, {1, 5, 10}})->Unit(benchmark::kMillisecond);
+
+/// Arguments: method, triangles of the city. The budget is 1 % of the usual city.
+void BM_SameStreet3(benchmark::State& run) {
+    const char* method = methods[static_cast<std::size_t>(run.range(0))];
+    run.SetLabel(method);
+    frames(run, city(static_cast<std::size_t>(run.range(1))), method, usual / 100);
+}
+BENCHMARK(BM_SameStreet3)->ArgsProduct({{0, 1}, {500'000, 2'000'000, 8'000'000}})->Unit(benchmark::kMillisecond);
+
+void BM_Tessellate3(benchmark::State& run) {
+    Scene<3> scene;
+    scene.primitives = generate::city(1, usual).triangles;
+    CellComplex<3> cells;
+    for (auto _ : run) cells = tessellation(scene, Settings{});
+    run.counters["cells"] = cells.cell_count();
+    run.counters["bytes_per_cell"] = static_cast<double>(cells.memory_bytes()) / cells.cell_count();
+}
+BENCHMARK(BM_Tessellate3)->Unit(benchmark::kMillisecond);
+
+void BM_Assign3(benchmark::State& run) {
+    CellComplex<3> cells = city(usual).cells;
+    const auto& triangles = city(usual).made.triangles;
+    for (auto _ : run) assign_primitives(cells, triangles);
+    run.counters["bytes_per_triangle"] =
+        static_cast<double>(cells.reference_memory_bytes()) / static_cast<double>(triangles.size());
+}
+BENCHMARK(BM_Assign3)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace sightline
