@@ -4,6 +4,7 @@
 #include "core/session/report.h"
 #include "shell/bench/export.h"
 #include "shell/bench/film.h"
+#include "shell/bench/launch.h"
 #include "shell/bench/open.h"
 #include "shell/bench/recent.h"
 #include "shell/commands/arguments.h"
@@ -44,6 +45,13 @@ void paste(Workbench<D>& bench, Text) {
     bench.say("the state of the clipboard is open");
 }
 
+template <int D>
+void other_viewer(Workbench<D>& bench, Text text) {
+    const std::string program = D == 2 ? "viewer3d" : "viewer2d";
+    launch(program, text);
+    bench.say(program + " opens in a window of its own");
+}
+
 }  // namespace
 
 template <int D>
@@ -54,6 +62,8 @@ std::span<const Command<D>> file_commands() {
                        open(bench, file_argument(text));
                        note_opened(bench.recent, text);
                    }},
+        Command<D>{D == 2 ? "viewer3d" : "viewer2d", "[SCENE]", "start the other viewer beside this one", "",
+                   other_viewer<D>},
         Command<D>{"size", "84mm | WxH", "size of figures", "",
                    [](Workbench<D>& bench, Text text) { set_figure_size(bench, text); }},
         Command<D>{"shot", "FILE", "write a figure (.png, .svg, .pdf) and its sidecar", "Ctrl+E=?",

@@ -36,7 +36,7 @@ void chooser(Ui& ui, Workbench<D>& bench, const Stage& stage, const Area& area) 
         const float h = thumb_h + 14 * ui.unit;
         if (ImGui::InvisibleButton(choice.name.c_str(), {w, h})) {
             bench.desk.chooser = false;
-            ui.act("open " + choice.name);
+            ui.act(choice.command.empty() ? "open " + choice.name : choice.command);
         }
         note_place(bench, "scene " + choice.name);
         if (!ImGui::IsItemVisible()) continue;

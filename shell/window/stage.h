@@ -16,6 +16,7 @@ namespace sightline {
 struct SceneChoice {
     std::string name;  ///< what the command `open` takes
     std::string title, sentence;
+    std::string command{};  ///< what a click runs; empty: "open NAME"
 };
 
 struct Stage {
