@@ -2,6 +2,7 @@
 #include "shell/gl/context.h"
 
 #include <epoxy/gl.h>
+#include <malloc.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -45,6 +46,15 @@ void ask_for_core_profile() {
     SDL_GL_SetAttribute(SDL_GL_CONTEXT_FLAGS, SDL_GL_CONTEXT_FORWARD_COMPATIBLE_FLAG | SDL_GL_CONTEXT_DEBUG_FLAG);
     SDL_GL_SetAttribute(SDL_GL_DOUBLEBUFFER, 1);
     SDL_GL_SetAttribute(SDL_GL_DEPTH_SIZE, 0);
+}
+
+/// Mesa's software renderer takes tens of megabytes for a frame and frees them after it. Going back to the system and
+/// coming again as empty pages, they cost up to a quarter of the frame.
+void keep_freed_memory() {
+#ifdef __GLIBC__
+    mallopt(M_TRIM_THRESHOLD, 128 << 20);
+    mallopt(M_MMAP_THRESHOLD, 4 << 20);
+#endif
 }
 
 /// The version of whatever context the driver gives when nothing is asked for.
@@ -117,6 +127,7 @@ GlContext::GlContext(Place place, const std::string& title, int width, int heigh
     if (!context_ || epoxy_gl_version() < 33)
         throw WorkError("OpenGL 3.3 is needed; found: " +
                         (context_ ? string_of(GL_VERSION) : version_found(window_.get()) + " (" + why + ")") + remedy);
+    if (string_of(GL_RENDERER).find("llvmpipe") != std::string::npos) keep_freed_memory();
     if (epoxy_has_gl_extension("GL_KHR_debug")) {
         glEnable(GL_DEBUG_OUTPUT);
         glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
