@@ -55,13 +55,13 @@ protected:
         posix_spawn_file_actions_addopen(&actions, 1, out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
         posix_spawn_file_actions_addopen(&actions, 2, err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
         posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
-        arguments.insert(arguments.begin(), "viewer2d");
+        arguments.insert(arguments.begin(), program);
         std::vector<char*> argv;
         for (std::string& argument : arguments) argv.push_back(argument.data());
         argv.push_back(nullptr);
         pid_t child = 0;
         Result result;
-        EXPECT_EQ(posix_spawn(&child, SIGHTLINE_VIEWER2D, &actions, nullptr, argv.data(), environ), 0);
+        EXPECT_EQ(posix_spawn(&child, path.c_str(), &actions, nullptr, argv.data(), environ), 0);
         posix_spawn_file_actions_destroy(&actions);
         int status = 0;
         waitpid(child, &status, 0);
@@ -95,7 +95,7 @@ protected:
         const Result result = headless(std::move(arguments));
         EXPECT_EQ(result.status, 2) << result.err;
         EXPECT_EQ(result.error_lines(), 1u) << result.err;
-        EXPECT_EQ(result.err.find("viewer2d: "), 0u) << result.err;
+        EXPECT_EQ(result.err.find(program + ": "), 0u) << result.err;
         EXPECT_NE(result.err.find(what), std::string::npos) << result.err;
         EXPECT_EQ(files(), before) << "something was written";
     }
@@ -105,6 +105,7 @@ protected:
         return Json::parse(read("s.json"));
     }
 
+    std::string program = "viewer2d", path = SIGHTLINE_VIEWER2D;
     fs::path folder = fs::temp_directory_path() / ("sightline-viewer2d-" + std::to_string(getpid()));
 };
 

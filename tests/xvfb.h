@@ -150,6 +150,8 @@ public:
         return found && xdotool({"windowfocus", "--sync", window_});
     }
     bool key(const std::string& name) { return xdotool({"key", name}); }
+    bool down(const std::string& name) { return xdotool({"keydown", name}); }
+    bool up(const std::string& name) { return xdotool({"keyup", name}); }
     bool type(const std::string& text) { return xdotool({"type", "--delay", "2", text}); }
     bool move(double x, double y) { return xdotool({"mousemove", "--window", window_, whole(x), whole(y)}); }
     bool click(double x, double y) { return move(x, y) && xdotool({"click", "1"}); }
