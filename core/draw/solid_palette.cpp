@@ -18,7 +18,7 @@ std::vector<SolidStyle> standard() {
         solid("unseen", {140, 140, 140}),     solid("both", {166, 203, 187}),      solid("only_left", {80, 145, 205}),
         solid("only_right", {110, 80, 0}),    edge("border", {90, 110, 130}, 0.5), solid("plain", {205, 200, 190}),
         solid("rest", {228, 230, 234}),       solid("rendered", {205, 200, 190}),  solid("missed", {200, 70, 0}),
-        solid("wasted", {160, 95, 150}),      solid("other", {228, 230, 234}),     solid("fresh", {240, 175, 20}),
+        solid("wasted", {185, 135, 175}),      solid("other", {228, 230, 234}),     solid("fresh", {240, 175, 20}),
     };
 }
 
