@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdlib>
 #include <filesystem>
+#include <map>
 #include <regex>
 #include <span>
 #include <sstream>
@@ -214,8 +215,12 @@ std::vector<Shown> shown_in(const fs::path& page, std::span<const std::string> s
 }
 
 TEST_F(Examples, EveryCommandOfTheDocumentsWorksAndPrintsWhatTheyShow) {
-    const std::string as_viewer = "./run viewer2d", as_added = "build/release/examples/viewer2d_crowd";
-    const std::array starts{as_viewer, as_added};
+    const std::map<std::string, std::string> programs{{"./run viewer2d", viewer},
+                                                      {"./run viewer3d", SIGHTLINE_VIEWER3D},
+                                                      {"build/release/examples/viewer2d_crowd",
+                                                       SIGHTLINE_ADDED_HEURISTIC}};
+    std::vector<std::string> starts;
+    for (const auto& [start, program] : programs) starts.push_back(start);
     auto pages = files_in(source / "docs", ".md");
     pages.push_back(source / "README.md");
     pages.push_back(source / "examples/added_heuristic/README.md");
@@ -232,9 +237,9 @@ TEST_F(Examples, EveryCommandOfTheDocumentsWorksAndPrintsWhatTheyShow) {
             }
             skipped = !freedoom && shown.text.find("freedoom") != std::string::npos;
             if (skipped) continue;
-            const bool is_viewer = shown.text.starts_with(as_viewer);
-            std::string command = (is_viewer ? viewer : std::string(SIGHTLINE_ADDED_HEURISTIC)) +
-                                  shown.text.substr((is_viewer ? as_viewer : as_added).size());
+            std::string command;
+            for (const auto& [start, program] : programs)
+                if (shown.text.starts_with(start)) command = program + shown.text.substr(start.size());
             // What opens a window is opened without one.
             if (command.find("--headless") == std::string::npos && command.find("--list") == std::string::npos)
                 command += " --headless";
