@@ -109,7 +109,6 @@ void walls(Model& m, const Hall& hall) {
 Generated room(std::uint64_t seed, std::size_t triangles) {
     Random random(seed);
     Model model;
-    model.triangles.reserve(triangles + 500);
     // More chairs first; beyond a thousand they get finer instead.
     int detail = 1;
     while (triangles > 1000 * chair_triangles(detail)) ++detail;
@@ -117,6 +116,7 @@ Generated room(std::uint64_t seed, std::size_t triangles) {
     Model empty;
     walls(empty, hall_for(1));
     const Hall hall = hall_for((triangles - empty.triangles.size() + each / 2) / each);
+    model.triangles.reserve(empty.triangles.size() + hall.chairs * each);
     walls(model, hall);
     for (std::size_t k = 0; k < hall.chairs; ++k) {
         const int in_row = static_cast<int>(k) % (2 * hall.half_row), row = static_cast<int>(k) / (2 * hall.half_row);

@@ -21,19 +21,6 @@ void Model::box(const Vec<3>& low, const Vec<3>& high, unsigned sides) {
             polygon({corner(faces[f][0]), corner(faces[f][1]), corner(faces[f][2]), corner(faces[f][3])});
 }
 
-void Model::prism(std::span<const Vec<2>> outline, double bottom, double top, unsigned sides) {
-    const std::size_t n = outline.size();
-    const auto at_height = [&](std::size_t i, double z) { return Vec<3>(outline[i].x, outline[i].y, z); };
-    for (std::size_t i = 0; i < n; ++i) {
-        const std::size_t next = (i + 1) % n;
-        polygon({at_height(i, bottom), at_height(next, bottom), at_height(next, top), at_height(i, top)});
-    }
-    for (std::size_t i = 2; i < n; ++i) {
-        if (sides & top_side) triangle(at_height(0, top), at_height(i - 1, top), at_height(i, top));
-        if (sides & bottom_side) triangle(at_height(0, bottom), at_height(i, bottom), at_height(i - 1, bottom));
-    }
-}
-
 void Model::turned_solid(const Vec<3>& foot, const Vec<3>& axis, std::span<const Vec<2>> profile, int corners) {
     // Any two directions square to the axis and to each other, so that (u, v, axis) is right-handed.
     const Vec<3> helper = std::abs(axis.z) < 0.9 ? Vec<3>(0, 0, 1) : Vec<3>(1, 0, 0);

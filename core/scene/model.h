@@ -45,8 +45,6 @@ struct Model {
     void polygon(std::span<const Vec<3>> corners);
     void polygon(std::initializer_list<Vec<3>> corners) { polygon(std::span(corners.begin(), corners.size())); }
     void box(const Vec<3>& low, const Vec<3>& high, unsigned sides = all_sides);
-    /// Walls over a convex outline, which runs counter-clockwise as seen from above, and its top and bottom.
-    void prism(std::span<const Vec<2>> outline, double bottom, double top, unsigned sides = bottom_side | top_side);
     /// A solid of revolution: profile points are (radius, distance along the axis), from the foot on. Where the radius
     /// is 0 the solid closes. `axis` has length 1.
     void turned_solid(const Vec<3>& foot, const Vec<3>& axis, std::span<const Vec<2>> profile, int corners);
