@@ -23,6 +23,7 @@ public:
     void draw(Ui& ui, std::span<const Pane3d> panes, const Area& area);
     /// Ends a drag without effect, or drops a note that is being written; false when there is neither.
     bool cancel();
+    bool dragging() const { return drag_ != Drag::none; }
 
 private:
     enum class Drag { none, orbit, turn, pan, frozen_eye, frozen_look };

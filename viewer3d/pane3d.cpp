@@ -55,7 +55,7 @@ void Pane3d::make_solid_list(const Session<3>& session, const PictureOptions3& o
 }
 
 void Pane3d::update(const Ui& ui, const Session<3>& session, const PictureOptions3& options, std::uint64_t revision,
-                    std::uint64_t run, const Area& area, bool projector, bool with_legend) {
+                    std::uint64_t run, const Area& area, bool projector, bool with_legend, bool moving) {
     const auto pixels = [&](float v) { return static_cast<int>(std::lround(v * ui.framebuffer)); };
     const int height = pixels(ImGui::GetIO().DisplaySize.y);
     Size size{pixels(area.x), 0, std::max(1, pixels(area.w)), std::max(1, pixels(area.h))};
@@ -76,7 +76,7 @@ void Pane3d::update(const Ui& ui, const Session<3>& session, const PictureOption
     spots_ = place_labels(over_.labels, label_paper(ui, area, [this](const Vec<2>& p) { return to_window(p); }),
                           legend_.w > 0 ? std::span<const Area>(taken) : std::span<const Area>(), memory_);
     const Stopwatch drawing;
-    render();
+    render(moving);
     draw_ms_ = drawing.milliseconds();
 }
 
@@ -100,11 +100,11 @@ void Pane3d::make_legend_box(const Ui& ui, const Session<3>& session, const Pict
     legend_spots_ = place_labels(legend_.list.labels, paper, {}, nothing);
 }
 
-void Pane3d::render() {
+void Pane3d::render(bool moving) {
     if (!picture_ || picture_->width() != size_.w || picture_->height() != size_.h)
         picture_.emplace(size_.w, size_.h, 1, true);
     picture_->bind();
-    solid_renderer_.draw(solid_.camera, 0, 0, size_.w, size_.h, size_.px_per_pt);
+    solid_renderer_.draw(solid_.camera, 0, 0, size_.w, size_.h, size_.px_per_pt, moving);
     const ListView view{over_.world, 0, 0, size_.w, size_.h, size_.px_per_pt, size_.line_scale};
     over_renderer_.set(over_);
     over_renderer_.draw(view);

@@ -14,9 +14,10 @@ namespace sightline {
 class Pane3d {
 public:
     /// Brings everything up to date. A new `revision` says that the session or the options may have changed; `run`
-    /// counts its traversals (Workbench::run). Draws off screen; leaves the default framebuffer bound.
+    /// counts its traversals (Workbench::run). `moving`: fast rather than smooth. Draws off screen; leaves the default
+    /// framebuffer bound.
     void update(const Ui& ui, const Session<3>& session, const PictureOptions3& options, std::uint64_t revision,
-                std::uint64_t run, const Area& area, bool projector, bool with_legend);
+                std::uint64_t run, const Area& area, bool projector, bool with_legend, bool moving);
 
     /// Lays the picture onto the default framebuffer.
     void draw() const;
@@ -53,7 +54,7 @@ private:
 
     void make_solid_list(const Session<3>& session, const PictureOptions3& options, std::uint64_t run);
     void make_legend_box(const Ui& ui, const Session<3>& session, const PictureOptions3& options);
-    void render();
+    void render(bool moving);
 
     Area area_;
     Size size_;

@@ -110,7 +110,7 @@ void Picture3d::update(const Ui& ui, const Area& area) {
         if (i == 0 && bench_.substep && *bench_.substep >= first_facet_substep)
             options.facet = *bench_.substep - first_facet_substep;
         panes_[i].update(ui, session, options, ui.revision, bench_.run, part, bench_.desk.projector,
-                         i == 0 && bench_.desk.legend);
+                         i == 0 && bench_.desk.legend, mouse_.dragging() || lively());
         insets_[i].update(session, ui.revision);
     }
     bench_.flight.draw_ms = panes_[0].draw_ms();
