@@ -1,5 +1,6 @@
 // Draws images of ids (the item buffer of TVCG section 4.4): which triangle is seen at each pixel, and what lies
-// behind. SPDX-License-Identifier: GPL-3.0-or-later
+// behind.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <vector>

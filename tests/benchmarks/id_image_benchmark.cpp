@@ -1,6 +1,6 @@
-// The exact image of a city of 500,000 triangles at 1024 x 768, and what is read off it; LIBGL_ALWAYS_SOFTWARE=1 asks
-// for the software renderer. Argument: 0 looks along a street, 1 from the air. SPDX-License-Identifier:
-// GPL-3.0-or-later
+// The exact image of a city of 500,000 triangles at 1024 x 768, and what is read off it. LIBGL_ALWAYS_SOFTWARE=1 asks
+// for the software renderer. First argument: 0 looks along a street, 1 from the air.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <benchmark/benchmark.h>
 
 #include "core/measure/reference.h"
