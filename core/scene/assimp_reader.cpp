@@ -94,7 +94,8 @@ Vec<3> vector(const aiVector3D& v) { return {v.x, v.y, v.z}; }
 Vec<3> transformed(const glm::dmat4& m, const Vec<3>& p) { return Vec<3>(m * glm::dvec4(p, 1)); }
 
 /// Every use of a mesh, in the order of the nodes, and the first camera.
-std::vector<Instance> instances_of(const aiScene& scene, const Vec<3>& shift, AssimpHeader& header) {
+std::vector<Instance> instances_of(const aiScene& scene, std::string_view format, const Vec<3>& shift,
+                                   AssimpHeader& header) {
     std::vector<Instance> instances;
     struct Visit {
         const aiNode* node;
@@ -114,13 +115,15 @@ std::vector<Instance> instances_of(const aiScene& scene, const Vec<3>& shift, As
         }
         if (camera && camera->mName == visit.node->mName && !header.has_camera) {
             header.has_camera = 1;
-            header.camera.eye = transformed(visit.to_scene, vector(camera->mPosition));
+            // glTF cameras stand at their node's origin; Assimp gives the node's translation once more as position.
+            const Vec<3> position = format == "gltf" ? Vec<3>(0) : vector(camera->mPosition);
+            header.camera.eye = transformed(visit.to_scene, position);
             const Vec<3> ahead = glm::dmat3(visit.to_scene) * vector(camera->mLookAt);
             header.camera.look_at = header.camera.eye + ahead / std::sqrt(glm::dot(ahead, ahead));
-            // Importers give the whole horizontal angle, or the vertical one and no aspect.
+            // Assimp's glTF reader multiplies the vertical angle by the aspect.
             const double aspect = camera->mAspect > 0 ? static_cast<double>(camera->mAspect) : 1;
-            const SinCos half = sincos_degrees(std::clamp(camera->mHorizontalFOV * 90 / pi, 1.0, 85.0));
-            header.camera.fov = std::clamp(angle_of(half.sin / aspect, half.cos) * 360 / pi, 10.0, 120.0);
+            header.camera.fov =
+                std::clamp(static_cast<double>(camera->mHorizontalFOV) / aspect * 180 / pi, 10.0, 120.0);
         }
         for (unsigned i = visit.node->mNumChildren; i-- > 0;)
             visits.push_back(
@@ -192,16 +195,16 @@ void send_sides(const aiScene& scene, const std::vector<Instance>& instances, st
     }
 }
 
-/// The first complaint, except about materials and pictures, which do not matter here.
+/// The first complaint about damage; Assimp calls harmless things errors, too.
 class Complaints : public Assimp::LogStream {
 public:
     explicit Complaints(AssimpHeader& header) : header_(header) {}
     void write(const char* message) override {
         std::string_view line(message);
         line.remove_prefix(std::min(line.find(": ") + 2, line.size()));  // "Error, T0: "
-        for (const char* other : {"aterial", "exture", "MTL", "mtl"})
-            if (line.find(other) != std::string_view::npos) return;
-        if (header_.warning[0] == 0) copy(line.substr(0, line.find('\n')), header_.warning);
+        for (const char* damage : {"out of range", "nvalid", "nexpected", "orrupt"})
+            if (header_.warning[0] == 0 && line.find(damage) != std::string_view::npos)
+                copy(line.substr(0, line.find('\n')), header_.warning);
     }
 
 private:
@@ -244,7 +247,7 @@ void read_with_assimp(const std::string& path, const ChildProcess::Send& send) {
     const std::string_view format = endings.substr(0, endings.find(' '));
     copy(format, header.text);
     header.up_axis = static_cast<std::uint8_t>(up_axis_of(*scene, format));
-    const std::vector<Instance> instances = instances_of(*scene, prepared.shift, header);
+    const std::vector<Instance> instances = instances_of(*scene, format, prepared.shift, header);
     for (const Instance& instance : instances) header.any_two_sided |= is_two_sided(*scene, *instance.mesh, format);
     check_faces(instances, header);
     // Assimp's OBJ reader passes over lines that it does not know, up to whole files of another kind.

@@ -42,6 +42,23 @@ void clean(Scene<3>& scene, Recentre recentre, const std::string& name, const Pr
 /// always in view. fov is 90. A scene with no segments is looked at from (0, 0) toward (1, 0).
 ViewSpec<2> default_view(const std::vector<Primitive<2>>& segments);
 
+/// A view for triangles that come without one, found by casting some ten thousand rays; `two_sided` as in Scene. Tried
+/// are
+///  - the camera, if given; it is taken when it sees the front of a triangle;
+///  - outside: from 8 directions and 5 heights toward the centre. Taken for objects: scenes that show their fronts to
+///  the
+///    outside and leave a tenth of their footprint empty;
+///  - inside: eyes at half the usual room height (a hundredth of the longest side where there are no rooms) above up to
+///    64 surfaces that face up and have that much air, found by 12 x 12 vertical rays, in 32 directions each, level;
+///    not where more than a fifth of the rays that go down leave the scene.
+/// The best shows many different triangles at many depths (powers of two of the distance), few backs and little that is
+/// nearer than the ground. When nothing shows anything the eye is before the largest triangle. fov is that of the
+/// camera, or 60; look_at is at the middle distance of what is seen. Large scenes are judged by their million largest
+/// triangles. No triangles: from zero along x.
+ViewSpec<3> default_view(const std::vector<Primitive<3>>& triangles, int up_axis,
+                         const std::vector<std::uint8_t>& two_sided = {},
+                         const std::optional<ViewSpec<3>>& camera = {});
+
 /// Throws InputError "name: place: reason" unless the view is finite, looks somewhere and has a usable field of view:
 /// (0, 180) degrees, or 360 in 2D.
 template <int D>

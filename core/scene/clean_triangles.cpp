@@ -3,8 +3,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/geometry/float_value.h"
 #include "core/geometry/predicates.h"
-#include "core/geometry/rounding.h"
 #include "core/number.h"
 #include "core/scene/clean.h"
 #include "core/scene/text.h"
@@ -19,6 +19,9 @@ constexpr std::string_view step = "cleaning the triangles";
 constexpr std::size_t block = std::size_t{1} << 18;  ///< triangles between two words of progress
 
 bool all_finite(const Primitive<3>& t) { return is_finite(t[0]) && is_finite(t[1]) && is_finite(t[2]); }
+
+/// To a normal float; no -0.
+double rounded(double value) { return std::abs(value) < 0x1p-126 ? 0 : float_value(value); }
 
 /// Exactly collinear, or worse: collinear in all three axis projections.
 bool is_degenerate(const Primitive<3>& t) {
@@ -91,7 +94,7 @@ void round_all(Scene<3>& scene, const Vec<3>& shift, const Progress& progress) {
         }
         Primitive<3> t;
         for (std::size_t c = 0; c < 3; ++c)
-            for (int i = 0; i < 3; ++i) t[c][i] = rounded_to_float(triangles[k][c][i] - shift[i]) + 0.0;  // no -0
+            for (int i = 0; i < 3; ++i) t[c][i] = rounded(triangles[k][c][i] - shift[i]);
         if (is_degenerate(t)) {
             ++scene.dropped.degenerate;
             continue;

@@ -104,7 +104,7 @@ private:
         in_header_ = false;
     }
     void ply_header(std::string_view word, std::string_view rest) {
-        const std::string_view second = next_word(rest), third = next_word(rest);
+        const std::string_view second = next_word(rest), third = next_word(rest), fourth = next_word(rest);
         if (header_lines_++ == 0) foreign_ = word != "ply" && word != "PLY";
         if (word == "format") binary_ = second != "ascii";
         if (word == "element") {
@@ -114,10 +114,11 @@ private:
             (elements_ == 1 ? vertices_ : faces_) += of_this_element_;
         }
         if (word == "property") {
-            const bool list = second == "list";
+            const bool list = second == "list", face = list && next_word(rest).starts_with("vertex_ind");
             if (elements_ == 1 && columns_ < 3)
                 clear_ = clear_ && third == std::string_view("xyz").substr(columns_++, 1);
-            least_bytes_ += of_this_element_ * size_of(list ? third : second);
+            least_bytes_ +=
+                of_this_element_ * (face ? size_of(third) + 3 * size_of(fourth) : size_of(list ? third : second));
         }
         if (word == "end_header") in_header_ = false;
     }
@@ -127,7 +128,7 @@ private:
         counts_known_ = counts_known_ && sound;
         return sound ? *value : 0;
     }
-    /// Of a PLY type; lists may be empty and have the size of their count.
+    /// Of a PLY type. A face has three corners at least; other lists may be empty.
     static double size_of(std::string_view type) {
         for (const std::string_view eight : {"double", "float64", "int64", "uint64"})
             if (type == eight) return 8;
@@ -159,28 +160,35 @@ bool is_homogeneous(std::string_view rest) {
     return !fourth.empty() && next_word(rest).empty() && number(fourth) != 1.0;
 }
 
-/// Mean and width of a heap of points (Welford 1962).
-class Spread {
+/// Where most of a heap of points lies: a sample of at most 8192, evenly spread over those that were added.
+class Whereabouts {
 public:
     void add(const Vec<3>& point) {
-        ++count_;
-        const Vec<3> before = point - mean_;
-        mean_ += before / count_;
-        squares_ += before * (point - mean_);
+        if (seen_++ % every_ != 0) return;
+        sample_.push_back(point);
+        if (sample_.size() < 8192) return;
+        for (std::size_t i = 0; i < sample_.size() / 2; ++i) sample_[i] = sample_[2 * i];
+        sample_.resize(sample_.size() / 2);
+        every_ *= 2;
     }
-    /// As origin_for() of a box; the width of evenly spread points is the square root of 12 variances.
-    Vec<3> origin() const {
-        Vec<3> origin{};
-        if (count_ == 0) return origin;
-        const double variance = std::max({squares_.x, squares_.y, squares_.z}) / count_;
-        if (!std::isfinite(variance)) return origin;
-        for (int i = 0; i < 3; ++i) origin[i] = origin_for(mean_[i], std::sqrt(12 * variance));
-        return origin;
+    /// As origin_for() of a box, without the tenth of the points that lies farthest off on either side.
+    Vec<3> origin() {
+        Vec<3> middle(0);
+        double width = 0;
+        for (int i = 0; i < 3 && !sample_.empty(); ++i) {
+            std::sort(sample_.begin(), sample_.end(), [i](const Vec<3>& a, const Vec<3>& b) { return a[i] < b[i]; });
+            const double low = sample_[sample_.size() / 10][i],
+                         high = sample_[sample_.size() - 1 - sample_.size() / 10][i];
+            middle[i] = low / 2 + high / 2;
+            width = std::max(width, high - low);
+        }
+        for (int i = 0; i < 3; ++i) middle[i] = origin_for(middle[i], width);
+        return middle;
     }
 
 private:
-    double count_ = 0;
-    Vec<3> mean_{}, squares_{};
+    std::vector<Vec<3>> sample_;
+    std::uint64_t seen_ = 0, every_ = 1;
 };
 
 std::string moved_text(const std::string& path, const std::string& ending, const Vec<3>& shift, std::uint64_t size) {
@@ -214,7 +222,7 @@ MeshText prepare_mesh_text(const std::string& path) {
     if (ending != ".obj" && ending != ".off" && ending != ".ply" && ending != ".stl") return {};
 
     Layout layout(ending);
-    Spread spread;
+    Whereabouts places;
     bool clear = true;
     std::uint64_t size = 0, header = 0;
     each_line(path, [&](std::string_view line) {
@@ -226,7 +234,7 @@ MeshText prepare_mesh_text(const std::string& path) {
         if (kind != Line::vertex || !clear) return true;
         const std::optional<Vec<3>> point = take_point(line);
         clear = point && !(ending == ".obj" && is_homogeneous(line));
-        if (point && is_finite(*point)) spread.add(*point);
+        if (point && is_finite(*point)) places.add(*point);
         return true;
     });
     std::error_code no_error;
@@ -236,7 +244,7 @@ MeshText prepare_mesh_text(const std::string& path) {
     result.empty = layout.is_empty();
     if (!result.error.empty() || layout.is_binary() || !clear || (layout.is_counted() && !layout.is_clear()))
         return result;
-    result.shift = spread.origin();
+    result.shift = places.origin();
     if (result.shift != Vec<3>(0)) result.text = moved_text(path, ending, result.shift, size);
     return result;
 }

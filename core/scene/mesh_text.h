@@ -19,7 +19,7 @@ struct MeshText {
 /// For OBJ, OFF, PLY and ASCII STL, told by the path's ending; other files are left to Assimp.
 ///  - OFF and PLY that end before the vertices and faces that they announce are errors (Assimp crashes on them or goes
 ///    on for ever).
-///  - All vertices are moved by origin_for() of their mean and spread, in double precision; the mean, because files may
+///  - All vertices are moved by origin_for() of the box of most of them, in double precision; most, because files may
 ///    hold a stray vertex at zero. Not where no axis needs it, in binary PLY, and in files whose vertices cannot be
 ///    told apart surely (homogeneous coordinates, say).
 MeshText prepare_mesh_text(const std::string& path);

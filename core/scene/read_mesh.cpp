@@ -29,7 +29,7 @@ std::vector<MeshFile> files_of(std::span<const std::string> paths, const std::st
     for (const std::string& path : paths) {
         std::error_code error;
         if (!fs::is_directory(path, error)) {
-            files.push_back({path, path == name ? "" : path, true});
+            files.push_back({path, paths.size() > 1 ? path : "", true});
             continue;
         }
         std::vector<std::string> found;
@@ -42,7 +42,7 @@ std::vector<MeshFile> files_of(std::span<const std::string> paths, const std::st
         } catch (const fs::filesystem_error& failure) {
             throw input_error(name, failure.path1().string(), failure.code().message());
         }
-        if (found.empty()) throw input_error(name, path == name ? "" : path, "holds no file of a 3D format");
+        if (found.empty()) throw input_error(name, paths.size() > 1 ? path : "", "holds no file of a 3D format");
         std::sort(found.begin(), found.end());
         for (const std::string& file : found)
             files.push_back({file, paths.size() > 1 ? file : fs::path(file).lexically_relative(path).string(), false});
@@ -93,8 +93,11 @@ Scene<3> read_meshes(std::span<const std::string> paths, const std::string& name
     if (!any) throw input_error(name, "", "none of its files can be read; the first is " + first_failure);
     if (axes_differ) scene.warnings.push_back("the files differ in which axis points up; the first one's is taken");
     if (options.two_sided) scene.two_sided.assign(scene.primitives.size(), 1);
+    scene.start_view = camera;  // which moves with the triangles
     clean(scene, Recentre::yes, name, options.progress);
-    scene.start_view = camera;
+    report(options.progress, "choosing a view", 0);
+    scene.start_view = default_view(scene.primitives, scene.up_axis, scene.two_sided, scene.start_view);
+    report(options.progress, "choosing a view", 1);
     return scene;
 }
 
