@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <nlohmann/json.hpp>
 
+#include "core/error.h"
 #include "core/file.h"
 #include "core/session/state_file.h"
 #include "tests/commands_support.h"
@@ -74,6 +75,11 @@ TEST_F(EachCommand, paste) {
     bench->clipboard.get = [&] { return clip; };
     run("seek 3; paste");
     EXPECT_EQ(session().position(), 10u);
+}
+
+TEST_F(EachCommand, viewer3d) {
+    // The tests' own folder has no viewer to start.
+    EXPECT_THROW(run("viewer3d city:10k"), InputError);
 }
 
 TEST_F(EachCommand, quit) {

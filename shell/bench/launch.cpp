@@ -21,7 +21,7 @@ void launch(const std::string& program, const std::string& argument) {
     // Through a shell that ends at once, so that nobody has to wait for the viewer's end.
     std::string shell = "/bin/sh", option = "-c", script = "\"$0\" ${1:+\"$1\"} >/dev/null 2>&1 &";
     char* arguments[] = {shell.data(), option.data(), script.data(), path.data(), first.data(), nullptr};
-    if (error || access(path.c_str(), X_OK) != 0) throw WorkError(path + ": cannot be started");
+    if (error || access(path.c_str(), X_OK) != 0) throw InputError("there is no program " + path);
     pid_t process = 0;
     if (const int failed = posix_spawn(&process, shell.c_str(), nullptr, nullptr, arguments, environ); failed != 0)
         throw WorkError(path + ": cannot be started: " + std::strerror(failed));

@@ -6,8 +6,8 @@
 
 namespace sightline {
 
-/// Starts a program that lies beside this one, with one argument or none, and does not wait for it. Throws WorkError
-/// when it cannot be started.
+/// Starts a program that lies beside this one, with one argument or none, and does not wait for it. Throws
+/// InputError when there is none, WorkError when it cannot be started.
 void launch(const std::string& program, const std::string& argument);
 
 }  // namespace sightline
