@@ -35,6 +35,8 @@ struct FlightKey {
     Vec<3> direction;  ///< right, up, forward
 };
 constexpr double run_factor = 4;  ///< with Shift
+/// A flying eye that rests this long is measured against the exact image.
+constexpr float rest_seconds = 0.3f;
 
 const std::array<FlightKey, 6> flight_keys{{{"W", SDL_SCANCODE_W, {0, 0, 1}},
                                             {"S", SDL_SCANCODE_S, {0, 0, -1}},
@@ -82,6 +84,11 @@ void Picture3d::fly(Ui& ui, float seconds) {
     Vec<3> by(0);
     for (const FlightKey& key : flight_keys)
         if (ImGui::IsKeyDown(key.scancode)) by += key.direction;
+    rested_ = by == Vec<3>(0) ? rested_ + seconds : 0;
+    if (rested_ > rest_seconds && bench_.session.flying() && !bench_.session.has_reference()) {
+        bench_.session.reference();
+        ++ui.revision;
+    }
     if (by == Vec<3>(0)) return;
     const double speed = flight_speed(bench_) * (ImGui::GetIO().KeyShift ? run_factor : 1);
     fly_to(bench_, walked(bench_.session.display_view(), bench_.session.scene().up_axis, by * (speed * seconds)),

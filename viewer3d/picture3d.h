@@ -48,6 +48,7 @@ private:
     std::array<HeatRange, 2> heat_;
     std::vector<Side> sides_;
     std::uint64_t sides_revision_ = 0;
+    float rested_ = 0;  ///< seconds since the eye last flew
 };
 
 }  // namespace sightline

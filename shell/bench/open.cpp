@@ -28,7 +28,7 @@ std::optional<std::string> state_text(const std::string& name) {
 template <int D>
 Settings start_settings(const std::string& name, bool in_window) {
     Settings settings;
-    if (in_window) settings.label = CellNumber::solidity;
+    if (D == 2 && in_window) settings.label = CellNumber::solidity;
     const CatalogueRow<D>* row = find_in_catalogue<D>(name);
     if (!row) return settings;
     settings.error_bound = row->error_bound;

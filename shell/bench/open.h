@@ -18,7 +18,7 @@ template <int D = 2>
 std::optional<std::string> state_text(const std::string& name);
 
 /// What a scene starts with: the catalogue's settings, or the defaults for a file.
-/// In a window the front is numbered, so that a step can be followed.
+/// In a 2D window the front is numbered, so that a step can be followed.
 template <int D = 2>
 Settings start_settings(const std::string& name, bool in_window = false);
 

@@ -129,7 +129,10 @@ std::vector<Row> why_rows(const Workbench<D>& bench) {
     const Shown<D> shown(bench);
     const Session<D>& s = *shown;
     Writer to;
-    if (s.position() == 0) {
+    if (s.flying()) {
+        to.heading("Flying");
+        to.add("frames of a flight are not recorded: F freezes this one, G lands, and it can be stepped through");
+    } else if (s.position() == 0) {
         to.heading("Step 0");
         if (s.state().seed != none) to.cell("the seed " + name(s.state().seed) + " is in the front", s.state().seed);
         to.add("nothing is projected yet: Right, or Space");

@@ -71,8 +71,11 @@ void update_marks(TimelineData& data, const Workbench<D>& bench) {
 
 template <int D>
 bool update(TimelineData& data, const Workbench<D>& bench, float x, float w, float unit) {
-    update_run(data, bench);
-    update_marks(data, bench);
+    // Frames of a flight are not recorded: what was there stays.
+    if (!bench.session.flying()) {
+        update_run(data, bench);
+        update_marks(data, bench);
+    }
     if (data.cell.empty()) return false;
     data.counts = bench.desk.axis;
     const auto& ends = data.counts == TimelineAxis::steps ? data.by_steps : data.by_primitives;

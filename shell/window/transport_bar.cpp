@@ -146,7 +146,9 @@ void transport_bar(Ui& ui, Workbench<D>& bench, const Area& area) {
     ImGui::PopFont();
     ImGui::SameLine(0, 18 * ui.unit);
     const Session<D>& s = bench.session;
-    const auto share = coverage(s.reference(), s.visible_rendered());
+    // A frame of a flight does not wait for its reference.
+    const bool measured = !s.flying() || s.has_reference();
+    const auto share = measured ? coverage(s.reference(), s.visible_rendered()) : std::nullopt;
     const std::string done =
         std::to_string(s.state().rendered_count) + " rendered, coverage " + (share ? short_number(*share) : "-");
     // Whole or not at all: the panel of the run says it too, and the menus have what the buttons do.
