@@ -21,6 +21,7 @@
 #include "shell/commands/command_table.h"
 #include "shell/gl/context.h"
 #include "shell/start/options.h"
+#include "shell/start/terminal_progress.h"
 #include "shell/window/memory.h"
 #include "shell/window/window.h"
 
@@ -217,7 +218,9 @@ void obey(const Options& o, std::span<const Method<D>> methods, const Viewer<D>&
     Recalled recalled;
     const std::filesystem::path memory = memory_file(viewer.name);
     if (in_window) recalled = recall<D>(memory);
-    Workbench<D> bench = open_last<D>(o, in_window, recalled, methods, viewer.graphics);
+    Graphics graphics = viewer.graphics;
+    graphics.progress = terminal_progress();
+    Workbench<D> bench = open_last<D>(o, in_window, recalled, methods, graphics);
     if (in_window) arrange(bench, o, recalled);
     // What follows may need OpenGL, which in 3D is the window's.
     std::optional<KeptWindow<D>> window;

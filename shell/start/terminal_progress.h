@@ -1,0 +1,12 @@
+// How far reading a scene is, for a person at a terminal.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/progress.h"
+
+namespace sightline {
+
+/// Writes over one line of standard error, from half a second on; empty where that is no terminal.
+Progress terminal_progress();
+
+}  // namespace sightline
