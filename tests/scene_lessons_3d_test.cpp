@@ -115,7 +115,7 @@ TEST(SceneLessons3, RoomJudgesByCountAndByPixelsDifferently) {
     Session<3> session = ran("room");
     const Session<3> nearest_first = ran("room", {"method=centroid"});
     EXPECT_GT(visible_part(session), 0.05);
-    EXPECT_NEAR(covered(nearest_first), covered(session), 0.05);
+    EXPECT_GT(covered(nearest_first), covered(session) - 0.05);
     EXPECT_GT(wrong(nearest_first), 0.5);
     EXPECT_GT(wrong(nearest_first), 2 * wrong(session));
     expect_bookmarks(session);

@@ -37,7 +37,7 @@ struct Model {
     bool full() const { return triangles.size() + 240 >= wanted; }
     Vec<3> at(const Vec<3>& p) const {
         const Vec<2> q = plan.at({p.x, p.y});
-        return {float_value(q.x), float_value(q.y), float_value(p.z + height)};
+        return Vec<3>(float_value(q.x), float_value(q.y), float_value(p.z + height)) + 0.0;  // no -0
     }
     /// Corners counter-clockwise as seen from the front.
     void triangle(const Vec<3>& a, const Vec<3>& b, const Vec<3>& c) { triangles.push_back({at(a), at(b), at(c)}); }

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <compare>
 #include "core/space/cell_complex.h"
 
 namespace sightline {
@@ -30,7 +29,6 @@ void assign_primitives(CellComplex<3>& cells, const std::vector<Primitive<3>>& p
 /// A primitive that meets a cell.
 struct CellPrimitive {
     std::uint32_t cell, primitive;
-    auto operator<=>(const CellPrimitive&) const = default;
 };
 
 /// Compresses the pairs, which are sorted by primitive, into rows, and fills rho_max and rho_p95.
