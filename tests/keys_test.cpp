@@ -26,8 +26,10 @@ void expect_no_two_alike() {
     EXPECT_GT(commands.size(), 40u);
 }
 
-TEST(Keys, NoTwoCommandsShareOneIn2D) { expect_no_two_alike<2>(); }
-TEST(Keys, NoTwoCommandsShareOneIn3D) { expect_no_two_alike<3>(); }
+TEST(Keys, NoTwoCommandsShareOne) {
+    expect_no_two_alike<2>();
+    expect_no_two_alike<3>();
+}
 
 /// As a keyboard sends it: characters that lie elsewhere on other keyboards as text.
 TEST(Keys, CharactersOfCommandsAreHeard) {
