@@ -58,7 +58,7 @@ void fly(Workbench<3>& bench, Text text) {
     land_unless_moving(bench);
     bench.say(
         bench.flight.on
-            ? "flying: W A S D Q E move, Shift faster, the mouse turns, { } change the speed, F freezes here, G lands"
+            ? "flying: W A S D Q E move, Shift faster, dragging turns, { } change the speed, F freezes here, G lands"
             : "landed: the frame is recorded and can be stepped through");
 }
 

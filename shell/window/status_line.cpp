@@ -80,7 +80,7 @@ void projector_banner(Ui& ui, Workbench<D>& bench, const Area& area) {
     ImGui::PushFont(ui.fonts.banner);
     const Session<D>& s = bench.session;
     if (s.flying()) {
-        ImGui::TextWrapped("Flying: %s runs in each frame within its budget. F freezes this one, G lands.",
+        ImGui::TextWrapped("Flying: %s runs in each frame within its budget. F freezes this one.",
                            std::string(s.method().title).c_str());
     } else if (s.position() == 0) {
         ImGui::TextWrapped("Step 0 of %u: the seed cell is in the front, nothing is projected yet.", s.recorded());

@@ -179,7 +179,7 @@ void note_places(Workbench<D>& bench, const TimelineLayout& layout, const Timeli
 
 /// Over the run that was recorded last, while frames fly by that are not.
 void draw_veil(ImDrawList& list, const Ui& ui, const TimelineLayout& layout) {
-    constexpr const char* text = "the run before the flight: G lands and records what is seen";
+    constexpr const char* text = "the run before the flight; where it lands, what is seen is recorded";
     const Area& ruler = layout.ruler;
     list.AddRectFilled(ruler.min(), {ruler.x + ruler.w, layout.bottom()}, IM_COL32(243, 244, 245, 170));
     const ImVec2 size = ImGui::CalcTextSize(text);
