@@ -19,6 +19,9 @@ namespace {
 /// Of the image at this step, in pixels.
 constexpr int image_width = 480;
 
+/// Over what is of an earlier frame.
+constexpr ImU32 veil = IM_COL32(255, 255, 255, 150);
+
 bool shows_image(const Settings& s) { return s.inset == Inset::image || s.inset == Inset::both; }
 bool shows_missed(const Settings& s) {
     return s.inset == Inset::missed || s.inset == Inset::both || s.split == Split::missed;
@@ -127,6 +130,7 @@ void EyePictures::draw_insets(ImDrawList& list, const Ui& ui, const Area& area, 
         const Shown& shown = pictures[i];
         const Area& at = areas[i];
         add_image(list, shown.texture, shown.upside_down, at);
+        if (shown.measured && stale_) list.AddRectFilled(at.min(), at.max(), veil);
         list.AddRect(at.min(), at.max(), colour(theme::ink), 0, 0, 1.5f * ui.unit);
         const char* const title = shown.measured && stale_ ? "measured when the eye rests" : shown.title;
         ImVec2 text = ImGui::CalcTextSize(title);
@@ -145,9 +149,10 @@ void EyePictures::draw_split(ImDrawList& list, const Area& area, const Session<3
     const ImageSize size = image_size<3>(session.settings().reference_size);
     const float scale = std::min(area.w / static_cast<float>(size.width), area.h / static_cast<float>(size.height));
     const float w = static_cast<float>(size.width) * scale, h = static_cast<float>(size.height) * scale;
-    add_image(list, exact ? exact_->texture() : missed_.name(), exact,
-              {area.x + (area.w - w) / 2, area.y + (area.h - h) / 2, w, h});
-    if (stale_) list.AddRectFilled(area.min(), area.max(), IM_COL32(255, 255, 255, 150));
+    const Area at{area.x + (area.w - w) / 2, area.y + (area.h - h) / 2, w, h};
+    add_image(list, exact ? exact_->texture() : missed_.name(), exact, at);
+    if (stale_) list.AddRectFilled(at.min(), at.max(), veil);
+    list.AddRect(at.min(), at.max(), colour(theme::line));
 }
 
 std::string EyePictures::split_title(const Session<3>& session) const {

@@ -42,9 +42,9 @@ struct FlightKey {
 };
 constexpr double run_factor = 4;  ///< with Shift
 /// A flying eye is measured against the exact image in every frame while that takes no longer than this, else when it
-/// has rested for so long.
+/// has rested for so long; and once in a while, since it may have become quicker.
 constexpr double measured_in_flight_ms = 60;
-constexpr float rest_seconds = 0.3f;
+constexpr float rest_seconds = 0.3f, measured_again_seconds = 2;
 
 const std::array<FlightKey, 6> flight_keys{{{"W", SDL_SCANCODE_W, {0, 0, 1}},
                                             {"S", SDL_SCANCODE_S, {0, 0, -1}},
@@ -89,7 +89,8 @@ void Picture3d::fly(Ui& ui, float seconds) {
 void Picture3d::measure(Ui& ui) {
     rested_ = flown_ == bench_.run ? rested_ + ImGui::GetIO().DeltaTime : 0;
     flown_ = bench_.run;
-    if (measure_ms_ > measured_in_flight_ms && rested_ < rest_seconds) return;
+    unmeasured_ += ImGui::GetIO().DeltaTime;
+    if (measure_ms_ > measured_in_flight_ms && rested_ < rest_seconds && unmeasured_ < measured_again_seconds) return;
     double ms = 0;
     bool any = false;
     for (std::size_t i = 0; i < pane_count(); ++i) {
@@ -102,6 +103,7 @@ void Picture3d::measure(Ui& ui) {
     }
     if (!any) return;
     measure_ms_ = ms;
+    unmeasured_ = 0;
     ++ui.revision;
 }
 

@@ -62,6 +62,7 @@ private:
     std::vector<Side> sides_;
     std::uint64_t sides_revision_ = 0;
     std::uint64_t flown_ = 0;  ///< the run of the last frame
+    float unmeasured_ = 0;     ///< seconds since the last exact image
     float rested_ = 0;         ///< seconds since the eye last flew
     double measure_ms_ = 0;    ///< what the last exact image took, of both sessions
 };
