@@ -80,7 +80,8 @@ std::span<const Command<D>> desk_commands() {
         Command<D>{"show", "PANEL", "show or hide a panel, the timeline or the legend",
                    "1=why 2=code 3=front 4=inversions 5=breakpoints 6=notes 7=settings Tab=timeline E=legend", show<D>},
         Command<D>{"tool", "select | segment | text | arrow | ring | callout", "what the mouse does on the picture",
-                   "V=select G=segment T=text A=arrow R=ring C=callout",
+                   D == 2 ? "V=select G=segment T=text A=arrow R=ring C=callout"
+                          : "V=select T=text A=arrow R=ring C=callout",
                    [](Workbench<D>& bench, Text text) {
                        bench.desk.tool = static_cast<Tool>(word_argument(text, tool_words));
                    }},
