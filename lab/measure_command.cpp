@@ -9,6 +9,7 @@
 #include "core/file.h"
 #include "core/number.h"
 #include "lab/command.h"
+#include "lab/report.h"
 #include "lab/run_study.h"
 #include "lab/study_options.h"
 
@@ -71,7 +72,14 @@ int measure_command(int argc, const char* const* argv) {
     const Results results = run_study(study, out, graphics, run);
     say("");
     write_results(results, out);
+    if (!results.rows.empty()) {
+        say("drawing the worst frames and the charts");
+        write_report(results, draw_worst_frames(results, study, std::filesystem::path(out) / "pictures", graphics),
+                     out);
+        say("");
+    }
     print_table(results);
+    std::cout << "Written: " << out << "/report.html, results.json, results.csv, charts/, pictures/\n";
     if (interrupted) std::cerr << "lab: stopped; the same command goes on where it was\n";
     return interrupted ? 1 : 0;
 }
@@ -88,6 +96,7 @@ int merge_command(int argc, const char* const* argv) {
     std::filesystem::create_directories(out);
     const Results all = merge(read);
     write_results(all, out);
+    write_report(all, {}, out);
     print_table(all);
     return 0;
 }
