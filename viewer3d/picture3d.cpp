@@ -126,7 +126,7 @@ Picture3d::Part Picture3d::lay_out(const Ui& ui, const Area& area, std::size_t p
     // Beside each other or below each other, whichever shows more.
     const float gap = 3, title = title_height(ui);
     Area beside{body.x, body.y + title, std::floor((body.w - gap) / 2), body.h - title};
-    Area below{body.x, body.y + title, body.w, std::floor((body.h - gap) / 2) - title};
+    Area below{body.x, body.y + title, body.w, std::max(1.0f, std::floor((body.h - gap) / 2) - title)};
     const auto scale = [&](const Area& half) { return std::min(half.w, half.h * aspect); };
     if (scale(beside) >= scale(below)) {
         part.picture = no_narrower(beside, aspect);

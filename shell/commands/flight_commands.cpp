@@ -155,12 +155,13 @@ std::span<const Command<3>> flight_commands<3>() {
         Command<3>{"turn", "RIGHT,UP", "turn the display view on the spot, by degrees", "", turn},
         Command<3>{"walk", "RIGHT,UP,FORWARD", "move the display view, in scene units", "", walk},
         Command<3>{"through", "", "look through the frozen eye", "I", through},
-        Command<3>{"fly", "[on | off]", "the traversal follows the eye, which keys and mouse move", "G", fly},
-        Command<3>{"fly-speed", "UNITS | xFACTOR", "of flying, in scene units a second", "}=x2 {=x0.5", speed},
+        Command<3>{"fly", "[on | off]", "fly: keys and mouse move the eye, and the traversal follows it", "G", fly},
+        Command<3>{"fly-speed", "UNITS | xFACTOR", "the speed of flying, in scene units a second", "}=x2 {=x0.5",
+                   speed},
         Command<3>{"path",
                    "[ID | frame N | start | step [N] | back [N] | play | stop | toggle | loop | record | save FILE | "
                    "open FILE]",
-                   "flight paths: the bar, one of the scene, its frames (from 0), replay or record one",
+                   "flight paths, with a bar: choose one, show its frames (from 0), replay or record it",
                    "Shift+P Shift+Space=toggle Shift+PageDown=step Shift+PageUp=back Shift+Home=start Shift+L=loop "
                    "Shift+R=record",
                    path},

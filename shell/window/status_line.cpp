@@ -17,7 +17,8 @@ void status_line(Ui& ui, Workbench<D>& bench, const Area& area) {
     begin_part("status", area);
     ImGui::PopStyleVar();
     if (ui.messages.empty()) {
-        ImGui::TextDisabled("Right: next step   Left: back   Space: play   F1: all keys   : types a command");
+        ImGui::TextDisabled("%sRight: next step   Left: back   Space: play   F1: all keys   : types a command",
+                            D == 3 ? "G: fly   F: freeze here   Z: exact image   " : "");
     } else {
         const Message& message = ui.messages.back();
         ImGui::PushStyleColor(ImGuiCol_Text, colour(message.bad ? theme::bad : theme::ink));
