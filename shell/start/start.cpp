@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shell/start/start.h"
 
+#include <csignal>
 #include <iostream>
 #include <new>
 #include <optional>
@@ -252,6 +253,7 @@ int report(const std::string& program, const char* what, int status) {
 
 template <int D>
 int start(int argc, const char* const* argv, std::span<const Method<D>> methods, const Viewer<D>& viewer) {
+    std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is told like a full disk
     try {
         const std::optional<Options> options = parse_options<D>(argc, argv, methods);
         if (!options) return 0;
