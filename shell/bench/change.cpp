@@ -95,6 +95,9 @@ void change_scene(Workbench<D>& bench, std::shared_ptr<const Scene<D>> scene, co
 
 template <int D>
 void replace_session(Workbench<D>& bench, Session<D> session) {
+    // A path leads through the scene that it was made in.
+    if (session.scene().id != bench.session.scene().id) bench.flight = {};
+    bench.flight.recording = bench.flight.replaying = false;
     bench.session = std::move(session);
     bench.history = {};
     bench.other.reset();

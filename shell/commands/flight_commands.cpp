@@ -1,5 +1,7 @@
 // Commands that move the eye in 3D: circling, walking, flying along paths.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+
 #include "core/error.h"
 #include "core/file.h"
 #include "core/number.h"
@@ -57,11 +59,12 @@ void fly(Workbench<3>& bench, Text text) {
                               : "landed: the frame is recorded and can be stepped through");
 }
 
-void speed(Workbench<3>& bench, Text text) {
+void set_speed(Workbench<3>& bench, Text text) {
     const bool factor = text.starts_with("x");
     const double number = number_argument(factor ? text.substr(1) : text, "a speed such as 5 or x2");
-    if (!(number > 0)) throw InputError("the speed must be above 0");
-    bench.flight.speed = factor ? flight_speed(bench) * number : number;
+    const double asked = factor ? flight_speed(bench) * number : number;
+    if (!(asked > 0 && std::isfinite(asked))) throw InputError("the speed must be above 0 and finite");
+    bench.flight.speed = asked;
     bench.say("speed " + short_number(bench.flight.speed) + " units a second");
 }
 
@@ -119,9 +122,9 @@ std::span<const Command<3>> flight_commands<3>() {
                    "Ctrl+Right=15,0 Ctrl+Left=-15,0 Ctrl+Up=0,15 Ctrl+Down=0,-15", orbit},
         Command<3>{"turn", "RIGHT,UP", "turn the display view on the spot, by degrees", "", turn},
         Command<3>{"walk", "RIGHT,UP,FORWARD", "move the display view, in scene units", "", walk},
-        Command<3>{"through", "", "look through the frozen eye", "Y", through},
+        Command<3>{"through", "", "look through the frozen eye", "I", through},
         Command<3>{"fly", "[on | off]", "the traversal follows the eye, which keys and mouse move", "G", fly},
-        Command<3>{"speed", "UNITS | xFACTOR", "of flying, in scene units a second", "}=x2 {=x0.5", speed},
+        Command<3>{"fly-speed", "UNITS | xFACTOR", "of flying, in scene units a second", "}=x2 {=x0.5", set_speed},
         Command<3>{"path", "ID | frame N | record | stop | play | save FILE | open FILE",
                    "choose a flight path of the scene, show a frame of it (from 0), record or replay one", "", path},
     };
