@@ -2,6 +2,7 @@
 #include "core/space/cells_file.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cstring>
 #include <filesystem>
@@ -28,7 +29,10 @@ Settings some_settings(Random& random) {
     return settings;
 }
 
-std::filesystem::path some_file() { return std::filesystem::path(testing::TempDir()) / "cells_file_test.cells"; }
+/// Suites that run at the same time have one each.
+std::filesystem::path some_file() {
+    return std::filesystem::path(testing::TempDir()) / ("cells_file_test-" + std::to_string(getpid()) + ".cells");
+}
 
 template <typename T>
 bool same_bytes(const std::vector<T>& a, const std::vector<T>& b) {
@@ -83,7 +87,7 @@ TEST(CellsFile, IsRefusedWhenItDoesNotFit) {
     ASSERT_EQ(complaint(scene, settings), "");
     const auto expect = [](const std::string& text, const std::string& part) {
         EXPECT_NE(text.find(part), std::string::npos) << text;
-        EXPECT_NE(text.find("cells_file_test.cells"), std::string::npos) << text;
+        EXPECT_NE(text.find(some_file().filename().string()), std::string::npos) << text;
     };
     Scene<3> other = scene;
     other.primitives[3][1].y += 1;

@@ -128,7 +128,6 @@ TEST_F(Commands3, ErrorsNameTheCommandAndChangeNothing) {
                                       "fly-speed x",
                                       "fly-speed x0",
                                       "fly-speed xnan",
-                                      "path",
                                       "path nowhere",
                                       "path frame",
                                       "path frame 0",
@@ -304,10 +303,17 @@ TEST_F(EachCommand3, path) {
     ASSERT_EQ(test.frames.size(), 8u);
     run("path frame 3");
     EXPECT_EQ(culling(), test.frames[3]);
-    EXPECT_TRUE(session().flying());
+    EXPECT_FALSE(session().flying()) << "a frame that stands can be stepped through";
+    run("path step; path step 2; path back 4");
+    EXPECT_EQ(culling(), test.frames[2]);
+    run("path step 99");
+    EXPECT_EQ(culling(), test.frames[7]);
+    run("path start");
+    EXPECT_EQ(culling(), test.frames[0]);
     expect_input_error([&] { run("path frame 8"); }, "command 'path frame 8': there is no frame 8: the path has 8");
-    run("path play");
+    run("path play; path loop");
     EXPECT_TRUE(bench->flight.replaying);
+    EXPECT_TRUE(bench->flight.loop);
     run("path stop");
     EXPECT_FALSE(bench->flight.replaying);
     EXPECT_FALSE(session().flying());
@@ -315,7 +321,9 @@ TEST_F(EachCommand3, path) {
     run("path save " + file("p.json") + "; path record");
     EXPECT_TRUE(bench->flight.recording);
     EXPECT_EQ(bench->flight.path.frames, std::vector{culling()});
-    run("path stop; path save " + file("one.json") + "; path open " + file("p.json"));
+    run("path record");
+    EXPECT_FALSE(bench->flight.recording);
+    run("path save " + file("one.json") + "; path open " + file("p.json"));
     EXPECT_EQ(bench->flight.path, test);
     EXPECT_EQ(read_path<3>(read_file(file("one.json")), "one").frames.size(), 1u);
 

@@ -70,6 +70,40 @@ TEST_F(Viewer3d, PathsAreKeptInFiles) {
     EXPECT_EQ(Json::parse(read("p.json"))["frames"].size(), 160u);
 }
 
+TEST_F(Viewer3d, APathIsMeasuredFrameByFrame) {
+    const std::vector<std::string> usual{"city:10k", "--budget", "5%", "--set", "reference_size=160x120"};
+    const auto with = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), usual.begin(), usual.end());
+        good(more);
+    };
+    with({"--path", "street", "--frames", "3", "--stats", "all.json"});
+    const Json all = Json::parse(read("all.json"));
+    ASSERT_EQ(all.size(), 3u);
+    EXPECT_EQ(all[0]["frame"], 0);
+    EXPECT_EQ(all[2]["frame"], 159);
+    for (const Json& row : all) {
+        with({"--path", "street", "--frame", std::to_string(row["frame"].get<int>()), "--stats", "one.json"});
+        const Json one = Json::parse(read("one.json"));
+        EXPECT_EQ(one["state_hash"], row["stats"]["state_hash"]);
+        EXPECT_EQ(one["coverage"], row["stats"]["coverage"]);
+    }
+    EXPECT_NE(all[0]["stats"]["state_hash"], all[2]["stats"]["state_hash"]);
+
+    // One of a file goes the same way, also in a scene of another origin.
+    with({"--do", "path street; path save p.json"});
+    with({"--path", "p.json", "--frames", "3", "--stats", "file.json"});
+    const Json file = Json::parse(read("file.json"));
+    ASSERT_EQ(file.size(), 3u);
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(file[i]["stats"]["state_hash"], all[i]["stats"]["state_hash"]);
+
+    bad({"city:10k", "--path", "nosuch"}, "nosuch");
+    bad({"city:10k", "--path", "street", "--frame", "160"}, "160");
+    bad({"city:10k", "--frame", "3"}, "--path");
+    bad({"city:10k", "--path", "street", "--frames", "0", "--stats", "-"}, "--frames");
+    bad({"city:10k", "--path", "street", "--frames", "2"}, "--stats");
+    bad({"city:10k", "--path", "street", "--eye", "1,2,3"}, "--eye");
+}
+
 TEST_F(Viewer3d, BadInputIsNamedAndLeavesNothing) {
     bad({"nowhere"}, "nowhere");
     bad({"city:7"}, "city:7");

@@ -107,6 +107,7 @@ void Session<D>::restart() {
     timeline_ = {};
     timeline_.seed_count = state_.front_size;
     time_stop_ = none;
+    times_.traverse = 0;
 }
 
 template <int D>

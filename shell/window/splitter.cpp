@@ -9,7 +9,7 @@
 
 namespace sightline {
 
-double splitter(const Ui& ui, const char* name, const Area& strip, const Split& split, double size) {
+double splitter(const Ui& ui, const char* name, const Area& strip, const SplitterRange& split, double size) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
     begin_part(name, strip);

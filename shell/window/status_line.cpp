@@ -79,7 +79,10 @@ void projector_banner(Ui& ui, Workbench<D>& bench, const Area& area) {
     begin_part("banner", area);
     ImGui::PushFont(ui.fonts.banner);
     const Session<D>& s = bench.session;
-    if (s.position() == 0) {
+    if (s.flying()) {
+        ImGui::TextWrapped("Flying: %s runs in each frame within its budget. F freezes this one, G lands.",
+                           std::string(s.method().title).c_str());
+    } else if (s.position() == 0) {
         ImGui::TextWrapped("Step 0 of %u: the seed cell is in the front, nothing is projected yet.", s.recorded());
     } else {
         const StepExplanation step = explain_step(s, s.position());

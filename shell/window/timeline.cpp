@@ -177,6 +177,18 @@ void note_places(Workbench<D>& bench, const TimelineLayout& layout, const Timeli
     }
 }
 
+/// Over the run that was recorded last, while frames fly by that are not.
+void draw_veil(ImDrawList& list, const Ui& ui, const TimelineLayout& layout) {
+    constexpr const char* text = "the run before the flight: G lands and records what is seen";
+    const Area& ruler = layout.ruler;
+    list.AddRectFilled(ruler.min(), {ruler.x + ruler.w, layout.bottom()}, IM_COL32(243, 244, 245, 170));
+    const ImVec2 size = ImGui::CalcTextSize(text);
+    const ImVec2 at{ruler.x + std::max(0.0f, (ruler.w - size.x) / 2), (ruler.y + layout.bottom() - size.y) / 2};
+    list.AddRectFilled({at.x - 8 * ui.unit, at.y - 4 * ui.unit},
+                       {at.x + size.x + 8 * ui.unit, at.y + size.y + 4 * ui.unit}, colour(theme::paper));
+    list.AddText(at, colour(theme::ink), text);
+}
+
 /// A step that is made outside the shown part brings it into view.
 template <int D>
 void follow(TimelineData& data, Workbench<D>& bench) {
@@ -220,6 +232,7 @@ void timeline(Ui& ui, Workbench<D>& bench, const Area& area) {
     data.position = bench.session.position();
     draw_position(list, ui, layout, data, palette);
     draw_step_of_cell(list, ui, layout, data, bench.hovered_cell);
+    if (bench.session.flying()) draw_veil(list, ui, layout);
     note_places(bench, layout, data, unit);
     ImGui::End();
 }
