@@ -8,62 +8,13 @@
 #include "core/file.h"
 #include "core/number.h"
 #include "lab/claims.h"
+#include "lab/page.h"
 
 namespace sightline::lab {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr const char* style = R"(
-:root { color-scheme: light; }
-body { font: 15px/1.5 "DejaVu Sans", system-ui, sans-serif; color: #1c2430; max-width: 1000px; margin: 2rem auto;
-       padding: 0 1rem; }
-h1 { font-size: 1.7rem; margin-bottom: 0; } h2 { margin-top: 2.4rem; border-bottom: 1px solid #ccd; }
-h3 { margin-top: 1.6rem; } p.lead { color: #445; margin-top: .3rem; }
-table { border-collapse: collapse; margin: .8rem 0; font-size: 13.5px; } caption { text-align: left; color: #445; }
-th, td { padding: .25rem .7rem; border-bottom: 1px solid #dde; text-align: right; }
-th { background: #f3f5f9; } td.t, th.t { text-align: left; }
-figure { margin: 1rem 0; } figure img { width: 100%; } figcaption { color: #445; font-size: 13.5px; }
-.pictures { display: grid; grid-template-columns: 1fr 1fr; gap: 1rem; } .pictures img { width: 100%; border: 1px solid #ccd; }
-code { font-size: 12.5px; background: #f3f5f9; padding: .1rem .3rem; overflow-wrap: anywhere; }
-.holds { color: #00713a; } .not { color: #b3261e; font-weight: bold; }
-)";
-
-std::string escaped(const std::string& text) {
-    std::string html;
-    for (const char c : text) {
-        if (c == '<')
-            html += "&lt;";
-        else if (c == '>')
-            html += "&gt;";
-        else if (c == '&')
-            html += "&amp;";
-        else if (c == '"')
-            html += "&quot;";
-        else
-            html += c;
-    }
-    return html;
-}
-
-std::string base64(const std::string& bytes) {
-    static constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        std::uint32_t word = 0;
-        for (std::size_t k = 0; k < 3; ++k)
-            word = word << 8 | (i + k < bytes.size() ? static_cast<std::uint8_t>(bytes[i + k]) : 0u);
-        for (std::size_t k = 0; k < 4; ++k) text += i + k <= bytes.size() ? digits[word >> (18 - 6 * k) & 63] : '=';
-    }
-    return text;
-}
-
-std::string per_cent(double share) { return std::isnan(share) ? "–" : short_number(100 * share); }
-std::string number(double value) { return std::isnan(value) ? "–" : short_number(value); }
-std::string cell(const std::string& text, bool words = false) {
-    return std::string("<td") + (words ? " class=t" : "") + ">" + escaped(text) + "</td>";
-}
 
 std::string conditions(const Results& results) {
     const Conditions& c = results.conditions;
@@ -155,10 +106,9 @@ std::string worst_frames(const std::vector<WorstFrame>& worst) {
         "<h2>The worst frames</h2><p>What the budget rendered; red is what it should have shown "
         "(TVCG fig. 14).</p><div class=pictures>";
     for (const WorstFrame& w : worst)
-        html += "<figure><img alt='' src='data:image/png;base64," + base64(read_file(w.file)) + "'><figcaption><b>" +
-                escaped(w.scene + ", " + w.method + " at " + w.budget) + "</b>: frame " + std::to_string(w.frame) +
-                " of path " + escaped(w.path) + ", " + per_cent(w.wrong) + " % wrong.<br><code>" + escaped(w.command) +
-                "</code></figcaption></figure>";
+        html += picture(w.file, "<b>" + escaped(w.scene + ", " + w.method + " at " + w.budget) + "</b>: frame " +
+                                    std::to_string(w.frame) + " of path " + escaped(w.path) + ", " + per_cent(w.wrong) +
+                                    " % wrong.<br><code>" + escaped(w.command) + "</code>");
     return html + "</div>";
 }
 
@@ -188,24 +138,18 @@ void write_report(const Results& results, const std::vector<WorstFrame>& worst, 
     fs::create_directories(folder / "charts");
     const std::vector<Group> all = groups(results);
     const std::vector<NamedChart> charts = study_charts(results);
-    std::string html =
-        "<!doctype html><html lang=en><meta charset=utf-8><title>Sightline: speed against "
-        "accuracy</title><style>" +
-        std::string(style) + "</style><h1>Speed against accuracy</h1>" + conditions(results) + answers(all) +
-        claims(results) + table_of_papers(results);
+    std::string html = conditions(results) + answers(all) + claims(results) + table_of_papers(results);
     for (const Group& group : all) {
         html += "<h2>" + escaped(group.scene) + ", path " + escaped(group.path) + "</h2>";
         for (const NamedChart& chart : charts) {
             if (chart.scene != group.scene || chart.path != group.path) continue;
             write_chart(chart.chart, folder / "charts" / chart.id);
-            html += "<figure><img alt='' src='data:image/svg+xml;base64," +
-                    base64(read_file(folder / "charts" / (chart.id + ".svg"))) + "'><figcaption>" +
-                    escaped(chart.text) + "</figcaption></figure>";
+            html += picture(folder / "charts" / (chart.id + ".svg"), escaped(chart.text));
         }
         html += table_of_rows(group);
     }
-    html += worst_frames(worst) + measures() + "</html>\n";
-    write_file(folder / "report.html", html);
+    html += worst_frames(worst) + measures();
+    write_file(folder / "report.html", page("Speed against accuracy", html));
 }
 
 }  // namespace sightline::lab
