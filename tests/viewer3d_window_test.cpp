@@ -69,6 +69,53 @@ TEST_F(Window3Session, FlyFreezeOrbitStepPickNoteExportReopen) {
     EXPECT_EQ(nlohmann::json::parse(read_file(folder / "s.json"))["state_hash"], landed);
 }
 
+TEST_F(Window3Session, WindowsOfAlmostNoSizeAndHiddenOnesGoOn) {
+    SHOW_DISPLAY();
+    start({"bottleneck", "--set", "reference_size=320x240", "--set", "inset=both"});
+    if (HasFatalFailure()) return;
+    std::uint32_t last = now.step();
+    for (const auto& [w, h] : {std::pair(1, 1), std::pair(900, 1), std::pair(1, 700)}) {
+        ASSERT_TRUE(hands->resize(w, h));
+        hands->key("Left");
+        ASSERT_TRUE(is_at(--last)) << w << "x" << h;
+    }
+    ASSERT_TRUE(hands->resize(1000, 700));
+    ASSERT_TRUE(becomes([](const Dump& d) { return d.screen.contains("picture") && d.screen.at("picture").w > 300; }));
+    ASSERT_TRUE(hands->hide());
+    ASSERT_TRUE(hands->show());
+    hands->key("Left");
+    ASSERT_TRUE(is_at(last - 1));
+    leave();
+}
+
+TEST_F(Window3Session, ADriverThatIsTooOldIsNamedWithWhatToInstall) {
+    SHOW_DISPLAY();
+    Process old({SIGHTLINE_VIEWER3D, "bottleneck"},
+                {{"DISPLAY=" + xvfb->display(), "WAYLAND_DISPLAY", "SDL_VIDEODRIVER=x11",
+                  "HOME=" + (folder / "home").string(), "XDG_CONFIG_HOME=" + (folder / "config").string(),
+                  "MESA_GL_VERSION_OVERRIDE=2.1", "MESA_GLSL_VERSION_OVERRIDE=120"},
+                 folder,
+                 folder / "program.txt",
+                 -1});
+    if (!await([&] { return !old.running(); }, 20)) GTEST_SKIP() << "OpenGL is not Mesa's here";
+    EXPECT_EQ(old.wait(), 1);
+    EXPECT_EQ(said().find("viewer3d: OpenGL 3.3 is needed; found: OpenGL 2.1"), 0u) << said();
+    EXPECT_NE(said().find("libgl1-mesa-dri"), std::string::npos) << said();
+
+    // Without any driver Mesa has its say first; X11's own last words are not the last.
+    Process none(
+        {SIGHTLINE_VIEWER3D, "bottleneck"},
+        {{"DISPLAY=" + xvfb->display(), "WAYLAND_DISPLAY", "SDL_VIDEODRIVER=x11", "HOME=" + (folder / "home").string(),
+          "XDG_CONFIG_HOME=" + (folder / "config").string(), "LIBGL_DRIVERS_PATH=/nonexistent"},
+         folder,
+         folder / "program.txt",
+         -1});
+    if (!await([&] { return !none.running(); }, 20)) GTEST_SKIP() << "OpenGL is not Mesa's here";
+    EXPECT_EQ(none.wait(), 1);
+    EXPECT_NE(said().find("\nviewer3d: OpenGL 3.3 is needed; found: no OpenGL at all"), std::string::npos) << said();
+    EXPECT_NE(said().find("libgl1-mesa-dri"), std::string::npos) << said();
+}
+
 /// The bar of a flight path, by its buttons and keys, while settings change and with two methods beside each other.
 TEST_F(Window3Session, APathIsChosenPlayedSteppedAndRecorded) {
     SHOW_DISPLAY();

@@ -17,7 +17,7 @@ namespace sightline {
 namespace {
 
 /// Of the image at this step, in pixels.
-constexpr int image_width = 480;
+constexpr int image_side = 480;
 
 /// Over what is of an earlier frame.
 constexpr ImU32 veil = IM_COL32(255, 255, 255, 150);
@@ -77,7 +77,8 @@ void EyePictures::update(const Session<3>& session, std::uint64_t revision) {
     const Settings& settings = session.settings();
     const ImageSize size = image_size<3>(settings.reference_size);
     if (shows_image(settings)) {
-        make(image_, {image_width, std::max(1, image_width * size.height / size.width)});
+        const int longer = std::max(size.width, size.height);
+        make(image_, {std::max(1, image_side * size.width / longer), std::max(1, image_side * size.height / longer)});
         draw(*image_, session, rendered_so_far(session));
     }
     if (!shows_missed(settings) && !shows_exact(settings)) return;

@@ -1,6 +1,7 @@
 // Commands that move the eye in 3D: circling, walking, flying along paths.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 #include "core/error.h"
@@ -62,11 +63,12 @@ void fly(Workbench<3>& bench, Text text) {
             : "landed: the frame is recorded and can be stepped through");
 }
 
-void speed(Workbench<3>& bench, Text text) {
+void set_speed(Workbench<3>& bench, Text text) {
     const bool factor = text.starts_with("x");
     const double number = number_argument(factor ? text.substr(1) : text, "a speed such as 5 or x2");
-    if (!(number > 0)) throw InputError("the speed must be above 0");
-    bench.flight.speed = factor ? flight_speed(bench) * number : number;
+    const double asked = factor ? flight_speed(bench) * number : number;
+    if (!(asked > 0 && std::isfinite(asked))) throw InputError("the speed must be above 0 and finite");
+    bench.flight.speed = asked;
     bench.say("speed " + short_number(bench.flight.speed) + " units a second");
 }
 
@@ -157,7 +159,7 @@ std::span<const Command<3>> flight_commands<3>() {
         Command<3>{"through", "", "look through the frozen eye", "I", through},
         Command<3>{"fly", "[on | off]", "fly: keys and mouse move the eye, and the traversal follows it", "G", fly},
         Command<3>{"fly-speed", "UNITS | xFACTOR", "the speed of flying, in scene units a second", "}=x2 {=x0.5",
-                   speed},
+                   set_speed},
         Command<3>{"path",
                    "[ID | frame N | start | step [N] | back [N] | play | stop | toggle | loop | record | save FILE | "
                    "open FILE]",

@@ -2,6 +2,7 @@
 #include "shell/start/start.h"
 
 #include <algorithm>
+#include <csignal>
 #include <filesystem>
 #include <iostream>
 #include <new>
@@ -289,6 +290,7 @@ int report(const std::string& program, const char* what, int status) {
 
 template <int D>
 int start(int argc, const char* const* argv, std::span<const Method<D>> methods, const Viewer<D>& viewer) {
+    std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is told like a full disk
     try {
         const std::optional<Options> options = parse_options<D>(argc, argv, methods);
         if (!options) return 0;

@@ -14,7 +14,7 @@ double splitter(const Ui& ui, const char* name, const Area& strip, const Splitte
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
     begin_part(name, strip);
     ImGui::PopStyleVar(2);
-    ImGui::InvisibleButton("strip", {strip.w, strip.h});
+    ImGui::InvisibleButton("strip", {std::max(1.0f, strip.w), std::max(1.0f, strip.h)});
     const bool held = ImGui::IsItemActive();
     if (held || ImGui::IsItemHovered()) {
         ImGui::SetMouseCursor(split.upright ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);

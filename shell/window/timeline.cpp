@@ -142,7 +142,7 @@ void header(Ui& ui, Workbench<D>& bench, const TimelineLayout& layout) {
     const auto tip = [&](const Area& lane, const char* id, const char* text) {
         if (lane.h == 0) return;
         ImGui::SetCursorScreenPos({layout.header.x, lane.y});
-        ImGui::InvisibleButton(id, {layout.header.w, lane.h});
+        ImGui::InvisibleButton(id, {std::max(1.0f, layout.header.w), lane.h});
         if (!ImGui::IsItemHovered()) return;
         if (text)
             ImGui::SetTooltip("%s", text);
@@ -226,7 +226,7 @@ void timeline(Ui& ui, Workbench<D>& bench, const Area& area) {
     header(ui, bench, layout);
     ImGui::SetCursorScreenPos(layout.ruler.min());
     ImGui::InvisibleButton(
-        "plot", {layout.ruler.w, layout.bottom() - layout.ruler.y},
+        "plot", {std::max(1.0f, layout.ruler.w), std::max(1.0f, layout.bottom() - layout.ruler.y)},
         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
     mouse(ui, bench, layout);
     data.position = bench.session.position();

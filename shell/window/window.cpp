@@ -25,6 +25,7 @@ namespace {
 constexpr std::size_t most_messages = 500;
 /// Pixels at scale 1.
 constexpr float least_timeline = 150, least_column = 180, least_timeline_em = 36;
+constexpr float least_side = 32;
 constexpr float text_pixels = 15, label_pixels = 12;
 /// Of the projector mode, in a window 1080 pixels high.
 constexpr float projector_text_pixels = 24, projector_label_pixels = 22;
@@ -363,7 +364,9 @@ void Window<D>::frame(double seconds) {
     glViewport(0, 0, w, h);
     glClearColor(theme::panel.r / 255.0f, theme::panel.g / 255.0f, theme::panel.b / 255.0f, 1);
     glClear(GL_COLOR_BUFFER_BIT);
-    lay_out();
+    // A window that is minimized or next to nothing has no room for widgets of any size.
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    if (size.x >= least_side && size.y >= least_side) lay_out();
     ImGui::Render();
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     SDL_GL_SwapWindow(context_.window());
