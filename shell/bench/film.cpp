@@ -7,6 +7,7 @@
 #include "core/error.h"
 #include "core/file.h"
 #include "core/number.h"
+#include "core/output_file.h"
 #include "core/session/state_file.h"
 #include "shell/bench/encode.h"
 #include "shell/bench/export.h"
@@ -69,15 +70,17 @@ std::string numbered(const fs::path& file, std::size_t number) {
     return (file.parent_path() / (file.stem().string() + "-" + digits + file.extension().string())).string();
 }
 
-/// FILE-0001.png and so on; takes back those written when one fails.
+/// FILE-0001.png and so on; takes back those that were not there before when one fails.
 template <int D>
 void write_pictures(Workbench<D>& bench, std::span<const Figure> figures, const fs::path& file) {
     std::vector<fs::path> written;
     const auto name = [&](std::size_t i) {
         if (i > 0 && i % frames_per_word == 0)
             bench.say(std::to_string(i) + " of " + std::to_string(figures.size()) + " pictures are drawn");
-        written.emplace_back(numbered(file, i + 1));
-        return written.back();
+        const fs::path path = numbered(file, i + 1);
+        std::error_code error;
+        if (!fs::exists(path, error)) written.push_back(path);
+        return path;
     };
     try {
         write_figure_frames(figures, figure_size(bench.figure), name, bench.graphics.draw_solid);
@@ -95,6 +98,8 @@ void write_film(Workbench<D>& bench, const FilmSpec& film) {
     const std::string ending = ending_of(film.file);
     check(bench, film);
     const std::vector<Figure> figures = frames(bench.session, film);
+    OutputFile beside(film.file + ".json");
+    beside.write(sidecar(bench, film));  // a disk that has no room for it keeps the old film
     if (ending == ".pdf") {
         write_figure_pages(figures, figure_size(bench.figure), film.file, bench.graphics.draw_solid);
     } else if (ending == ".png") {
@@ -106,7 +111,7 @@ void write_film(Workbench<D>& bench, const FilmSpec& film) {
         encode_film(folder.path() / "frame-%04d.png", film.frames_per_second, figures.front().background, made);
         write_file(film.file, read_file(made));
     }
-    write_file(film.file + ".json", sidecar(bench, film));
+    beside.commit();
     bench.say("wrote " + film.file + ", " + std::to_string(figures.size()) + " steps, and " + film.file + ".json");
 }
 
