@@ -7,8 +7,10 @@
 #include <limits>
 #include <map>
 #include <set>
+#include <sstream>
 
 #include "core/error.h"
+#include "core/file.h"
 #include "core/scene/catalogue.h"
 #include "core/scene/load.h"
 #include "core/session/condition.h"
@@ -43,7 +45,9 @@ void expect_sound_rows(std::set<int>& numbers, std::size_t& measured_rows) {
         EXPECT_EQ(scene.source, "generated");
         Settings settings = catalogue_settings<D>(row.scene);
         for (const char* assignment : row.settings) apply_setting(settings, assignment);
-        if (*row.until != 0) EXPECT_NO_THROW(Condition<D>{row.until});
+        if (*row.until != 0) {
+            EXPECT_NO_THROW(Condition<D>{row.until});
+        }
         bool measures = false;
         for (const Expectation& e : row.expectations) {
             measures = measures || e.expect != Expect::pending;
@@ -159,7 +163,7 @@ void expect_states_reopen(const DrawIds& draw_ids, std::span<const std::string_v
 
 TEST(LabGallery, StatesOpenAtTheStepTheyName) {
     LabGraphics graphics;
-    std::vector<std::string_view> all, some{"bottleneck", "hullgap", "nothing", "gap", "cplp-256"};
+    std::vector<std::string_view> all, some{"bottleneck", "hullgap", "empty", "gap", "cplp-256"};
     for (const GalleryRow<2>& row : gallery<2>()) all.push_back(row.id);
     expect_states_reopen<2>({}, all);
     expect_states_reopen<3>(graphics.draw_ids(), some);
@@ -183,7 +187,25 @@ TEST(LabGallery, CommandEndsWithItsCounts) {
     EXPECT_EQ(run({"--list"}, out), 0);
     EXPECT_EQ(static_cast<std::size_t>(std::count(out.begin(), out.end(), '\n')),
               gallery<2>().size() + gallery<3>().size());
-    EXPECT_THROW(run({"no-such-scene"}, out), InputError);
+    const char* const unknown[] = {"gallery", "no-such-scene"};
+    EXPECT_THROW(gallery_command(2, unknown), InputError);
+}
+
+TEST(LabGallery, TheManualShowsWhatItPrints) {
+    std::istringstream page(read_file(SIGHTLINE_SOURCE_DIR "/docs/measuring.md"));
+    std::string out, line;
+    EXPECT_EQ(run({"3d:bottleneck"}, out), 0);
+    bool shown = false;
+    int lines = 0;
+    while (std::getline(page, line)) {
+        if (line.starts_with("```")) {
+            shown = line == "```console";
+        } else if (shown) {
+            EXPECT_NE(out.find(line + "\n"), std::string::npos) << line;
+            ++lines;
+        }
+    }
+    EXPECT_GE(lines, 3);
 }
 
 // Known answers.

@@ -102,10 +102,10 @@ const std::vector<PlanRow>& plans() {
                     "Two walls share an edge, and behind it the view is free: whoever leaves out shared edges as inner "
                     "ones hides what stands beside it.",
                     {{20, 2}, {20, 40}, 100}, 0.05, "20%", {}, {half}),
-        both<nothing>("nothing", 27, "Nothing at all",
-                      "A scene without a single primitive is a scene: there is nothing to see, to draw or to miss, and "
-                      "no coverage.",
-                      {{0, 0}, {1, 0}, 60}, 0.05, "10%", {}, {}),
+        both<empty>("empty", 27, "Nothing at all",
+                    "A scene without a single primitive is a scene: there is nothing to see, to draw or to miss, and "
+                    "no coverage.",
+                    {{0, 0}, {1, 0}, 60}, 0.05, "10%", {}, {}),
         both<single>("single", 27, "One primitive",
                      "One primitive makes a box that is flat, a single leaf and hardly a tessellation, and still it "
                      "has to be drawn.",

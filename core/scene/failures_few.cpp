@@ -4,7 +4,7 @@
 
 namespace sightline::failures {
 
-std::vector<Primitive<2>> nothing(std::uint64_t) { return {}; }
+std::vector<Primitive<2>> empty(std::uint64_t) { return {}; }
 
 std::vector<Primitive<2>> single(std::uint64_t) { return {{Vec<2>(-1, 5), Vec<2>(1, 5)}}; }
 

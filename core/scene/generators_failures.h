@@ -39,7 +39,7 @@ std::vector<Primitive<2>> broken(std::uint64_t seed);
 // Few primitives, or all in one place.
 
 /// Not a single segment.
-std::vector<Primitive<2>> nothing(std::uint64_t seed);
+std::vector<Primitive<2>> empty(std::uint64_t seed);
 /// One segment.
 std::vector<Primitive<2>> single(std::uint64_t seed);
 /// 400 segments within a centimetre and one at either end of the scene; 0..40 x 0..40.
