@@ -5,6 +5,7 @@
 
 #include "core/file.h"
 #include "core/number.h"
+#include "shell/figure/markup.h"
 
 namespace sightline::lab {
 
@@ -25,36 +26,7 @@ code { font-size: 12.5px; background: #f3f5f9; padding: .1rem .3rem; overflow-wr
 .holds { color: #00713a; } .not { color: #b3261e; font-weight: bold; }
 )";
 
-std::string base64(const std::string& bytes) {
-    static constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        std::uint32_t word = 0;
-        for (std::size_t k = 0; k < 3; ++k)
-            word = word << 8 | (i + k < bytes.size() ? static_cast<std::uint8_t>(bytes[i + k]) : 0u);
-        for (std::size_t k = 0; k < 4; ++k) text += i + k <= bytes.size() ? digits[word >> (18 - 6 * k) & 63] : '=';
-    }
-    return text;
-}
-
 }  // namespace
-
-std::string escaped(const std::string& text) {
-    std::string html;
-    for (const char c : text) {
-        if (c == '<')
-            html += "&lt;";
-        else if (c == '>')
-            html += "&gt;";
-        else if (c == '&')
-            html += "&amp;";
-        else if (c == '"')
-            html += "&quot;";
-        else
-            html += c;
-    }
-    return html;
-}
 
 std::string per_cent(double share) { return std::isnan(share) ? "–" : short_number(100 * share); }
 std::string number(double value) { return std::isnan(value) ? "–" : short_number(value); }

@@ -5,10 +5,9 @@
 #include <filesystem>
 #include <string>
 
-namespace sightline::lab {
+#include "shell/figure/markup.h"
 
-/// For text between tags and in attributes.
-std::string escaped(const std::string& text);
+namespace sightline::lab {
 
 /// `text` as a cell of a table: numbers to the right, words to the left.
 std::string cell(const std::string& text, bool words = false);
