@@ -52,6 +52,20 @@ TEST_F(Viewer3d, AFrozenPictureOpensAgainFromItsSidecar) {
     EXPECT_NE(read("a.svg").find("here"), std::string::npos);
 }
 
+TEST_F(Viewer3d, InsetsAreInTheFigureAndItsSidecar) {
+    good({"city:10k", "--size", "400x300", "--do",
+          "set reference_size=320x240; step 40; freeze; orbit 30,20; zoom 0.5; set inset=both; shot a.svg"});
+    good({"--state", "a.svg.json", "--do", "shot b.svg; set inset=off; shot c.svg"});
+    const auto images = [](const std::string& svg) {
+        std::size_t count = 0;
+        for (std::size_t at = svg.find("<image"); at != std::string::npos; at = svg.find("<image", at + 1)) ++count;
+        return count;
+    };
+    EXPECT_EQ(read("a.svg"), read("b.svg"));
+    EXPECT_EQ(images(read("a.svg")), 3u);
+    EXPECT_EQ(images(read("c.svg")), 1u);
+}
+
 TEST_F(Viewer3d, FlyingShowsTheFrameThatSteppingReaches) {
     good({"city:10k", "--budget", "5%", "--do", "path test; path frame 3; fly off; stats flown.json; eye 0,0,2"});
     const Json flown = Json::parse(read("flown.json"));

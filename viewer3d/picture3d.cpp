@@ -170,7 +170,7 @@ void Picture3d::interact(Ui& ui, const Area& area) {
         const Area& part = panes[i].area();
         list.PushClipRect(part.min(), part.max(), true);
         panes[i].draw_texts(list, ui);
-        insets_[i].draw(list, ui, part, session_of(i));
+        insets_[i].draw(list, ui, part);
         draw_counters(ui, part, session_of(i));
         if (bench_.other)
             text_box(list, ui, bench_.session.settings().palette, {part.x, part.y + 26 * ui.unit},

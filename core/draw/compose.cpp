@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/draw/cell_number.h"
+#include "core/draw/insets.h"
 #include "core/draw/legend.h"
 #include "core/draw/notes.h"
 #include "core/draw/palette.h"
@@ -48,7 +49,7 @@ Figure::Panel draw_panel(const PanelSource<2>& source, const HeatRange& range, c
 Figure::Panel draw_panel(const PanelSource<3>& source, const HeatRange& range, const std::optional<Box<2>>&) {
     const PictureOptions3 options{range, 0, source.sides};
     return {make_picture(source.session, options), "",
-            std::make_shared<const SolidList>(make_solid(source.session, options))};
+            std::make_shared<const SolidList>(make_solid(source.session, options)), make_insets(source.session)};
 }
 
 std::optional<Vec<2>> place_of(const Figure::Panel&, const Vec<2>& p) { return p; }
