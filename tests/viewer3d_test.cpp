@@ -66,6 +66,51 @@ TEST_F(Viewer3d, InsetsAreInTheFigureAndItsSidecar) {
     EXPECT_EQ(images(read("c.svg")), 1u);
 }
 
+TEST_F(Viewer3d, CellsAreWrittenOnceAndReadAgain) {
+    const Result first = good({"city:10k", "--cells", "c.cells", "--stats", "a.json"});
+    EXPECT_NE(first.out.find("c.cells"), std::string::npos);
+    const std::string file = read("c.cells");
+    const Result again = good({"city:10k", "--cells", "c.cells", "--stats", "b.json"});
+    EXPECT_EQ(again.out.find("c.cells"), std::string::npos);
+    EXPECT_EQ(read("c.cells"), file);
+    const Json a = Json::parse(read("a.json")), b = Json::parse(read("b.json"));
+    EXPECT_EQ(a["state_hash"], b["state_hash"]);
+    EXPECT_EQ(a["cells"], b["cells"]);
+    EXPECT_GT(a["ms"]["tessellate"], 0);
+    EXPECT_EQ(b["ms"]["tessellate"], 0);
+    EXPECT_EQ(b["ms"]["assign"], 0);
+    good({"city:10k", "--do", "cells d.cells"});
+    EXPECT_EQ(read("d.cells"), file);
+    // Settings that the cells do not depend on may change.
+    good({"city:10k", "--cells", "c.cells", "--method", "layers", "--set", "heat=order"});
+}
+
+TEST_F(Viewer3d, CellsThatDoNotFitAreRefused) {
+    good({"city:10k", "--cells", "c.cells"});
+    const std::string file = read("c.cells");
+    bad({"room", "--cells", "c.cells"}, "another scene");
+    bad({"city:20k", "--cells", "c.cells"}, "another scene");
+    bad({"city:10k", "--set", "error_bound=0.1", "--cells", "c.cells"}, "error_bound");
+    bad({"city:10k", "--set", "tessellation=tree", "--cells", "c.cells"}, "tessellation");
+    bad({"--cells", "c.cells"}, "scene");
+    bad({"city:10k", "--cells", "."}, ".");
+    write("t.cells", file.substr(0, file.size() / 2));
+    bad({"city:10k", "--cells", "t.cells"}, "truncated");
+    std::string damaged = file;
+    damaged[damaged.size() / 2] ^= 1;
+    write("t.cells", damaged);
+    bad({"city:10k", "--cells", "t.cells"}, "t.cells: is damaged");
+    write("t.cells", "v 0 0 0\n");
+    bad({"city:10k", "--cells", "t.cells"}, "t.cells");
+    EXPECT_EQ(read("c.cells"), file);
+    EXPECT_EQ(headless({"city:10k", "--cells", "nowhere/c.cells"}).status, 1);
+    program = "viewer2d";
+    path = SIGHTLINE_VIEWER2D;
+    bad({"bottleneck", "--cells", "c.cells"}, "dimensions");
+    good({"bottleneck", "--cells", "flat.cells"});
+    good({"bottleneck", "--cells", "flat.cells"});
+}
+
 TEST_F(Viewer3d, FlyingShowsTheFrameThatSteppingReaches) {
     good({"city:10k", "--budget", "5%", "--do", "path test; path frame 3; fly off; stats flown.json; eye 0,0,2"});
     const Json flown = Json::parse(read("flown.json"));

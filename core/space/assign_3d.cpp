@@ -100,11 +100,12 @@ private:
 };
 
 template <typename Search>
-void assign(CellComplex<3>& cells, const std::vector<Primitive<3>>& primitives) {
+void assign(CellComplex<3>& cells, const std::vector<Primitive<3>>& primitives, const Progress& progress) {
     std::vector<CellPrimitive> pairs;
     Search search(cells);
     cells.unassigned = 0;
     for (std::uint32_t primitive = 0; primitive < primitives.size(); ++primitive) {
+        report_assigned(progress, primitive, primitives.size());
         const std::vector<std::uint32_t>& found = search.cells_of(primitive, primitives[primitive]);
         for (const std::uint32_t cell : found) pairs.push_back({cell, primitive});
         cells.unassigned += found.empty();
@@ -114,11 +115,11 @@ void assign(CellComplex<3>& cells, const std::vector<Primitive<3>>& primitives) 
 
 }  // namespace
 
-void assign_primitives(CellComplex<3>& cells, const std::vector<Primitive<3>>& primitives) {
+void assign_primitives(CellComplex<3>& cells, const std::vector<Primitive<3>>& primitives, const Progress& progress) {
     if (cells.kind == Tessellation::delaunay) {
-        assign<TetrahedronFlood>(cells, primitives);
+        assign<TetrahedronFlood>(cells, primitives, progress);
     } else {
-        assign<TreeDescent>(cells, primitives);
+        assign<TreeDescent>(cells, primitives, progress);
     }
 }
 

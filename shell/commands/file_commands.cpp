@@ -72,6 +72,8 @@ std::span<const Command<D>> file_commands() {
                    "write steps as numbered .png, as pages of a .pdf, as .gif or as .mp4", "", film<D>},
         Command<D>{"save", "FILE", "write a state file", "Ctrl+S=?",
                    [](Workbench<D>& bench, Text text) { write_text(file_argument(text), bench_state(bench)); }},
+        Command<D>{"cells", "FILE", "write the cells and what they hold, for --cells", "",
+                   [](Workbench<D>& bench, Text text) { write_cells(bench, file_argument(text)); }},
         Command<D>{"trace", "FILE", "write the records of the steps so far", "",
                    [](Workbench<D>& bench, Text text) { write_text(file_argument(text), trace_json(bench.session)); }},
         Command<D>{"stats", "FILE", "write the statistics", "",
