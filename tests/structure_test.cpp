@@ -99,7 +99,8 @@ TEST(Structure, AssimpStaysBehindTheReaders) {
         for (const std::string& include : source.includes) {
             if (!include.starts_with("assimp/")) continue;
             ++seen;
-            EXPECT_TRUE(in(source, "core/scene") && !is_header(source)) << source.path << " includes " << include;
+            EXPECT_TRUE((in(source, "core/scene") || in(source, "tests/benchmarks")) && !is_header(source))
+                << source.path << " includes " << include;
         }
     EXPECT_GT(seen, 0);
 }
@@ -135,8 +136,8 @@ TEST(Structure, ArrowsInCorePointDown) {
 
 TEST(Structure, ArrowsInShellPointDown) {
     // Figures and GL stand side by side: neither knows the other.
-    const std::map<std::string, int> levels{{"figure", 0}, {"gl", 0},       {"bench", 1},
-                                            {"panels", 2}, {"commands", 3}, {"window", 4}, {"start", 5}};
+    const std::map<std::string, int> levels{{"figure", 0},   {"gl", 0},     {"bench", 1}, {"panels", 2},
+                                            {"commands", 3}, {"window", 4}, {"start", 5}};
     const auto folder = [](const std::string& path) { return path.substr(0, path.rfind('/')); };
     const auto level = [&](const std::string& path) {  // shell/FOLDER/FILE
         const auto found = levels.find(folder(path).substr(std::string("shell/").size()));

@@ -9,6 +9,7 @@
 #include "core/scene/catalogue.h"
 #include "core/scene/load.h"
 #include "core/session/condition.h"
+#include "core/session/start_settings.h"
 #include "core/session/state_file.h"
 #include "core/space/cells_file.h"
 #include "core/stopwatch.h"
@@ -28,14 +29,8 @@ std::optional<std::string> state_text(const std::string& name) {
 
 template <int D>
 Settings start_settings(const std::string& name, bool in_window) {
-    Settings settings;
-    if (D == 2 && in_window) settings.label = CellNumber::solidity;
-    const CatalogueRow<D>* row = find_in_catalogue<D>(name);
-    if (!row) return settings;
-    settings.error_bound = row->error_bound;
-    settings.method = row->method;
-    settings.budget = parse_budget(row->budget);
-    for (const SettingOverride& s : row->settings) apply_setting(settings, std::string(s.field) + "=" + s.value);
+    Settings settings = catalogue_settings<D>(name);
+    if (D == 2 && in_window && settings.label == CellNumber::none) settings.label = CellNumber::solidity;
     return settings;
 }
 

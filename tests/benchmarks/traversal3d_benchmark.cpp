@@ -1,9 +1,13 @@
 // 3D: from a city to its cells, and one frame of each method on the street. Frame cost should follow what is seen, not
 // what exists: the last rows compare the same street view in cities of different size.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
 #include <benchmark/benchmark.h>
 
+#include <assimp/Importer.hpp>
 #include <map>
+#include <tuple>
 
 #include "core/scene/generators_3d.h"
 #include "core/space/builders.h"
@@ -30,7 +34,7 @@ struct City {
         made.triangles = std::move(scene.primitives);
         for (const FlightPath<3>& path : made.paths)
             if (path.id == "street")
-                for (std::size_t frame = 0; frame < path.frames.size(); frame += 10)
+                for (std::size_t frame = 0; frame < path.frames.size(); ++frame)
                     views.push_back(make_view(path.frames[frame], 4.0 / 3));
     }
 };
@@ -99,6 +103,39 @@ void BM_Assign3(benchmark::State& run) {
         static_cast<double>(cells.reference_memory_bytes()) / static_cast<double>(triangles.size());
 }
 BENCHMARK(BM_Assign3)->Unit(benchmark::kMillisecond);
+
+/// The city as an OBJ file in memory with every corner once.
+std::string city_as_obj() {
+    std::string points, faces;
+    std::map<std::tuple<double, double, double>, std::size_t> known;
+    char line[120];
+    for (const Primitive<3>& triangle : city(usual).made.triangles) {
+        faces += 'f';
+        for (const Vec<3>& p : triangle) {
+            const auto [at, is_new] = known.try_emplace({p.x, p.y, p.z}, known.size() + 1);
+            if (is_new) {
+                std::snprintf(line, sizeof line, "v %.9g %.9g %.9g\n", p.x, p.y, p.z);
+                points += line;
+            }
+            faces += ' ' + std::to_string(at->second);
+        }
+        faces += '\n';
+    }
+    return points + faces;
+}
+
+/// What tessellating and assigning is held against: Assimp reads the same city.
+void BM_AssimpReads3(benchmark::State& run) {
+    const std::string text = city_as_obj();
+    for (auto _ : run) {
+        Assimp::Importer importer;
+        const aiScene* read = importer.ReadFileFromMemory(
+            text.data(), text.size(), aiProcess_Triangulate | aiProcess_JoinIdenticalVertices, "obj");
+        if (!read) run.SkipWithError(importer.GetErrorString());
+    }
+    run.counters["bytes"] = static_cast<double>(text.size());
+}
+BENCHMARK(BM_AssimpReads3)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace sightline

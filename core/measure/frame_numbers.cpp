@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/measure/frame_numbers.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "core/measure/wrong_region.h"
+
+namespace sightline {
+
+namespace {
+
+constexpr std::uint32_t culled_bit = State<3>::culled_bit;
+static_assert(culled_bit == State<2>::culled_bit);
+
+/// Coverage that k95 asks for.
+constexpr double enough = 0.95;
+
+double ratio(double part, double whole) { return whole > 0 ? part / whole : std::numeric_limits<double>::quiet_NaN(); }
+
+}  // namespace
+
+template <int D>
+WholeRun whole_run(const Method<D>& method, Frame<D> frame, const Reference& reference, bool with_inversions) {
+    frame.budget = none;
+    State<D> state;
+    Timeline timeline;
+    method.start(frame, state);
+    timeline.seed_count = state.front_size;
+    WholeRun run;
+    run.culled_costs = frame.settings.culled_cost == CulledCost::charged;
+    std::uint32_t largest = state.front_size;
+    while (method.record(frame, state, timeline) == Stop::none) {
+        largest = std::max(largest, state.front_size);
+        run.touched_after.push_back(state.touched_count);
+        run.largest_front.push_back(largest);
+    }
+    if (with_inversions) {
+        run.inversions = inversions(reference, frame, state, timeline);
+        std::sort(run.inversions.begin(), run.inversions.end(),
+                  [](const Inversion& a, const Inversion& b) { return a.step < b.step; });
+    }
+    state.touched.resize(state.touched_count);
+    run.touched = std::move(state.touched);
+    std::uint32_t rendered = 0;
+    std::size_t found = 0;
+    for (const std::uint32_t entry : run.touched) {
+        if (entry & culled_bit) continue;
+        ++rendered;
+        found += reference.visible[entry];
+        if (reference.visible[entry] && static_cast<double>(found) >= enough * static_cast<double>(reference.count)) {
+            run.k95 = rendered;
+            break;
+        }
+    }
+    return run;
+}
+
+Cut cut_at(const WholeRun& run, std::uint32_t budget) {
+    std::uint32_t spent = 0;
+    std::size_t end = 0;
+    for (; spent < budget && end < run.touched.size(); ++end)
+        spent += run.culled_costs || !(run.touched[end] & culled_bit);
+    if (spent < budget) return {end, run.touched_after.size()};
+    if (budget == 0) return {};
+    const auto last = std::lower_bound(run.touched_after.begin(), run.touched_after.end(), end);
+    return {end, static_cast<std::size_t>(last - run.touched_after.begin()) + 1};
+}
+
+std::vector<std::uint8_t> rendered_by(const WholeRun& run, std::size_t touched, std::size_t primitive_count) {
+    std::vector<std::uint8_t> rendered(primitive_count);
+    for (std::size_t i = 0; i < touched; ++i)
+        if (!(run.touched[i] & culled_bit)) rendered[run.touched[i]] = 1;
+    return rendered;
+}
+
+Values frame_numbers(const WholeRun& run, const Truth& truth, std::uint32_t budget,
+                     std::span<const std::uint8_t> rendered, std::span<const std::uint8_t> wrong,
+                     std::optional<double> best_cells) {
+    using M = Measure;
+    const Reference& reference = truth.reference;
+    std::size_t count = 0, found = 0, hit = 0, ranks = 0, right_pixels = 0;
+    for (std::size_t p = 0; p < rendered.size(); ++p) {
+        if (!rendered[p]) continue;
+        ++count;
+        found += reference.visible[p];
+        right_pixels += reference.pixels[p];
+        hit += (*truth.zeta)[p] > 0;
+        ranks += (*truth.zeta)[p];
+    }
+    const auto of_pixels = [&](std::size_t part) {
+        return ratio(static_cast<double>(part), static_cast<double>(wrong.size()));
+    };
+    const auto wrong_pixels = static_cast<std::size_t>(std::count(wrong.begin(), wrong.end(), 1));
+    const auto right = static_cast<double>(right_pixels);
+
+    Values v;
+    v[M::budget] = budget;
+    v[M::rendered] = static_cast<double>(count);
+    v[M::visible] = static_cast<double>(reference.count);
+    v[M::coverage] = ratio(static_cast<double>(found), static_cast<double>(reference.count));
+    v[M::coverage_px] = ratio(right, right + static_cast<double>(wrong_pixels));
+    if (const auto best = oracle(reference, budget)) v[M::oracle] = *best;
+    if (best_cells) v[M::cell_oracle] = *best_cells;
+    v[M::wrong] = of_pixels(wrong_pixels);
+    v[M::blob] = of_pixels(largest_region(wrong, reference.image.width, reference.image.height));
+    if (run.k95) v[M::k95] = static_cast<double>(*run.k95) / static_cast<double>(rendered.size());
+    v[M::efficiency] = ratio(static_cast<double>(found), static_cast<double>(count));
+    v[M::zeta] = ratio(static_cast<double>(ranks), static_cast<double>(hit));
+
+    const std::size_t steps = cut_at(run, budget).steps;
+    v[M::steps] = static_cast<double>(steps);
+    v[M::front] = steps > 0 ? run.largest_front[steps - 1] : 0;
+    v[M::mis_ranked] = v[M::unreached] = 0;
+    for (const Inversion& inversion : run.inversions) {
+        if (inversion.step > steps) break;
+        ++v[inversion.kind == Inversion::Kind::mis_ranked ? M::mis_ranked : M::unreached];
+    }
+    return v;
+}
+
+template WholeRun whole_run<2>(const Method<2>&, Frame<2>, const Reference&, bool);
+template WholeRun whole_run<3>(const Method<3>&, Frame<3>, const Reference&, bool);
+
+}  // namespace sightline

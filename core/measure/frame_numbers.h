@@ -1,0 +1,47 @@
+// What one method makes of one frame at any budget. A budget selects a prefix of the order (design.md, principle 4), so
+// that one run to the end has them all.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/measure/measure_table.h"
+#include "core/measure/metrics.h"
+#include "core/measure/truth.h"
+#include "core/traversal/methods.h"
+
+namespace sightline {
+
+/// A method's run over one frame without a budget.
+struct WholeRun {
+    std::vector<std::uint32_t> touched;        ///< as State::touched
+    std::vector<std::uint32_t> touched_after;  ///< per step, how many of them were met by its end
+    std::vector<std::uint32_t> largest_front;  ///< per step, the most cells in the front after it or one before
+    std::vector<Inversion> inversions;         ///< by step
+    std::optional<std::uint32_t> k95;          ///< rendered primitives with coverage >= 0.95 for the first time
+    bool culled_costs = false;                 ///< Settings::culled_cost
+};
+
+/// `frame` with its budget lifted. `with_inversions`: they take as long as the run itself.
+template <int D>
+WholeRun whole_run(const Method<D>& method, Frame<D> frame, const Reference& reference, bool with_inversions = true);
+
+/// Where a budget ends a run.
+struct Cut {
+    std::size_t touched = 0;  ///< so many of WholeRun::touched were met, culled ones behind the last rendered left out
+    std::size_t steps = 0;    ///< steps taken, the one that the budget cuts included
+};
+Cut cut_at(const WholeRun& run, std::uint32_t budget);
+
+/// Per primitive, 1 where it is among the first `touched` of the run's and not culled.
+std::vector<std::uint8_t> rendered_by(const WholeRun& run, std::size_t touched, std::size_t primitive_count);
+
+/// Every measure of a frame on its own: no times, and nothing that compares with another frame. `rendered` is
+/// rendered_by, `wrong` wrong_mask at this budget; `best_cells` the cell oracle, which depends on the tessellation
+/// only.
+Values frame_numbers(const WholeRun& run, const Truth& truth, std::uint32_t budget,
+                     std::span<const std::uint8_t> rendered, std::span<const std::uint8_t> wrong,
+                     std::optional<double> best_cells);
+
+}  // namespace sightline

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/measure/measure_table.h"
+
+namespace sightline {
+
+namespace {
+
+using enum Measure;
+constexpr std::array<MeasureRow, measure_count> table{{
+    {budget, "budget", "budget", "primitives", "k: how many primitives the frame may render", "TVCG 3"},
+    {rendered, "rendered", "rendered", "primitives", "|T|: primitives rendered, each once", "TVCG 4.1"},
+    {visible, "visible", "visible", "primitives", "|V|: primitives that are really seen", "TVCG 4.4"},
+    {coverage, "coverage", "coverage", "share", "|V ∩ T| / |V|; none where |V| = 0", "TVCG 4.4", Better::higher, false,
+     true},
+    {coverage_px, "coverage_px", "coverage by pixels", "share",
+     "pixels of the exact image that show a rendered primitive / pixels that show one at all", "TVCG fig. 15",
+     Better::higher, false, true},
+    {oracle, "oracle", "oracle", "share", "min(1, k / |V|): the best that any k primitives can do", "TVCG 3"},
+    {cell_oracle, "cell_oracle", "cell oracle", "share",
+     "coverage of whole cells by falling visible share, cut at k: a good order of cells", "docs/measuring.md"},
+    {wrong, "wrong", "wrong pixels", "share",
+     "pixels whose primitive differs from that of the exact image / all pixels", "TVCG 4.4, fig. 14", Better::lower,
+     false, true},
+    {blob, "blob", "largest wrong region", "share",
+     "pixels of the largest 4-connected region of wrong pixels / all pixels", "docs/measuring.md", Better::lower, false,
+     true},
+    {k95, "k95", "budget for 95 %", "share", "least |T| with coverage >= 0.95 / |S|; none where no budget does",
+     "docs/measuring.md", Better::lower},
+    {efficiency, "efficiency", "efficiency", "share", "|V ∩ T| / |T|; none where |T| = 0", "docs/measuring.md",
+     Better::higher},
+    {mis_ranked, "mis_ranked", "mis-ranked inversions", "steps",
+     "hidden cells projected while a visible one waited in the front", "design.md", Better::lower},
+    {unreached, "unreached", "unreached inversions", "steps",
+     "hidden cells projected while a visible one was still clean and none waited in the front", "design.md",
+     Better::lower},
+    {zeta, "zeta", "mean layering number", "layers",
+     "mean ζ of the rendered primitives that a ray hits (3D: within the first 8 layers)", "TVCG 3", Better::lower},
+    {steps, "steps", "steps", "steps", "pops, or batches of primitives", "TVCG fig. 4"},
+    {front, "front", "largest front", "cells", "most cells in the front after any step", "TVCG 4.2"},
+    {pop, "pop", "popping", "share",
+     "|{p in V and V': rendered in exactly one of the frames}| / |V ∩ V'|, V' being that of the frame before",
+     "docs/measuring.md", Better::lower, false, true},
+    {flip, "flip", "flipping pixels", "share",
+     "pixels that are wrong in exactly one of this frame and the one before / all pixels", "docs/measuring.md",
+     Better::lower, false, true},
+    {visible_change, "visible_change", "change of the exact set", "share", "1 - |V ∩ V'| / |V ∪ V'|",
+     "docs/measuring.md"},
+    {traverse_ms, "traverse_ms", "traversal", "ms", "starting and running the method, unrecorded", "TVCG 4.4",
+     Better::lower, true, true},
+    {upload_ms, "upload_ms", "upload", "ms", "telling OpenGL which triangles, to glFinish", "docs/measuring.md",
+     Better::lower, true},
+    {draw_ms, "draw_ms", "drawing", "ms", "drawing them lit at the reference size, to glFinish", "TVCG 4.4",
+     Better::lower, true},
+    {total_ms, "total_ms", "time per frame", "ms", "traversal + upload + drawing", "TVCG 4.4", Better::lower, true,
+     true},
+}};
+
+}  // namespace
+
+std::span<const MeasureRow> measure_table() { return table; }
+
+const MeasureRow& measure_row(Measure measure) { return table[static_cast<std::size_t>(measure)]; }
+
+}  // namespace sightline

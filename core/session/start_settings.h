@@ -1,0 +1,15 @@
+// What a scene starts with.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "core/settings/settings.h"
+
+namespace sightline {
+
+/// The catalogue row's settings, method and budget, or the defaults for a name that is not in the catalogue.
+template <int D>
+Settings catalogue_settings(const std::string& name);
+
+}  // namespace sightline

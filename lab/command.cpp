@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lab/command.h"
+
+#include <array>
+
+namespace sightline::lab {
+
+std::span<const Command> commands() {
+    static constexpr std::array table{
+        Command{"measure", "measures methods on scenes along paths: accuracy, stability and time, with charts",
+                measure_command},
+        Command{"merge", "puts the parts of a study together that were measured apart", merge_command},
+    };
+    return table;
+}
+
+}  // namespace sightline::lab

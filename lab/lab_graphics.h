@@ -1,0 +1,35 @@
+// The lab's OpenGL: off screen, for references and for timed drawing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "core/measure/id_image.h"
+#include "core/settings/settings.h"
+#include "lab/frame_clock.h"
+
+namespace sightline::lab {
+
+/// Made on first use, so that 2D studies need no OpenGL. Use from one thread.
+class LabGraphics {
+public:
+    LabGraphics();
+    ~LabGraphics();
+    LabGraphics(const LabGraphics&) = delete;
+    LabGraphics& operator=(const LabGraphics&) = delete;
+
+    /// Throws WorkError where there is no OpenGL 3.3.
+    DrawIds draw_ids();
+    /// Lit, at this size.
+    TimeDrawing time_drawing(const ImageSize& size);
+    /// OpenGL's version and renderer; empty before first use.
+    std::string description() const;
+
+private:
+    struct Made;
+    Made& made();
+    std::unique_ptr<Made> made_;
+};
+
+}  // namespace sightline::lab

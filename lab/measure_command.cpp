@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <unistd.h>
+
+#include <cmath>
+#include <csignal>
+#include <filesystem>
+#include <iostream>
+
+#include "core/file.h"
+#include "core/number.h"
+#include "lab/command.h"
+#include "lab/run_study.h"
+#include "lab/study_options.h"
+
+namespace sightline::lab {
+
+namespace {
+
+volatile std::sig_atomic_t interrupted = 0;
+
+/// Over one line at a terminal, else a line each.
+void say(const std::string& line) {
+    if (isatty(STDERR_FILENO))
+        std::cerr << "\r\033[K" << line << std::flush;
+    else
+        std::cerr << line << "\n";
+}
+
+std::string padded(std::string text, std::size_t width, bool left = false) {
+    if (text.size() < width) text.insert(left ? text.size() : 0, width - text.size(), ' ');
+    return text;
+}
+
+std::string per_cent(double share) { return std::isnan(share) ? "-" : short_number(100 * share); }
+
+/// What a person wants to see at once.
+void print_table(const Results& results) {
+    std::cout << padded("scene", 16, true) << padded("method", 18, true) << padded("budget", 10)
+              << padded("coverage %", 12) << padded("wrong %", 9) << padded("worst %", 9) << padded("pop %", 8)
+              << padded("ms", 9) << "\n";
+    for (const Row& row : results.rows)
+        std::cout << padded(row.scene, 16, true) << padded(method_text(row.method), 18, true) << padded(row.budget, 10)
+                  << padded(per_cent(summary(row, Measure::coverage)), 12)
+                  << padded(per_cent(summary(row, Measure::wrong)), 9)
+                  << padded(per_cent(worst(row, Measure::wrong)), 9) << padded(per_cent(summary(row, Measure::pop)), 8)
+                  << padded(std::isnan(summary(row, Measure::total_ms)) ? "-"
+                                                                        : short_number(summary(row, Measure::total_ms)),
+                            9)
+                  << "\n";
+}
+
+}  // namespace
+
+int measure_command(int argc, const char* const* argv) {
+    CLI::App app{"Measures methods on scenes along paths: accuracy, stability and time.", "lab measure"};
+    StudyOptions options;
+    add_study_options(app, options);
+    std::string out = "out/lab", shard;
+    app.add_option("--out", out, "folder of the results; a study that was stopped goes on there")
+        ->capture_default_str();
+    app.add_option("--shard", shard, "I/N: only every N-th pair of scene and path, from the I-th on");
+    if (!parse(app, argc, argv)) return 0;
+    const Study study = study_of(options);
+    StudyRun run;
+    if (!shard.empty()) run.shard = parse_shard(shard);
+    run.say = say;
+    std::signal(SIGINT, [](int) { interrupted = 1; });
+    std::signal(SIGTERM, [](int) { interrupted = 1; });
+    run.stopped = [] { return interrupted != 0; };
+    LabGraphics graphics;
+    const Results results = run_study(study, out, graphics, run);
+    say("");
+    write_results(results, out);
+    print_table(results);
+    if (interrupted) std::cerr << "lab: stopped; the same command goes on where it was\n";
+    return interrupted ? 1 : 0;
+}
+
+int merge_command(int argc, const char* const* argv) {
+    CLI::App app{"Puts the parts of a study together that were measured apart.", "lab merge"};
+    std::vector<std::string> parts;
+    std::string out = "out/lab";
+    app.add_option("RESULTS", parts, "results.json of each part")->required();
+    app.add_option("--out", out, "folder of the results")->capture_default_str();
+    if (!parse(app, argc, argv)) return 0;
+    std::vector<Results> read;
+    for (const std::string& part : parts) read.push_back(read_results(read_file(part), part));
+    std::filesystem::create_directories(out);
+    const Results all = merge(read);
+    write_results(all, out);
+    print_table(all);
+    return 0;
+}
+
+}  // namespace sightline::lab

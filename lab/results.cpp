@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lab/results.h"
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "core/error.h"
+#include "core/file.h"
+#include "core/number.h"
+#include "lab/frame_clock.h"
+
+namespace sightline::lab {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+std::vector<double> known(const Row& row, Measure measure) {
+    std::vector<double> values;
+    for (const Values& v : row.values)
+        if (!std::isnan(v[measure])) values.push_back(v[measure]);
+    return values;
+}
+
+std::string extreme_id(const MeasureRow& m) {
+    return std::string(m.id) + (m.better == Better::higher ? "_min" : "_max");
+}
+
+Json budget_share(const Row& row) {
+    if (row.primitives == 0 || row.values.empty()) return nullptr;
+    return row.values.front()[Measure::budget] / row.primitives;
+}
+
+Json to_json(const Row& row) {
+    Json json{{"scene", row.scene},
+              {"path", row.path},
+              {"frames", row.frames.size()},
+              {"method", row.method.id},
+              {"tessellation", words<Tessellation>[static_cast<std::size_t>(row.method.tessellation)]},
+              {"approximate", row.approximate},
+              {"primitives", row.primitives},
+              {"cells", row.cells},
+              {"memory_bytes", row.memory_bytes},
+              {"reference", row.reference},
+              {"budget_text", row.budget},
+              {"budget_share", budget_share(row)}};
+    for (const MeasureRow& m : measure_table()) {
+        json[std::string(m.id)] = or_null(summary(row, m.measure));
+        if (m.has_extreme) json[extreme_id(m)] = or_null(worst(row, m.measure));
+    }
+    json["likeness"] = or_null(likeness(row));
+    Json& frames = json["per_frame"]["frame"] = row.frames;
+    static_cast<void>(frames);
+    for (const MeasureRow& m : measure_table()) {
+        Json& all = json["per_frame"][std::string(m.id)] = Json::array();
+        for (const Values& v : row.values) all.push_back(or_null(v[m.measure]));
+    }
+    return json;
+}
+
+Row read_row(const Json& json) {
+    Row row;
+    row.scene = json.at("scene");
+    row.path = json.at("path");
+    row.method.id = json.at("method");
+    row.method.tessellation = json.at("tessellation") == "tree" ? Tessellation::tree : Tessellation::delaunay;
+    row.approximate = json.at("approximate");
+    row.primitives = json.at("primitives");
+    row.cells = json.at("cells");
+    row.memory_bytes = json.at("memory_bytes");
+    row.reference = json.at("reference");
+    row.budget = json.at("budget_text");
+    row.frames = json.at("per_frame").at("frame").get<std::vector<std::uint32_t>>();
+    row.values.resize(row.frames.size());
+    for (const MeasureRow& m : measure_table()) {
+        const Json& all = json.at("per_frame").at(std::string(m.id));
+        for (std::size_t i = 0; i < row.values.size(); ++i)
+            if (!all.at(i).is_null()) row.values[i][m.measure] = all.at(i);
+    }
+    return row;
+}
+
+bool same_row(const Row& a, const Row& b) {
+    return a.scene == b.scene && a.path == b.path && a.method == b.method && a.budget == b.budget;
+}
+
+}  // namespace
+
+double summary(const Row& row, Measure measure) {
+    const std::vector<double> values = known(row, measure);
+    if (measure_row(measure).is_time || values.empty()) return median(values);
+    double sum = 0;
+    for (const double value : values) sum += value;
+    return sum / static_cast<double>(values.size());
+}
+
+std::size_t worst_frame(const Row& row, Measure measure) {
+    const bool least = measure_row(measure).better == Better::higher;
+    std::size_t found = 0;
+    for (std::size_t i = 1; i < row.values.size(); ++i) {
+        const double a = row.values[i][measure], b = row.values[found][measure];
+        if (std::isnan(b) ? !std::isnan(a) : least ? a < b : a > b) found = i;
+    }
+    return found;
+}
+
+double worst(const Row& row, Measure measure) {
+    return row.values.empty() ? std::numeric_limits<double>::quiet_NaN()
+                              : row.values[worst_frame(row, measure)][measure];
+}
+
+double likeness(const Row& row) {
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    std::vector<double> found, visible;
+    for (const Values& v : row.values) {
+        visible.push_back(v[Measure::visible]);
+        found.push_back(v[Measure::visible] > 0 ? v[Measure::coverage] * v[Measure::visible] : 0);
+    }
+    const auto n = static_cast<double>(found.size());
+    if (found.size() < 3) return unknown;
+    double mean_x = 0, mean_y = 0, xx = 0, yy = 0, xy = 0;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        mean_x += found[i] / n;
+        mean_y += visible[i] / n;
+    }
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        const double x = found[i] - mean_x, y = visible[i] - mean_y;
+        xx += x * x;
+        yy += y * y;
+        xy += x * y;
+    }
+    return xx > 0 && yy > 0 ? xy / std::sqrt(xx * yy) : unknown;
+}
+
+std::string results_json(const Results& results) {
+    const Conditions& c = results.conditions;
+    Json json{{"format", "sightline-results"},
+              {"version", 1},
+              {"conditions",
+               {{"study", Json::parse(c.study)},
+                {"build", c.build},
+                {"machine", c.machine},
+                {"renderer", c.renderer},
+                {"date", c.date}}},
+              {"rows", Json::array()}};
+    for (const Row& row : results.rows) json["rows"].push_back(to_json(row));
+    return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+Results read_results(std::string_view text, const std::string& name) {
+    Results results;
+    try {
+        const Json json = Json::parse(text);
+        if (json.at("format") != "sightline-results") throw InputError(name + ": format: not sightline-results");
+        if (json.at("version") != 1) throw InputError(name + ": version: only 1 can be read");
+        const Json& c = json.at("conditions");
+        results.conditions = {c.at("study").dump(), c.at("build"), c.at("machine"), c.at("renderer"), c.at("date")};
+        for (const Json& row : json.at("rows")) results.rows.push_back(read_row(row));
+    } catch (const Json::exception& error) {
+        throw InputError(name + ": not results of a study: " + error.what());
+    }
+    return results;
+}
+
+std::string results_csv(const Results& results) {
+    std::string text = "scene,path,frames,method,tessellation,primitives,cells,memory_bytes,budget_share";
+    for (const MeasureRow& m : measure_table()) {
+        text += ',' + std::string(m.id);
+        if (m.has_extreme) text += ',' + extreme_id(m);
+    }
+    text += ",likeness\n";
+    const auto quoted = [](const std::string& s) {
+        if (s.find_first_of(",\"\n") == std::string::npos) return s;
+        std::string q = "\"";
+        for (const char c : s) q += c == '"' ? std::string("\"\"") : std::string(1, c);
+        return q + '"';
+    };
+    const auto number = [](double value) { return std::isfinite(value) ? number_text(value) : std::string(); };
+    for (const Row& row : results.rows) {
+        const Json share = budget_share(row);
+        text += quoted(row.scene) + ',' + quoted(row.path) + ',' + std::to_string(row.frames.size()) + ',' +
+                row.method.id + ',' +
+                std::string(words<Tessellation>[static_cast<std::size_t>(row.method.tessellation)]) + ',' +
+                std::to_string(row.primitives) + ',' + std::to_string(row.cells) + ',' +
+                std::to_string(row.memory_bytes) + ',' + (share.is_null() ? "" : number(share));
+        for (const MeasureRow& m : measure_table()) {
+            text += ',' + number(summary(row, m.measure));
+            if (m.has_extreme) text += ',' + number(worst(row, m.measure));
+        }
+        text += ',' + number(likeness(row)) + '\n';
+    }
+    return text;
+}
+
+void write_results(const Results& results, const std::filesystem::path& folder) {
+    write_file(folder / "results.json", results_json(results));
+    write_file(folder / "results.csv", results_csv(results));
+}
+
+Results merge(const std::vector<Results>& parts) {
+    Results all;
+    for (const Results& part : parts) {
+        if (all.conditions.study.empty()) all.conditions = part.conditions;
+        if (part.conditions.study != all.conditions.study)
+            throw InputError("merge: two parts belong to different studies: " + all.conditions.study + " and " +
+                             part.conditions.study);
+        for (const Row& row : part.rows) {
+            if (std::any_of(all.rows.begin(), all.rows.end(), [&](const Row& r) { return same_row(r, row); }))
+                throw InputError("merge: two parts hold " + row.scene + ", " + row.path + ", " +
+                                 method_text(row.method) + ", " + row.budget);
+            all.rows.push_back(row);
+        }
+    }
+    // The study's order of scenes; within one, rows lie in one part.
+    const Json study = Json::parse(all.conditions.study.empty() ? "{\"scenes\": []}" : all.conditions.study);
+    const auto place = [&](const Row& row) {
+        const auto& scenes = study.at("scenes");
+        return std::find(scenes.begin(), scenes.end(), Json(row.scene)) - scenes.begin();
+    };
+    std::stable_sort(all.rows.begin(), all.rows.end(), [&](const Row& a, const Row& b) { return place(a) < place(b); });
+    return all;
+}
+
+Conditions conditions_here(const Study& study, const std::string& renderer) {
+    Conditions c{study_json(study), std::string("compiler ") + __VERSION__, "", renderer, ""};
+#ifdef NDEBUG
+    c.build += ", optimised";
+#else
+    c.build += ", not optimised";
+#endif
+    std::ifstream cpu("/proc/cpuinfo");
+    for (std::string line; std::getline(cpu, line);)
+        if (line.starts_with("model name")) {
+            c.machine = line.substr(line.find(':') + 2);
+            break;
+        }
+    c.machine += (c.machine.empty() ? "" : ", ") + std::to_string(std::thread::hardware_concurrency()) + " cores";
+    const std::time_t now = std::time(nullptr);
+    std::tm utc{};
+    gmtime_r(&now, &utc);
+    char date[16];
+    std::strftime(date, sizeof date, "%Y-%m-%d", &utc);
+    c.date = date;
+    return c;
+}
+
+}  // namespace sightline::lab

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lab/study.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "core/error.h"
+#include "core/scene/catalogue.h"
+#include "core/scene/load.h"
+#include "core/settings/settings_table.h"
+#include "core/traversal/methods.h"
+
+namespace sightline::lab {
+
+namespace {
+
+constexpr std::string_view on_tree = "@tree";
+
+template <int D>
+bool has_method(std::string_view id) {
+    const auto table = method_table<D>();
+    return std::any_of(table.begin(), table.end(), [&](const Method<D>& method) { return method.id == id; });
+}
+
+bool is_2d_file(const std::string& name) {
+    const std::string file = name.substr(0, name.find('#'));
+    std::string ending = std::filesystem::path(file).extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
+    if (ending == ".json" || ending == ".geojson" || ending == ".wad") return true;
+    return ending.empty() && file.starts_with("freedoom");
+}
+
+}  // namespace
+
+MethodChoice parse_method(std::string_view text) {
+    MethodChoice choice{std::string(text), Tessellation::delaunay};
+    if (text.ends_with(on_tree)) {
+        choice.id.resize(text.size() - on_tree.size());
+        choice.tessellation = Tessellation::tree;
+    }
+    if (!has_method<2>(choice.id) && !has_method<3>(choice.id)) find_method<3>(method_table<3>(), choice.id);
+    return choice;
+}
+
+std::string method_text(const MethodChoice& choice) {
+    return choice.id + (choice.tessellation == Tessellation::tree ? std::string(on_tree) : "");
+}
+
+std::vector<MethodChoice> all_methods() {
+    std::vector<MethodChoice> choices;
+    for (const Method<3>& method : method_table<3>()) {
+        choices.push_back({std::string(method.id), Tessellation::delaunay});
+        if (method.orders_cells) choices.push_back({std::string(method.id), Tessellation::tree});
+    }
+    return choices;
+}
+
+SceneName parse_scene(const std::string& text) {
+    if (text.starts_with("2d:")) return {2, text.substr(3)};
+    if (text.starts_with("3d:")) return {3, text.substr(3)};
+    if (find_in_catalogue<3>(text)) return {3, text};
+    return {find_in_catalogue<2>(text) || is_2d_file(text) ? 2 : 3, text};
+}
+
+std::string study_json(const Study& study) {
+    nlohmann::ordered_json json{{"scenes", study.scenes},     {"paths", study.paths},
+                                {"frames", study.frames},     {"size", image_size_text(study.size)},
+                                {"settings", study.settings}, {"repeats", study.repeats}};
+    for (const MethodChoice& choice : study.methods) json["methods"].push_back(method_text(choice));
+    for (const Budget& budget : study.budgets) json["budgets"].push_back(budget_text(budget));
+    return json.dump();
+}
+
+}  // namespace sightline::lab

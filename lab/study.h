@@ -1,0 +1,52 @@
+// What a study measures: scenes, paths, methods and budgets. Plain data.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/settings/settings.h"
+
+namespace sightline::lab {
+
+/// A method on the cells that it runs on; orders of primitives do without cells.
+struct MethodChoice {
+    std::string id;
+    Tessellation tessellation = Tessellation::delaunay;
+    bool operator==(const MethodChoice&) const = default;
+};
+
+/// "published", or "published@tree" on the leaves of the quadtree or octree. Throws InputError for a method that the
+/// table of neither dimension has.
+MethodChoice parse_method(std::string_view text);
+std::string method_text(const MethodChoice& choice);
+
+/// Every row of the method table on Delaunay cells, and those that order cells on tree cells too.
+std::vector<MethodChoice> all_methods();
+
+struct Study {
+    std::vector<std::string> scenes;        ///< SceneName each
+    std::vector<std::string> paths = {""};  ///< find_path (lab_scene.h) each
+    std::uint32_t frames = 0;               ///< so many, spread evenly over the path; 0: all
+    std::vector<MethodChoice> methods = all_methods();
+    /// For approximate methods; a conservative one is measured without a budget, once: under one it would not be.
+    std::vector<Budget> budgets = {parse_budget("1%"), parse_budget("2%"), parse_budget("5%"), parse_budget("10%")};
+    ImageSize size;                     ///< of the reference
+    std::vector<std::string> settings;  ///< FIELD=VALUE for every scene, over what its catalogue row says
+    std::uint32_t repeats = 3;          ///< timed runs a frame after one to warm up; 0: nothing is timed
+};
+
+/// A scene of one dimension: "2d:bottleneck" or "3d:bottleneck". Without either, the dimension whose catalogue has the
+/// name (3D where both do), else that of the kind of file (JSON, GeoJSON and WAD are 2D, folders and the rest 3D).
+struct SceneName {
+    int dimension = 3;
+    std::string name;  ///< as load_scene takes it
+};
+SceneName parse_scene(const std::string& text);
+
+/// The study as JSON, one line: equal texts mean equal numbers but for times.
+std::string study_json(const Study& study);
+
+}  // namespace sightline::lab
