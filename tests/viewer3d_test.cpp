@@ -1,5 +1,7 @@
 // The 3D viewer without a window: options in, files out.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <set>
+
 #include "tests/viewer2d_support.h"
 
 namespace sightline {
@@ -117,6 +119,25 @@ TEST_F(Viewer3d, FlyingShowsTheFrameThatSteppingReaches) {
     good({"city:10k", "--budget", "5%", "--do", "path test; path frame 3; path stop; seek start; run; stats s.json"});
     EXPECT_EQ(flown["state_hash"], Json::parse(read("s.json"))["state_hash"]);
     EXPECT_GT(flown["steps"], 0);
+}
+
+TEST_F(Viewer3d, APathBecomesAFilmOfTwoMethods) {
+    good(
+        {"city:10k", "--budget", "2%", "--size", "400x200", "--do",
+         "set reference_size=320x240; compare method=centroid; path street; film path 0-4 f.png; film path 7-7 g.png"});
+    std::set<std::string> pictures;
+    for (int i = 1; i <= 5; ++i) pictures.insert(read("f-000" + std::to_string(i) + ".png"));
+    EXPECT_EQ(pictures.size(), 5u);
+    EXPECT_EQ(files(), 8u);  // and of the second film one, and two sidecars
+    const Json sidecar = Json::parse(read("g.png.json"));
+    EXPECT_EQ(sidecar["film"]["path"], "street");
+    good({"--state", "g.png.json", "--do", "stats opened.json"});
+    good({"city:10k", "--budget", "2%", "--do",
+          "set reference_size=320x240; path street; path frame 7; path stop; stats flown.json"});
+    EXPECT_EQ(Json::parse(read("opened.json"))["state_hash"], Json::parse(read("flown.json"))["state_hash"]);
+    bad({"city:10k", "--do", "film path f.png"}, "path");
+    bad({"city:10k", "--do", "path street; film path 5-160 f.png"}, "160");
+    bad({"city:10k", "--do", "film f.png"}, "FROM-TO");
 }
 
 TEST_F(Viewer3d, PathsAreKeptInFiles) {
