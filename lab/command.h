@@ -18,5 +18,6 @@ std::span<const Command> commands();
 
 int measure_command(int argc, const char* const* argv);
 int merge_command(int argc, const char* const* argv);
+int stability_command(int argc, const char* const* argv);
 
 }  // namespace sightline::lab

@@ -33,6 +33,14 @@ DrawIds LabGraphics::draw_ids() {
     };
 }
 
+DrawSolid LabGraphics::draw_solid() {
+    return [this](const SolidList& list, int width, int height, double px_per_pt) {
+        Made& gl = made();
+        gl.scene.reset();  // time_drawing starts anew
+        return gl.solids.picture(list, width, height, px_per_pt);
+    };
+}
+
 TimeDrawing LabGraphics::time_drawing(const ImageSize& asked) {
     return [this, size = image_size<3>(asked)](const std::shared_ptr<const Scene<3>>& scene, const View<3>& view,
                                                std::span<const std::uint32_t> triangles, std::uint32_t repeats) {

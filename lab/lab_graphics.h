@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "core/draw/solid_list.h"
 #include "core/measure/id_image.h"
 #include "core/settings/settings.h"
 #include "lab/frame_clock.h"
@@ -21,6 +22,7 @@ public:
 
     /// Throws WorkError where there is no OpenGL 3.3.
     DrawIds draw_ids();
+    DrawSolid draw_solid();
     /// Lit, at this size.
     TimeDrawing time_drawing(const ImageSize& size);
     /// OpenGL's version and renderer; empty before first use.

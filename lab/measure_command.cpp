@@ -1,37 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <unistd.h>
-
 #include <cmath>
-#include <csignal>
 #include <filesystem>
 #include <iostream>
 
 #include "core/file.h"
 #include "core/number.h"
 #include "lab/command.h"
+#include "lab/page.h"
+#include "lab/report.h"
 #include "lab/run_study.h"
+#include "lab/say.h"
 #include "lab/study_options.h"
 
 namespace sightline::lab {
 
 namespace {
 
-volatile std::sig_atomic_t interrupted = 0;
-
-/// Over one line at a terminal, else a line each.
-void say(const std::string& line) {
-    if (isatty(STDERR_FILENO))
-        std::cerr << "\r\033[K" << line << std::flush;
-    else
-        std::cerr << line << "\n";
-}
-
 std::string padded(std::string text, std::size_t width, bool left = false) {
     if (text.size() < width) text.insert(left ? text.size() : 0, width - text.size(), ' ');
     return text;
 }
-
-std::string per_cent(double share) { return std::isnan(share) ? "-" : short_number(100 * share); }
 
 /// What a person wants to see at once.
 void print_table(const Results& results) {
@@ -64,16 +52,22 @@ int measure_command(int argc, const char* const* argv) {
     StudyRun run;
     if (!shard.empty()) run.shard = parse_shard(shard);
     run.say = say;
-    std::signal(SIGINT, [](int) { interrupted = 1; });
-    std::signal(SIGTERM, [](int) { interrupted = 1; });
-    run.stopped = [] { return interrupted != 0; };
+    note_interrupts();
+    run.stopped = interrupted;
     LabGraphics graphics;
     const Results results = run_study(study, out, graphics, run);
     say("");
     write_results(results, out);
+    if (!results.rows.empty()) {
+        say("drawing the worst frames and the charts");
+        write_report(results, draw_worst_frames(results, study, std::filesystem::path(out) / "pictures", graphics),
+                     out);
+        say("");
+    }
     print_table(results);
-    if (interrupted) std::cerr << "lab: stopped; the same command goes on where it was\n";
-    return interrupted ? 1 : 0;
+    std::cout << "Written: " << out << "/report.html, results.json, results.csv, charts/, pictures/\n";
+    if (interrupted()) std::cerr << "lab: stopped; the same command goes on where it was\n";
+    return interrupted() ? 1 : 0;
 }
 
 int merge_command(int argc, const char* const* argv) {
@@ -88,6 +82,7 @@ int merge_command(int argc, const char* const* argv) {
     std::filesystem::create_directories(out);
     const Results all = merge(read);
     write_results(all, out);
+    write_report(all, {}, out);
     print_table(all);
     return 0;
 }

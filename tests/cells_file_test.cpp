@@ -2,6 +2,7 @@
 #include "core/space/cells_file.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cstring>
 #include <filesystem>
@@ -28,7 +29,18 @@ Settings some_settings(Random& random) {
     return settings;
 }
 
-std::filesystem::path some_file() { return std::filesystem::path(testing::TempDir()) / "cells_file_test.cells"; }
+/// One of this process alone: tests run beside each other.
+std::filesystem::path some_file() {
+    static const struct File {
+        std::filesystem::path path =
+            std::filesystem::path(testing::TempDir()) / ("cells_file_test-" + std::to_string(getpid()) + ".cells");
+        ~File() {
+            std::error_code error;
+            std::filesystem::remove(path, error);
+        }
+    } file;
+    return file.path;
+}
 
 template <typename T>
 bool same_bytes(const std::vector<T>& a, const std::vector<T>& b) {
@@ -83,7 +95,7 @@ TEST(CellsFile, IsRefusedWhenItDoesNotFit) {
     ASSERT_EQ(complaint(scene, settings), "");
     const auto expect = [](const std::string& text, const std::string& part) {
         EXPECT_NE(text.find(part), std::string::npos) << text;
-        EXPECT_NE(text.find("cells_file_test.cells"), std::string::npos) << text;
+        EXPECT_NE(text.find(some_file().string()), std::string::npos) << text;
     };
     Scene<3> other = scene;
     other.primitives[3][1].y += 1;

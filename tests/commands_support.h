@@ -5,8 +5,10 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -14,6 +16,22 @@
 #include "shell/commands/command_table.h"
 
 namespace sightline::test {
+
+/// The commands that have a test of their own: the tests of this suite, wherever they stand.
+inline std::set<std::string> tested_commands(const std::string& suite_name) {
+    std::set<std::string> ids;
+    const ::testing::UnitTest& all = *::testing::UnitTest::GetInstance();
+    for (int i = 0; i < all.total_test_suite_count(); ++i) {
+        const ::testing::TestSuite& suite = *all.GetTestSuite(i);
+        if (suite.name() != suite_name) continue;
+        for (int j = 0; j < suite.total_test_count(); ++j) {
+            std::string id = suite.GetTestInfo(j)->name();
+            std::replace(id.begin(), id.end(), '_', '-');
+            ids.insert(id);
+        }
+    }
+    return ids;
+}
 
 /// At step 0; nothing is recorded yet.
 class Commands : public ::testing::Test {

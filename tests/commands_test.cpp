@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shell/commands/command_table.h"
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "core/error.h"
 #include "core/session/report.h"
@@ -15,29 +13,13 @@ namespace {
 
 using test::Commands;
 
-/// The commands that have a test of their own: the tests of EachCommand, wherever they stand.
-std::set<std::string> tested_commands() {
-    std::set<std::string> ids;
-    const ::testing::UnitTest& all = *::testing::UnitTest::GetInstance();
-    for (int i = 0; i < all.total_test_suite_count(); ++i) {
-        const ::testing::TestSuite& suite = *all.GetTestSuite(i);
-        if (suite.name() != std::string("EachCommand")) continue;
-        for (int j = 0; j < suite.total_test_count(); ++j) {
-            std::string id = suite.GetTestInfo(j)->name();
-            std::replace(id.begin(), id.end(), '_', '-');
-            ids.insert(id);
-        }
-    }
-    return ids;
-}
-
 TEST_F(Commands, EachHasAnIdOfItsOwnALineOfHelpAndATest) {
     std::set<std::string> known;
     for (const Command<2>& command : command_table<2>()) {
         EXPECT_TRUE(known.emplace(command.id).second) << command.id << " stands twice in the table";
         EXPECT_FALSE(command.text.empty()) << command.id;
     }
-    EXPECT_EQ(tested_commands(), known);
+    EXPECT_EQ(test::tested_commands("EachCommand"), known);
 }
 
 TEST_F(Commands, SeparatorsAndQuotes) {

@@ -27,7 +27,7 @@ TEST(Insets, ShowWhatIsRenderedAndWhatIsMissedAtThisStep) {
     for (int i = 0; i < 30; ++i) {
         Session<3> session = test::random_frozen_session(random, test::random_start_3d(random));
         Settings settings = session.settings();
-        for (const Inset asked : {Inset::off, Inset::image, Inset::missed, Inset::both}) {
+        for (const Inset asked : {Inset::off, Inset::image, Inset::missed, Inset::both, Inset::exact}) {
             settings.inset = asked;
             session.change(settings);
             const std::vector<Figure::Inset> insets = make_insets(session);
@@ -36,7 +36,8 @@ TEST(Insets, ShowWhatIsRenderedAndWhatIsMissedAtThisStep) {
                 ASSERT_NE(inset.solid == nullptr, inset.pixels == nullptr);
                 if (inset.solid) {
                     ++solids;
-                    EXPECT_EQ(inset.solid->triangles.size(), session.state().rendered_count);
+                    EXPECT_EQ(inset.solid->triangles.size(),
+                              asked == Inset::exact ? session.reference().count : session.state().rendered_count);
                     EXPECT_EQ(inset.solid->camera.eye, session.culling_view().eye);
                 } else {
                     ++pictures;
@@ -48,7 +49,7 @@ TEST(Insets, ShowWhatIsRenderedAndWhatIsMissedAtThisStep) {
                     with_missed += red > 0;
                 }
             }
-            EXPECT_EQ(solids, asked == Inset::image || asked == Inset::both ? 1u : 0u);
+            EXPECT_EQ(solids, asked == Inset::off || asked == Inset::missed ? 0u : 1u);
             EXPECT_EQ(pictures, asked == Inset::missed || asked == Inset::both ? 1u : 0u);
         }
     }
@@ -138,7 +139,7 @@ TEST(Insets, AreImagesOfTheFigureOverItsNumbers) {
     for (std::size_t at = svg.find("<image"); at != std::string::npos; at = svg.find("<image", at + 1)) ++images;
     EXPECT_EQ(images, 3u);
     EXPECT_NE(svg.find(">the culling eye, so far</text>"), std::string::npos);
-    EXPECT_NE(svg.find(">missed pixels</text>"), std::string::npos);
+    EXPECT_NE(svg.find(">wrong pixels in red</text>"), std::string::npos);
     EXPECT_EQ(svg.find(">hidden</text>"), std::string::npos);
 }
 

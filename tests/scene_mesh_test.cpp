@@ -236,6 +236,8 @@ TEST(SceneMesh, AFolderWithoutScenesSaysSo) {
 TEST(SceneMesh, ScenesWithoutTrianglesAreValid) {
     for (const auto& [name, bytes] : std::initializer_list<std::pair<const char*, std::string>>{
              {"comment.obj", "# a scene of nothing at all\n"},
+             {"short.obj", "# none\n"},
+             {"vertex.obj", "v 0 0 0\n"},
              {"points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\np 1 2 3\n"},
              {"none.off", "OFF\n0 0 0\n"},
              {"points.off", "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n"},
@@ -265,10 +267,14 @@ TEST(SceneMesh, SaysWhatIsWrong) {
              {"empty.obj", "", "x: the file is empty"},
              // Another format behind a known ending.
              {"text.obj", "Dear all, here is the text.\n", "x: line 1: \"Dear\" begins no line of an OBJ file"},
+             {"short.obj", "hello\n", "x: line 1: \"hello\" begins no line of an OBJ file"},
              {"stl.obj", stl, "x: line 1: *"},
-             {"obj.stl", obj, "x: *"},
-             {"obj.ply", obj, "x: line 1: is not \"ply\", so this is no PLY file"},
-             {"obj.off", obj, "x: OFF: Header is invalid"},
+             {"obj.stl", obj, "x: *(it begins like OBJ)"},
+             {"obj.ply", obj, "x: line 1: is not \"ply\", so this is no PLY file (it begins like OBJ)"},
+             {"obj.off", obj, "x: OFF: Header is invalid (it begins like OBJ)"},
+             {"png.ply", "\x89PNG\r\n\x1a\n and so on", "x: *(it begins like a PNG picture)"},
+             {"lfs.glb", "version https://git-lfs.github.com/spec/v1\n",
+              "x: *(it begins like a stand-in of Git LFS, not the file itself)"},
              {"text.gltf", "Dear all,\n", "x: is no 3D file that Assimp can read"},
              // Counts that lie.
              {"index.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n", "x: OBJ: vertex index out of range"},

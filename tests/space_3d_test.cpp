@@ -2,6 +2,8 @@
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <gtest/gtest.h>
 
+#include "core/error.h"
+#include "core/geometry/trig.h"
 #include "core/space/builders.h"
 #include "core/space/triangle_test.h"
 #include "tests/random_scene.h"
@@ -265,6 +267,41 @@ TEST(Space3, FlatScenesAndSingleTrianglesHaveCells) {
             test::expect_linked(cells, sliver);
             EXPECT_GT(cells.cell_count(), 8u);
         }
+    }
+}
+
+TEST(Space3, ManyVerticesAtOnePlaceMakeNoCells) {
+    // A fan about one corner, which every triangle has for itself.
+    constexpr std::uint32_t count = 30000;
+    Scene<3> scene;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const auto rim = [](std::uint32_t k) {
+            const SinCos at = sincos_degrees(360.0 * k / count);
+            return Vec<3>(at.cos, at.sin, 0.01 * (k % 3));
+        };
+        scene.primitives.push_back({Vec<3>(0), rim(i), rim(i + 1)});
+    }
+    for (const Tessellation kind : {Tessellation::delaunay, Tessellation::tree}) {
+        Settings settings;
+        settings.tessellation = kind;
+        const CellComplex<3> cells = build_cells(scene, settings);
+        EXPECT_LT(cells.cell_count(), 30000u);
+        EXPECT_EQ(cells.unassigned, 0u);
+    }
+}
+
+TEST(Space3, MoreReferencesThanAllowedAreRefused) {
+    Random random(41);
+    const Scene<3> scene = test::random_scene_3d(random, 40);
+    for (const Tessellation kind : {Tessellation::delaunay, Tessellation::tree}) {
+        Settings settings;
+        settings.tessellation = kind;
+        CellComplex<3> cells = build_cells(scene, settings);
+        const std::size_t references = cells.cell_primitives.size();
+        ASSERT_GT(references, 100u);
+        assign_primitives(cells, scene.primitives, {}, references);
+        EXPECT_EQ(cells.cell_primitives.size(), references);
+        EXPECT_THROW(assign_primitives(cells, scene.primitives, {}, references - 1), InputError);
     }
 }
 

@@ -1,5 +1,8 @@
 // The 3D viewer without a window: options in, files out.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <sys/resource.h>
+
+#include <csignal>
 #include <set>
 
 #include "tests/viewer2d_support.h"
@@ -146,17 +149,206 @@ TEST_F(Viewer3d, PathsAreKeptInFiles) {
     EXPECT_EQ(Json::parse(read("p.json"))["frames"].size(), 160u);
 }
 
+TEST_F(Viewer3d, APathIsMeasuredFrameByFrame) {
+    const std::vector<std::string> usual{"city:10k", "--budget", "5%", "--set", "reference_size=160x120"};
+    const auto with = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), usual.begin(), usual.end());
+        good(more);
+    };
+    with({"--path", "street", "--frames", "3", "--stats", "all.json"});
+    const Json all = Json::parse(read("all.json"));
+    ASSERT_EQ(all.size(), 3u);
+    EXPECT_EQ(all[0]["frame"], 0);
+    EXPECT_EQ(all[2]["frame"], 159);
+    for (const Json& row : all) {
+        with({"--path", "street", "--frame", std::to_string(row["frame"].get<int>()), "--stats", "one.json"});
+        const Json one = Json::parse(read("one.json"));
+        EXPECT_EQ(one["state_hash"], row["stats"]["state_hash"]);
+        EXPECT_EQ(one["coverage"], row["stats"]["coverage"]);
+    }
+    EXPECT_NE(all[0]["stats"]["state_hash"], all[2]["stats"]["state_hash"]);
+
+    // One of a file goes the same way, also in a scene of another origin.
+    with({"--do", "path street; path save p.json"});
+    with({"--path", "p.json", "--frames", "3", "--stats", "file.json"});
+    const Json file = Json::parse(read("file.json"));
+    ASSERT_EQ(file.size(), 3u);
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(file[i]["stats"]["state_hash"], all[i]["stats"]["state_hash"]);
+
+    bad({"city:10k", "--path", "nosuch"}, "nosuch");
+    bad({"city:10k", "--path", "street", "--frame", "160"}, "160");
+    bad({"city:10k", "--frame", "3"}, "--path");
+    bad({"city:10k", "--path", "street", "--frames", "0", "--stats", "-"}, "--frames");
+    bad({"city:10k", "--path", "street", "--frames", "2"}, "--stats");
+    bad({"city:10k", "--path", "street", "--eye", "1,2,3"}, "--eye");
+}
+
 TEST_F(Viewer3d, BadInputIsNamedAndLeavesNothing) {
     bad({"nowhere"}, "nowhere");
     bad({"city:7"}, "city:7");
     bad({"city:10k", "--eye", "1,2"}, "X,Y,Z");
-    bad({"bottleneck", "--eye", "nan,0,0"}, "nan");
-    bad({"bottleneck", "--eye", "1,1,1", "--look-at", "1,1,1"}, "look");
-    bad({"bottleneck", "--fov", "180"}, "fov");
     bad({"bottleneck", "--set", "reference_size=0x0"}, "reference_size");
+    bad({"bottleneck", "--set", "reference_size=9000x9000"}, "reference_size");
+    bad({"bottleneck", "--size", "0x0"}, "size '0x0'");
     bad({"bottleneck", "--do", "path nosuch"}, "nosuch");
     write("empty.obj", "");
-    bad({"empty.obj"}, "empty.obj");
+    bad({"empty.obj"}, "empty.obj: the file is empty");
+}
+
+TEST_F(Viewer3d, AnotherFormatBehindAKnownEndingIsNamed) {
+    const std::string png("\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\1", 20), text = "Dear all,\nhere is the scene.\n";
+    const std::string obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    for (const char* ending : {"obj", "ply", "stl", "off", "gltf", "glb", "fbx", "dae", "3ds", "3mf", "x", "blend"}) {
+        const std::string name = std::string("scene.") + ending;
+        write(name, png);
+        bad({name}, name + ": ");
+        bad({name}, "(it begins like a PNG picture)");
+        write(name, text);
+        bad({name}, name + ": ");
+    }
+    for (const char* name : {"text.ply", "text.stl", "text.off"}) {
+        write(name, obj);
+        bad({name}, "(it begins like OBJ)");
+    }
+    write("level.obj", "IWAD and so on");
+    bad({"level.obj"}, "which viewer2d reads");
+}
+
+TEST_F(Viewer3d, ScenesOfAlmostNothingAreMeasured) {
+    const auto expect_all_seen = [&](const std::string& obj, int triangles) {
+        write("s.obj", obj);
+        const Json s = stats({"s.obj", "--set", "reference_size=160x120", "--budget", "unlimited", "--shot", "s.svg",
+                              "--do", "run; back; step; freeze; orbit 30,10; fit; unfreeze; run"});
+        EXPECT_EQ(s["primitives"], triangles);
+        EXPECT_EQ(s["coverage"], 1);
+        EXPECT_GT(s["visible"], 0);
+        EXPECT_EQ(s["unassigned"], 0);
+    };
+    const std::string one = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    expect_all_seen(one, 1);
+    std::string plane;
+    for (int i = 0; i < 36; ++i) plane += "v " + std::to_string(i % 6) + " " + std::to_string(i / 6) + " 7\n";
+    for (int i = 0; i < 29; ++i)
+        if (i % 6 < 5)
+            plane += "f " + std::to_string(i + 1) + " " + std::to_string(i + 2) + " " + std::to_string(i + 8) + "\n";
+    expect_all_seen(plane, 25);
+    // One as large as the scene, and one a thousand times as large as the rest.
+    expect_all_seen(plane + "v 0 0 6\nv 6 0 8\nv 0 6 7\nf 37 38 39\n", 26);
+    expect_all_seen(plane + "v -9000 -9000 6\nv 9000 0 8\nv 0 9000 7\nf 37 38 39\n", 26);
+}
+
+TEST_F(Viewer3d, AMillionVerticesAtOnePlaceAreNoTrouble) {
+    // A third of a million triangles without area, and three that have one.
+    std::string ply =
+        "ply\nformat binary_little_endian 1.0\nelement vertex 1000009\nproperty float x\nproperty float y\n"
+        "property float z\nelement face 333336\nproperty list uchar int vertex_indices\nend_header\n";
+    const auto add = [&](const auto& value) { ply.append(reinterpret_cast<const char*>(&value), sizeof value); };
+    for (int i = 0; i < 3000000; ++i) add(0.5f);
+    for (int i = 0; i < 27; ++i) add(static_cast<float>(i * i % 7));
+    for (std::int32_t i = 0; i < 333336; ++i) {
+        ply += '\3';
+        for (std::int32_t k = 0; k < 3; ++k) add(i < 333333 ? 3 * i + k : 1000000 + 3 * (i - 333333) + k);
+    }
+    write("same.ply", ply);
+    const Result result = headless({"same.ply", "--set", "reference_size=64x48", "--stats", "s.json"});
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_NE(result.err.find("dropped 333333 of zero area"), std::string::npos) << result.err;
+    const Json s = Json::parse(read("s.json"));
+    EXPECT_EQ(s["primitives"], 3);
+    EXPECT_LT(s["cells"], 10000);
+}
+
+TEST_F(Viewer3d, CamerasThatCannotBeAreRefused) {
+    for (const char* bad_number : {"nan", "-inf", "1e999"}) {
+        const std::string n = bad_number;
+        bad({"bottleneck", "--eye", n + ",0,0"}, "point '" + n + ",0,0'");
+        bad({"bottleneck", "--look-at", "0," + n + ",0"}, "point '0," + n + ",0'");
+        bad({"bottleneck", "--do", "eye 0,0," + n}, "point '0,0," + n + "'");
+        bad({"bottleneck", "--do", "step 3; walk 0,0," + n}, "walk");
+    }
+    bad({"bottleneck", "--fov", "nan"}, "--fov 'nan'");
+    bad({"bottleneck", "--eye", "1,1,1", "--look-at", "1,1,1"}, "look-at coincides with the eye");
+    bad({"bottleneck", "--fov", "180"}, "fov");
+    bad({"bottleneck", "--fov", "0"}, "fov");
+    bad({"bottleneck", "--do", "zoom 1e308; zoom 1e308"}, "zoom");
+    good({"bottleneck", "--do", "step 5; freeze; orbit 10,0; save s.json; path test; path save p.json"});
+    const Json state = Json::parse(read("s.json")), path = Json::parse(read("p.json"));
+    for (const Json& value : {Json(), Json("nan")}) {
+        for (const char* view : {"view", "display_view"}) {
+            Json wrong = state;
+            wrong[view]["eye"][1] = value;
+            write("wrong.json", wrong.dump());
+            bad({"--state", "wrong.json"}, std::string("wrong.json: /") + view + "/eye: ");
+        }
+        Json wrong = path;
+        wrong["frames"][3]["look_at"][2] = value;
+        write("wrong.json", wrong.dump());
+        bad({"bottleneck", "--do", "path open wrong.json"}, "wrong.json: /frames/3/look_at/2: ");
+    }
+    for (const char* number : {"NaN", "1e999"}) {
+        std::string text = read("p.json");
+        text.replace(text.find("\"eye\": [") + 8, 0, number + std::string(", "));
+        write("wrong.json", text);
+        bad({"bottleneck", "--do", "path open wrong.json"}, "wrong.json: ");
+    }
+}
+
+TEST_F(Viewer3d, AFullDiskIsNamedAndNothingElseHappens) {
+    const auto fails = [&](const std::string& file, std::vector<std::string> arguments) {
+        SCOPED_TRACE(file);
+        fs::create_symlink("/dev/full", folder / file);
+        const std::size_t before = files();
+        arguments.insert(arguments.begin(), {"bottleneck", "--size", "200x150", "--set", "reference_size=64x48"});
+        const Result result = headless(arguments);
+        EXPECT_EQ(result.status, 1) << result.err;
+        EXPECT_EQ(result.err, "viewer3d: cannot write " + file + ": No space left on device\n");
+        EXPECT_EQ(files(), before);
+        fs::remove(folder / file);
+    };
+    for (const char* file : {"a.png", "a.svg", "a.pdf", "a.png.json"})
+        fails(file, {"--shot", std::string(file).substr(0, 5)});
+    fails("f-0002.png", {"--do", "run; film 1-3 f.png"});
+    for (const char* file : {"f.pdf", "f.gif", "f.pdf.json"})
+        fails(file, {"--do", "run; film 1-3 " + std::string(file).substr(0, 5)});
+    fails("s.json", {"--stats", "s.json"});
+    fails("t.json", {"--trace", "t.json"});
+    fails("s.json", {"--do", "save s.json"});
+    fails("p.json", {"--do", "path test; path save p.json"});
+    fails("w.txt", {"--do", "panels w.txt"});
+}
+
+TEST_F(Viewer3d, WhatADiskHeldBeforeItWasFullIsStillThere) {
+    for (const char* file : {"a.png", "a.png.json", "p.json"}) write(file, "old");
+    rlimit before{};
+    getrlimit(RLIMIT_FSIZE, &before);
+    const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit small{512, before.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &small);  // the viewer inherits it
+    const Result shot = headless({"bottleneck", "--shot", "a.png"});
+    const Result path = headless({"bottleneck", "--do", "path test; path save p.json"});
+    setrlimit(RLIMIT_FSIZE, &before);
+    std::signal(SIGXFSZ, handler);
+    for (const Result& result : {shot, path}) {
+        EXPECT_EQ(result.status, 1) << result.err;
+        EXPECT_EQ(result.error_lines(), 1u) << result.err;
+        EXPECT_NE(result.err.find("File too large"), std::string::npos) << result.err;
+    }
+    for (const char* file : {"a.png", "a.png.json", "p.json"}) EXPECT_EQ(read(file), "old") << file;
+    EXPECT_EQ(files(), 3u);
+}
+
+TEST_F(Viewer3d, ADriverThatIsTooOldIsNamedWithWhatToInstall) {
+    setenv("MESA_GL_VERSION_OVERRIDE", "2.1", 1);
+    setenv("MESA_GLSL_VERSION_OVERRIDE", "120", 1);
+    const Result result = headless({"bottleneck", "--stats", "s.json"});
+    unsetenv("MESA_GL_VERSION_OVERRIDE");
+    unsetenv("MESA_GLSL_VERSION_OVERRIDE");
+    if (result.status == 0) GTEST_SKIP() << "OpenGL is not Mesa's here";
+    EXPECT_EQ(result.status, 1) << result.err;
+    EXPECT_EQ(result.error_lines(), 1u) << result.err;
+    EXPECT_EQ(result.err.find("viewer3d: OpenGL 3.3 is needed; found: OpenGL 2.1"), 0u) << result.err;
+    EXPECT_NE(result.err.find("libgl1-mesa-dri"), std::string::npos) << result.err;
+    EXPECT_EQ(files(), 0u);
 }
 
 TEST_F(Viewer3d, AStateOfTheOtherDimensionIsRefused) {

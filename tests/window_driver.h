@@ -5,20 +5,21 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "shell/window/window.h"
-#include "viewer2d/stage2d.h"
 
 namespace sightline::test {
 
+template <int D>
 class WindowDriver {
 public:
-    /// Throws WorkError without OpenGL.
-    WindowDriver(Workbench<2>& bench, int width, int height)
+    /// `make_stage(bench)` is called when OpenGL is there. Throws WorkError without OpenGL.
+    WindowDriver(Workbench<D>& bench, int width, int height, const std::function<Stage(Workbench<D>&)>& make_stage)
         : bench_(bench), window_(bench, {GlContext::Place::off_screen, {width, height, std::nullopt, false}, 1}) {
-        window_.stage = stage2d(bench);
+        window_.stage = make_stage(bench);
         id_ = SDL_GetWindowID(window_.context().window());
         frames(2);
     }
@@ -31,7 +32,7 @@ public:
         }
     }
     int drawn() const { return drawn_; }
-    Window<2>& window() { return window_; }
+    Window<D>& window() { return window_; }
 
     void move(double x, double y) {
         SDL_Event event{};
@@ -43,11 +44,11 @@ public:
         at_[1] = event.motion.y;
         push(event);
     }
-    void button(bool down) {
+    void button(bool down, Uint8 which = SDL_BUTTON_LEFT) {
         SDL_Event event{};
         event.type = down ? SDL_MOUSEBUTTONDOWN : SDL_MOUSEBUTTONUP;
         event.button.windowID = id_;
-        event.button.button = SDL_BUTTON_LEFT;
+        event.button.button = which;
         event.button.state = down ? SDL_PRESSED : SDL_RELEASED;
         event.button.clicks = 1;
         event.button.x = at_[0];
@@ -70,18 +71,18 @@ public:
         button(false);
         frames(1);
     }
-    void drag(double x, double y, double to_x, double to_y, int parts = 3) {
+    void drag(double x, double y, double to_x, double to_y, int parts = 3, Uint8 which = SDL_BUTTON_LEFT) {
         move(x, y);
         frames(1);
-        button(true);
+        button(true, which);
         frames(1);
         for (int i = 1; i <= parts; ++i) {
             move(x + (to_x - x) * i / parts, y + (to_y - y) * i / parts);
             frames(1);
         }
     }
-    void drop() {
-        button(false);
+    void drop(Uint8 which = SDL_BUTTON_LEFT) {
+        button(false, which);
         frames(2);
     }
     void key(SDL_Keycode code, int modifiers = KMOD_NONE) {
@@ -119,8 +120,8 @@ public:
 private:
     static void push(SDL_Event& event) { EXPECT_EQ(SDL_PushEvent(&event), 1); }
 
-    Workbench<2>& bench_;
-    Window<2> window_;
+    Workbench<D>& bench_;
+    Window<D> window_;
     Uint32 id_ = 0;
     int at_[2] = {0, 0};
     int drawn_ = 0;

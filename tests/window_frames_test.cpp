@@ -16,6 +16,7 @@
 #include "shell/window/keys.h"
 #include "tests/bench_support.h"
 #include "tests/window_driver.h"
+#include "viewer2d/stage2d.h"
 
 namespace sightline {
 namespace {
@@ -43,7 +44,7 @@ protected:
     }
     void SetUp() override {
         try {
-            driver = std::make_unique<WindowDriver>(*bench, width, height);
+            driver = std::make_unique<WindowDriver<2>>(*bench, width, height, stage2d);
         } catch (const WorkError& error) {
             GTEST_SKIP() << "no OpenGL here: " << error.what();
         }
@@ -90,7 +91,7 @@ protected:
     fs::path folder = fs::temp_directory_path() / ("sightline-frames-" + std::to_string(getpid()));
     std::unique_ptr<Bench> kept;
     Workbench<2>* bench = nullptr;
-    std::unique_ptr<WindowDriver> driver;
+    std::unique_ptr<WindowDriver<2>> driver;
 };
 
 /// A valid FIELD=VALUE.

@@ -155,6 +155,10 @@ public:
     bool type(const std::string& text) { return xdotool({"type", "--delay", "2", text}); }
     bool move(double x, double y) { return xdotool({"mousemove", "--window", window_, whole(x), whole(y)}); }
     bool click(double x, double y) { return move(x, y) && xdotool({"click", "1"}); }
+    bool resize(int w, int h) { return xdotool({"windowsize", window_, std::to_string(w), std::to_string(h)}); }
+    /// Off the screen, as a minimized window is, and back with the keyboard.
+    bool hide() { return xdotool({"windowunmap", window_}); }
+    bool show() { return xdotool({"windowmap", "--sync", window_}) && xdotool({"windowfocus", "--sync", window_}); }
     bool wheel_up() { return xdotool({"click", "4"}); }
     /// Slowly enough to be seen as a drag.
     bool drag(double x, double y, double to_x, double to_y) {

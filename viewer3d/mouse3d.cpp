@@ -116,6 +116,7 @@ void Mouse3d::click(Ui& ui, const Pane3d& pane) {
     const bool again = std::hypot(at.x - clicked_.x, at.y - clicked_.y) <= click_slack * ui.unit;
     clicks_ = again ? clicks_ + 1 : 0;
     clicked_ = at;
+    if (!pane.area().contains(at)) return;
     const Pick3d under = pick(pane.solid(), pane.to_plane(at));
     const Tool tool = bench_.desk.tool;
     if (tool >= Tool::text) {
@@ -174,6 +175,7 @@ bool Mouse3d::cancel() {
 void Mouse3d::tooltip(Ui& ui, const Pane3d& pane) {
     if (!hovered_ || !ui.mouse_awake || drag_ != Drag::none || field_.is_open() || bench_.session.flying()) return;
     const ImVec2 mouse = ImGui::GetIO().MousePos;
+    if (!pane.area().contains(mouse)) return;
     const Pick3d under = pick(pane.solid(), pane.to_plane(mouse));
     if (!under.hits()) return;
     if (under.cell != none) ui.hovering = under.cell;

@@ -8,6 +8,8 @@
 #include "core/draw/legend.h"
 #include "core/draw/notes.h"
 #include "core/draw/palette.h"
+#include "core/draw/projection.h"
+#include "core/draw/shown_cells.h"
 #include "core/number.h"
 #include "core/stopwatch.h"
 
@@ -55,7 +57,8 @@ void Pane3d::make_solid_list(const Session<3>& session, const PictureOptions3& o
 }
 
 void Pane3d::update(const Ui& ui, const Session<3>& session, const PictureOptions3& options, std::uint64_t revision,
-                    std::uint64_t run, const Area& area, bool projector, bool with_legend, bool moving) {
+                    std::uint64_t run, const Area& area, bool projector, bool with_legend, bool moving,
+                    std::span<const Area> insets) {
     const auto pixels = [&](float v) { return static_cast<int>(std::lround(v * ui.framebuffer)); };
     const int height = pixels(ImGui::GetIO().DisplaySize.y);
     Size size{pixels(area.x), 0, std::max(1, pixels(area.w)), std::max(1, pixels(area.h))};
@@ -67,20 +70,22 @@ void Pane3d::update(const Ui& ui, const Session<3>& session, const PictureOption
     revision_ = revision;
     size_ = size;
 
+    const Stopwatch drawing;
     make_solid_list(session, options, run);
     over_ = make_picture(session, options);
     legend_ = {};
     legend_area_ = {};
-    if (with_legend) make_legend_box(ui, session, options);
-    const std::array<Area, 1> taken{legend_area_};
-    spots_ = place_labels(over_.labels, label_paper(ui, area, [this](const Vec<2>& p) { return to_window(p); }),
-                          legend_.w > 0 ? std::span<const Area>(taken) : std::span<const Area>(), memory_);
-    const Stopwatch drawing;
+    if (with_legend) make_legend_box(ui, session, options, insets);
+    std::vector<Area> taken(insets.begin(), insets.end());
+    if (legend_.w > 0) taken.push_back(legend_area_);
+    spots_ = place_labels(over_.labels, label_paper(ui, area, [this](const Vec<2>& p) { return to_window(p); }), taken,
+                          memory_);
     render(moving);
     draw_ms_ = drawing.milliseconds();
 }
 
-void Pane3d::make_legend_box(const Ui& ui, const Session<3>& session, const PictureOptions3& options) {
+void Pane3d::make_legend_box(const Ui& ui, const Session<3>& session, const PictureOptions3& options,
+                             std::span<const Area> insets) {
     const std::array<const DrawList*, 1> lists{&over_};
     const std::array<const SolidList*, 1> solids{&solid_};
     const auto rows = legend_rows(lists, solids, session.settings(), current_notes(session));
@@ -90,7 +95,17 @@ void Pane3d::make_legend_box(const Ui& ui, const Session<3>& session, const Pict
     // A legend that would take most of the picture helps nobody.
     if (legend_.h > area_.h - 20 * ui.unit || legend_.w > area_.w * 0.6f) legend_ = {};
     if (legend_.w == 0) return;
-    legend_area_ = legend_place(legend_, area_, 10 * ui.unit, {});
+    std::vector<ImVec2> busy;
+    for (const Area& inset : insets) busy.push_back({inset.x + inset.w / 2, inset.y + inset.h / 2});
+    const auto add = [&](const Vec<3>& point) {
+        if (const auto at = project(solid_.camera, point)) busy.push_back(to_window(*at));
+    };
+    if (session.selected_cell != none) add(session.cells().centre(session.selected_cell));
+    if (seen_from_outside(session)) {
+        add(session.culling_view().eye);
+        add(session.culling_view().look_at);
+    }
+    legend_area_ = legend_place(legend_, area_, 10 * ui.unit, busy);
     paper.area = legend_area_;
     paper.to_window = [this](const Vec<2>& p) {
         return ImVec2(legend_area_.x + static_cast<float>(p.x),
@@ -120,6 +135,7 @@ void Pane3d::render(bool moving) {
         legend_renderer_.draw(corner);
     }
     picture_->resolve();
+    glFinish();  // what the frame costs is told: a driver may put all of it off
 }
 
 void Pane3d::draw() const {

@@ -15,9 +15,10 @@ class Pane3d {
 public:
     /// Brings everything up to date. A new `revision` says that the session or the options may have changed; `run`
     /// counts its traversals (Workbench::run). `moving`: fast rather than smooth. Draws off screen; leaves the default
-    /// framebuffer bound.
+    /// framebuffer bound. Labels and legend keep off the insets.
     void update(const Ui& ui, const Session<3>& session, const PictureOptions3& options, std::uint64_t revision,
-                std::uint64_t run, const Area& area, bool projector, bool with_legend, bool moving);
+                std::uint64_t run, const Area& area, bool projector, bool with_legend, bool moving,
+                std::span<const Area> insets);
 
     /// Lays the picture onto the default framebuffer.
     void draw() const;
@@ -53,7 +54,8 @@ private:
     };
 
     void make_solid_list(const Session<3>& session, const PictureOptions3& options, std::uint64_t run);
-    void make_legend_box(const Ui& ui, const Session<3>& session, const PictureOptions3& options);
+    void make_legend_box(const Ui& ui, const Session<3>& session, const PictureOptions3& options,
+                         std::span<const Area> insets);
     void render(bool moving);
 
     Area area_;

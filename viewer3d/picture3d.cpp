@@ -9,9 +9,9 @@
 #include "core/draw/cell_number.h"
 #include "core/draw/palette.h"
 #include "core/draw/projection.h"
-#include "core/measure/metrics.h"
-#include "core/number.h"
+#include "core/draw/shown_cells.h"
 #include "core/session/substep.h"
+#include "core/settings/settings_table.h"
 #include "shell/bench/camera.h"
 #include "shell/bench/flight.h"
 #include "shell/bench/into.h"
@@ -29,14 +29,22 @@ Area pane_area(const Area& area, std::size_t pane, std::size_t count) {
     return {pane == 0 ? area.x : area.x + area.w - w, area.y, w, area.h};
 }
 
+/// As much of an area, from above, as shows the culling view to both sides; never higher than the area.
+Area no_narrower(Area area, float aspect) {
+    area.h = std::max(1.0f, std::min(area.h, area.w / aspect));
+    return area;
+}
+
 struct FlightKey {
     const char* name;
     int scancode;
     Vec<3> direction;  ///< right, up, forward
 };
 constexpr double run_factor = 4;  ///< with Shift
-/// A flying eye that rests this long is measured against the exact image.
-constexpr float rest_seconds = 0.3f;
+/// A flying eye is measured against the exact image in every frame while that takes no longer than this, else when it
+/// has rested for so long; and once in a while, since it may have become quicker.
+constexpr double measured_in_flight_ms = 60;
+constexpr float rest_seconds = 0.3f, measured_again_seconds = 2;
 
 const std::array<FlightKey, 6> flight_keys{{{"W", SDL_SCANCODE_W, {0, 0, 1}},
                                             {"S", SDL_SCANCODE_S, {0, 0, -1}},
@@ -45,16 +53,7 @@ const std::array<FlightKey, 6> flight_keys{{{"W", SDL_SCANCODE_W, {0, 0, 1}},
                                             {"E", SDL_SCANCODE_E, {0, 1, 0}},
                                             {"Q", SDL_SCANCODE_Q, {0, -1, 0}}}};
 
-void text_box(ImDrawList& list, const Ui& ui, const Palette palette, const ImVec2& at, const std::string& text,
-              bool bold) {
-    ImFont* const font = bold ? ui.fonts.bold : ui.fonts.text;
-    const float size = font->FontSize / ui.framebuffer, pad = 6 * ui.unit;
-    const ImVec2 extent = font->CalcTextSizeA(size, 1e9f, 0, text.c_str());
-    Colour paper = colours(palette).background;
-    paper.a = 225;
-    list.AddRectFilled(at, {at.x + extent.x + 2 * pad, at.y + extent.y + pad}, colour(paper));
-    list.AddText(font, size, {at.x + pad, at.y + pad / 2}, colour(colours(palette).ink), text.c_str());
-}
+float title_height(const Ui& ui) { return ui.fonts.text->FontSize / ui.framebuffer + 6 * ui.unit; }
 
 }  // namespace
 
@@ -68,27 +67,18 @@ bool Picture3d::takes_key(const std::string& key) const {
            });
 }
 
+std::string Picture3d::title_of(std::size_t pane) const {
+    const std::string guarantee =
+        session_of(pane).method().guarantee == Guarantee::approximate ? ", approximate" : ", conservative";
+    if (!bench_.other) return std::string(bench_.session.method().id) + guarantee;
+    return (pane == 0 ? "left: " : "right: ") + side_titles(bench_)[pane] + guarantee;
+}
+
 void Picture3d::fly(Ui& ui, float seconds) {
-    Flight<3>& flight = bench_.flight;
-    if (flight.replaying) {
-        if (flight.frame + 1 >= flight.path.frames.size()) {
-            flight.replaying = false;
-            land(bench_);
-        } else {
-            go_to_frame(bench_, flight.frame + 1);
-        }
-        ++ui.revision;
-        return;
-    }
-    if (!flight.on || ImGui::GetIO().WantTextInput) return;
+    if (!bench_.flight.on || ImGui::GetIO().WantTextInput) return;
     Vec<3> by(0);
     for (const FlightKey& key : flight_keys)
         if (ImGui::IsKeyDown(key.scancode)) by += key.direction;
-    rested_ = by == Vec<3>(0) ? rested_ + seconds : 0;
-    if (rested_ > rest_seconds && bench_.session.flying() && !bench_.session.has_reference()) {
-        bench_.session.reference();
-        ++ui.revision;
-    }
     if (by == Vec<3>(0)) return;
     const double speed = flight_speed(bench_) * (ImGui::GetIO().KeyShift ? run_factor : 1);
     fly_to(bench_, walked(bench_.session.display_view(), bench_.session.scene().up_axis, by * (speed * seconds)),
@@ -96,7 +86,61 @@ void Picture3d::fly(Ui& ui, float seconds) {
     ++ui.revision;
 }
 
-void Picture3d::update(const Ui& ui, const Area& area) {
+void Picture3d::measure(Ui& ui) {
+    rested_ = flown_ == bench_.run ? rested_ + ImGui::GetIO().DeltaTime : 0;
+    flown_ = bench_.run;
+    unmeasured_ += ImGui::GetIO().DeltaTime;
+    if (measure_ms_ > measured_in_flight_ms && rested_ < rest_seconds && unmeasured_ < measured_again_seconds) return;
+    double ms = 0;
+    bool any = false;
+    for (std::size_t i = 0; i < pane_count(); ++i) {
+        const Session<3>& session = session_of(i);
+        if (!session.flying() || session.has_reference()) continue;
+        const double before = session.times().reference;
+        session.reference();
+        ms += session.times().reference - before;
+        any = true;
+    }
+    if (!any) return;
+    measure_ms_ = ms;
+    unmeasured_ = 0;
+    ++ui.revision;
+}
+
+Picture3d::Part Picture3d::lay_out(const Ui& ui, const Area& area, std::size_t pane) const {
+    const Session<3>& session = session_of(pane);
+    Part part;
+    part.whole = pane_area(area, pane, pane_count());
+    part.counters = counters(session, title_of(pane), panes_[pane].draw_ms(),
+                             bench_.flight.on ? std::optional(flight_speed(bench_)) : std::nullopt);
+    part.head = part.whole;
+    part.head.h = counters_height(ui, part.counters, part.whole.w);
+    Area body = part.whole;
+    body.y += part.head.h;
+    body.h = std::max(1.0f, body.h - part.head.h);
+    const ImageSize size = image_size<3>(session.settings().reference_size);
+    const float aspect = static_cast<float>(size.width) / static_cast<float>(size.height);
+    // From outside, all of the place that there is.
+    part.picture = seen_from_outside(session) ? body : no_narrower(body, aspect);
+    if (session.settings().split == Split::off) return part;
+    // Beside each other or below each other, whichever shows more.
+    const float gap = 3, title = title_height(ui);
+    Area beside{body.x, body.y + title, std::floor((body.w - gap) / 2), body.h - title};
+    Area below{body.x, body.y + title, body.w, std::max(1.0f, std::floor((body.h - gap) / 2) - title)};
+    const auto scale = [&](const Area& half) { return std::min(half.w, half.h * aspect); };
+    if (scale(beside) >= scale(below)) {
+        part.picture = no_narrower(beside, aspect);
+        part.split = part.picture;
+        part.split->x = body.x + body.w - beside.w;
+    } else {
+        part.picture = below;
+        part.split = below;
+        part.split->y += below.h + gap + title;
+    }
+    return part;
+}
+
+void Picture3d::update(const Ui& ui) {
     if (sides_revision_ != ui.revision) {
         sides_revision_ = ui.revision;
         sides_ = bench_.other ? projected_sides(bench_.session, bench_.other->session) : std::vector<Side>();
@@ -109,38 +153,47 @@ void Picture3d::update(const Ui& ui, const Area& area) {
         if (heat.run != bench_.run || heat.what != what)
             heat = {bench_.run, what,
                     what == CellNumber::none || session.flying() ? std::nullopt : number_range(session_of(i), what)};
-        const Area part = pane_area(area, i, pane_count());
+        const Area& picture = parts_[i].picture;
         PictureOptions3 options;
         options.heat_range = heat.range;
-        options.aspect = part.w / part.h;
+        options.aspect = picture.w / picture.h;
         options.sides = sides_;
         if (i == 0 && bench_.substep && *bench_.substep >= first_facet_substep)
             options.facet = *bench_.substep - first_facet_substep;
-        panes_[i].update(ui, session, options, ui.revision, bench_.run, part, bench_.desk.projector,
-                         i == 0 && bench_.desk.legend, mouse_.dragging() || lively());
-        insets_[i].update(session, ui.revision);
+        eyes_[i].update(session, ui.revision);
+        panes_[i].update(ui, session, options, ui.revision, bench_.run, picture, bench_.desk.projector,
+                         i == 0 && bench_.desk.legend, mouse_.dragging() || lively(),
+                         eyes_[i].insets(ui, picture, session));
     }
-    bench_.flight.draw_ms = panes_[0].draw_ms();
 }
 
-/// What the frame costs and finds, always in sight.
-void Picture3d::draw_counters(const Ui& ui, const Area& area, const Session<3>& session) {
-    const State<3>& state = session.state();
-    std::string text = std::to_string(state.rendered_count) + " triangles, " + std::to_string(state.step) +
-                       (session.method().orders_cells ? " cells" : " batches");
-    if (session.has_reference()) {
-        const auto share = coverage(session.reference(), session.visible_rendered());
-        text +=
-            ", coverage " + (share ? short_number(100 * *share) + " %" : std::string("none")) + ", wrong pixels " +
-            short_number(100 * wrong_pixels(session.reference(), std::span(state.touched).first(state.touched_count))) +
-            " %";
-    } else {
-        text += ", coverage …";
-    }
-    text += ", traversal " + short_number(session.times().traverse) + " ms, drawing " +
-            short_number(bench_.flight.draw_ms) + " ms";
-    if (bench_.flight.on) text += ", speed " + short_number(flight_speed(bench_));
-    text_box(*ImGui::GetWindowDrawList(), ui, bench_.session.settings().palette, {area.x, area.y}, text, false);
+void Picture3d::draw_part(ImDrawList& list, const Ui& ui, std::size_t pane) {
+    const Session<3>& session = session_of(pane);
+    const Part& part = parts_[pane];
+    const auto fill = [&](const Area& area) { list.AddRectFilled(area.min(), area.max(), colour(theme::panel)); };
+    draw_counters(list, ui, part.counters, part.head);
+    note(pane == 0 ? "counters" : "counters right", part.head);
+    list.PushClipRect(part.picture.min(), part.picture.max(), true);
+    panes_[pane].draw_texts(list, ui);
+    eyes_[pane].draw_insets(list, ui, part.picture, session);
+    list.PopClipRect();
+    if (!part.split) return;
+    const auto title = [&](const Area& area, const std::string& text) {
+        const Area at{area.x, area.y - title_height(ui), area.w, title_height(ui)};
+        fill(at);
+        const float pad = 6 * ui.unit, size = ImGui::GetFontSize();
+        const float shrunk = std::min(1.0f, (at.w - 2 * pad) / ImGui::CalcTextSize(text.c_str()).x);
+        list.AddText(ui.fonts.text, size * shrunk, {at.x + pad, at.y + 2 * ui.unit}, colour(theme::ink), text.c_str());
+        note(text, area);
+    };
+    title(part.picture, seen_from_outside(session) ? "from another eye than the frozen one"
+                                                   : "what " + std::string(session.method().id) + " draws");
+    title(*part.split, eyes_[pane].split_title(session));
+    eyes_[pane].draw_split(list, *part.split, session);
+}
+
+void Picture3d::note(const std::string& name, const Area& area) {
+    bench_.places.push_back({name, area.x, area.y, area.w, area.h});
 }
 
 /// Where the cells stand that scripts and readers of the screen may ask for.
@@ -160,24 +213,15 @@ void Picture3d::interact(Ui& ui, const Area& area) {
     ImGui::InvisibleButton(
         "scene", {area.w, area.h},
         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
-    const std::span<const Pane3d> panes = std::span<const Pane3d>(panes_).first(pane_count());
-    mouse_.frame(ui, panes);
+    mouse_.frame(ui, std::span<const Pane3d>(panes_).first(pane_count()));
     fly(ui, ImGui::GetIO().DeltaTime);
-    update(ui, area);
+    measure(ui);
+    for (std::size_t i = 0; i < pane_count(); ++i) parts_[i] = lay_out(ui, area, i);
+    update(ui);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.PushClipRect(area.min(), area.max(), true);
-    for (std::size_t i = 0; i < panes.size(); ++i) {
-        const Area& part = panes[i].area();
-        list.PushClipRect(part.min(), part.max(), true);
-        panes[i].draw_texts(list, ui);
-        insets_[i].draw(list, ui, part);
-        draw_counters(ui, part, session_of(i));
-        if (bench_.other)
-            text_box(list, ui, bench_.session.settings().palette, {part.x, part.y + 26 * ui.unit},
-                     (i == 0 ? "left: " : "right: ") + side_titles(bench_)[i], true);
-        list.PopClipRect();
-    }
-    mouse_.draw(ui, panes, area);
+    for (std::size_t i = 0; i < pane_count(); ++i) draw_part(list, ui, i);
+    mouse_.draw(ui, std::span<const Pane3d>(panes_).first(pane_count()), area);
     list.PopClipRect();
     note_places();
 }

@@ -7,7 +7,8 @@
 
 #include "shell/bench/workbench.h"
 #include "shell/window/stage.h"
-#include "viewer3d/inset_picture.h"
+#include "viewer3d/counters.h"
+#include "viewer3d/eye_pictures.h"
 #include "viewer3d/mouse3d.h"
 #include "viewer3d/pane3d.h"
 
@@ -34,21 +35,36 @@ private:
         std::optional<std::array<double, 2>> range;
     };
 
+    /// What belongs to one session, from above: its counters, the picture and, where it is split, the culling eye's.
+    struct Part {
+        Area whole, head, picture;
+        std::optional<Area> split;  ///< as large as the picture
+        std::vector<Counter> counters;
+    };
+
     const Session<3>& session_of(std::size_t pane) const;
     std::size_t pane_count() const { return bench_.other ? 2 : 1; }
+    std::string title_of(std::size_t pane) const;
     void fly(Ui& ui, float seconds);
-    void update(const Ui& ui, const Area& area);
-    void draw_counters(const Ui& ui, const Area& area, const Session<3>& session);
+    void measure(Ui& ui);
+    Part lay_out(const Ui& ui, const Area& area, std::size_t pane) const;
+    void update(const Ui& ui);
+    void draw_part(ImDrawList& list, const Ui& ui, std::size_t pane);
+    void note(const std::string& name, const Area& area);
     void note_places();
 
     Workbench<3>& bench_;
     Mouse3d mouse_;
     std::array<Pane3d, 2> panes_;
-    std::array<InsetPicture, 2> insets_;
+    std::array<Part, 2> parts_;
+    std::array<EyePictures, 2> eyes_;
     std::array<HeatRange, 2> heat_;
     std::vector<Side> sides_;
     std::uint64_t sides_revision_ = 0;
-    float rested_ = 0;  ///< seconds since the eye last flew
+    std::uint64_t flown_ = 0;  ///< the run of the last frame
+    float unmeasured_ = 0;     ///< seconds since the last exact image
+    float rested_ = 0;         ///< seconds since the eye last flew
+    double measure_ms_ = 0;    ///< what the last exact image took, of both sessions
 };
 
 }  // namespace sightline

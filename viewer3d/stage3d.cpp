@@ -3,6 +3,7 @@
 
 #include "core/scene/catalogue.h"
 #include "viewer3d/picture3d.h"
+#include "viewer3d/thumbnails.h"
 
 namespace sightline {
 
@@ -25,6 +26,7 @@ struct Held {
 
     std::shared_ptr<Renderers> renderers;
     Picture3d picture;
+    Thumbnails3d thumbnails;
 };
 
 }  // namespace
@@ -33,12 +35,17 @@ Stage stage3d(Workbench<3>& bench, const std::shared_ptr<Renderers>& renderers) 
     const auto held = std::make_shared<Held>(bench, renderers);
     Stage stage;
     stage.draw = [held](Ui& ui, const Area& area) { held->picture.draw(ui, area); };
-    stage.interact = [held](Ui& ui, const Area& area) { held->picture.interact(ui, area); };
+    stage.interact = [held](Ui& ui, const Area& area) {
+        held->thumbnails.next_frame();
+        held->picture.interact(ui, area);
+    };
     stage.cancel = [held] { return held->picture.cancel(); };
     stage.takes_key = [held](const std::string& key) { return held->picture.takes_key(key); };
     stage.lively = [held] { return held->picture.lively(); };
     stage.scenes = choices();
-    stage.thumbnail = [](const SceneChoice&, int, int) -> GLuint { return 0; };
+    stage.thumbnail = [held](const SceneChoice& scene, int width, int height) {
+        return held->thumbnails.texture(scene, width, height);
+    };
     return stage;
 }
 

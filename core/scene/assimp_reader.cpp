@@ -234,12 +234,15 @@ void read_with_assimp(const std::string& path, const ChildProcess::Send& send) {
     if (prepared.text) importer.SetIOHandler(new FilesWithText(path, *prepared.text));  // which the importer then owns
     const aiScene* scene = importer.ReadFile(path, aiProcess_Triangulate);
     const aiScene nothing;
-    if (!scene && (prepared.empty || is_empty(importer.GetErrorString()))) {
+    const std::string error = importer.GetErrorString();
+    const bool too_small = error == "OBJ-file is too small.";  // a comment, say
+    const std::string why = too_small ? why_no_obj(path) : error;
+    if (!scene && (prepared.empty || (too_small && why.empty()) || is_empty(error))) {
         scene = &nothing;
         header.warning[0] = 0;
     }
     if (!scene) {
-        refuse(header, importer.GetErrorString());
+        refuse(header, why);
         return send(&header, sizeof header);
     }
     const auto reader = static_cast<std::size_t>(importer.GetPropertyInteger("importerIndex", 0));

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "core/scene/assimp_reader.h"
+#include "core/scene/file_kind.h"
 #include "core/scene/text.h"
 
 namespace sightline {
@@ -38,6 +39,12 @@ std::string reason_of(const std::string& words) {
     return words.empty() ? "Assimp cannot read it" : words;
 }
 
+/// Where the file holds another format than its ending says, people look for the mistake there.
+std::string with_kind(const std::string& reason, const std::string& path) {
+    const std::string kind = kind_behind(path);
+    return kind.empty() ? reason : reason + " (it begins like " + kind + ")";
+}
+
 }  // namespace
 
 ImportedFile import_mesh(const std::string& path, const std::string& name, const std::string& place, Scene<3>& scene,
@@ -58,7 +65,7 @@ ImportedFile import_mesh(const std::string& path, const std::string& name, const
     };
     AssimpHeader header;
     receive(&header, sizeof header);
-    if (header.failed) throw input_error(name, place, reason_of(header.text));
+    if (header.failed) throw input_error(name, place, with_kind(reason_of(header.text), path));
 
     const std::size_t before = scene.primitives.size();
     scene.primitives.resize(before + header.triangles);

@@ -72,6 +72,7 @@ Scene<3> read_meshes(std::span<const std::string> paths, const std::string& name
     for (std::size_t k = 0; k < files.size(); ++k) {
         const MeshFile& mesh = files[k];
         const std::string what = "reading " + fs::path(mesh.path).filename().string();
+        const std::size_t before = scene.primitives.size();
         try {
             check(mesh, name);
             const ImportedFile file = import_mesh(mesh.path, name, mesh.place, scene,
@@ -85,6 +86,8 @@ Scene<3> read_meshes(std::span<const std::string> paths, const std::string& name
             any = true;
         } catch (const InputError& error) {
             if (mesh.named) throw;
+            scene.primitives.resize(before);  // its reader may have ended in the middle
+            if (!scene.two_sided.empty()) scene.two_sided.resize(before);
             const std::string failure = std::string(error.what()).substr(name.size() + 2);  // past "name: "
             if (first_failure.empty()) first_failure = failure;
             scene.warnings.push_back("left out: " + failure);

@@ -2,6 +2,7 @@
 #include "core/session/session.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/error.h"
 #include "core/number.h"
@@ -110,6 +111,7 @@ void Session<D>::restart() {
     timeline_ = {};
     timeline_.seed_count = state_.front_size;
     time_stop_ = none;
+    times_.traverse = 0;
 }
 
 template <int D>
@@ -181,12 +183,17 @@ Invalidates Session<D>::change(const Settings& settings) {
     const View<D> view = view_of(culling_view_, *scene_, settings);
     land();
     const std::uint32_t step = state_.step;
-    settings_ = settings;
-    method_ = method;
+    const Settings before = std::exchange(settings_, settings);
     if (what >= Invalidates::tessellation) {
-        tessellate();
+        try {
+            tessellate();
+        } catch (...) {  // too many cells, say: everything stays
+            settings_ = before;
+            throw;
+        }
         forget_measures();
     }
+    method_ = method;
     if (what == Invalidates::reference) forget_measures();
     const bool another_view = view.corners != view_.corners;  // the reference's size is the view's aspect
     view_ = view;
@@ -265,8 +272,13 @@ template <int D>
 void Session<D>::set_scene(std::shared_ptr<const Scene<D>> scene) {
     land();
     const std::uint32_t step = state_.step;
-    scene_ = std::move(scene);
-    tessellate();
+    std::swap(scene_, scene);
+    try {
+        tessellate();
+    } catch (...) {
+        std::swap(scene_, scene);
+        throw;
+    }
     forget_measures();
     restart();
     seek(step);

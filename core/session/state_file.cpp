@@ -58,9 +58,31 @@ const Json& list(const Json& object, const char* key) {
     return object.at(key);
 }
 
+std::string reason_of(const Json::exception& error) {
+    std::string why = error.what();  // "[json.exception.parse_error.101] parse error at line 1, column 2: …"
+    if (const std::size_t end = why.find("] "); end != std::string::npos) why.erase(0, end + 2);
+    return why;
+}
+
+std::string why_not(const Json::exception& error) { return "not a state file: " + reason_of(error); }
+
+/// What `read` makes of a member. Its errors get the member's place: "/view/eye: reason".
+template <typename Read>
+auto at_member(const Json& json, const std::string& key, const Read& read) {
+    try {
+        return read(json.at(key));
+    } catch (const Json::exception& error) {
+        throw InputError("/" + key + ": " + reason_of(error));
+    } catch (const InputError& error) {
+        const std::string why = error.what();
+        throw InputError("/" + key + (why.starts_with('/') ? "" : ": ") + why);
+    }
+}
+
 template <int D>
 ViewSpec<D> read_view(const Json& json) {
-    return {read_point<D>(json.at("eye")), read_point<D>(json.at("look_at")), json.at("fov").get<double>()};
+    return {at_member(json, "eye", read_point<D>), at_member(json, "look_at", read_point<D>),
+            at_member(json, "fov", [](const Json& fov) { return fov.get<double>(); })};
 }
 
 template <int D>
@@ -177,7 +199,9 @@ OpenedState<D> read_state(const Json& json, const std::string& name, std::span<c
         shared = std::make_shared<const Scene<D>>(
             read_scene<D>(json.at("scene"), name, settings.two_sided == Switch::on, progress));
     OpenedState<D> opened{
-        Session<D>(std::move(shared), read_view<D>(json.at("view")), settings, methods, draw_ids, progress), {}, {}};
+        Session<D>(std::move(shared), at_member(json, "view", read_view<D>), settings, methods, draw_ids, progress),
+        {},
+        {}};
     Session<D>& session = opened.session;
     if (json.contains("time_stop")) session.set_time_stop(read_count(json.at("time_stop")));
     const std::uint32_t step = read_count(json.at("step"));
@@ -190,7 +214,7 @@ OpenedState<D> read_state(const Json& json, const std::string& name, std::span<c
     if (json.contains("display_view")) {
         // Frozen as a whole first: to set the display view must not move the culling view.
         session.freeze();
-        session.set_view(read_view<D>(json.at("display_view")));
+        session.set_view(at_member(json, "display_view", read_view<D>));
         if (json.contains("frozen")) session.freeze(read_word<Frozen>(json.at("frozen"), frozen_words));
     }
     for (const Json& bookmark : list(json, "bookmarks"))
@@ -212,12 +236,6 @@ OpenedState<D> read_state(const Json& json, const std::string& name, std::span<c
     session.selected_primitive = read_selected(json, "selected_primitive", session.scene().primitives.size());
     read_breakpoints(json, session);
     return opened;
-}
-
-std::string why_not(const Json::exception& error) {
-    std::string why = error.what();  // "[json.exception.parse_error.101] parse error at line 1, column 2: …"
-    if (const std::size_t end = why.find("] "); end != std::string::npos) why.erase(0, end + 2);
-    return "not a state file: " + why;
 }
 
 /// The state that stands beside the first one, if there is one.

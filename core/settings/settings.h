@@ -33,7 +33,8 @@ enum class DrawnAs : std::uint8_t { off, solid, wireframe, translucent };
 enum class SliceAcross : std::uint8_t { off, x, y, z, view };
 enum class OnlyCells : std::uint8_t { all, front, around };
 enum class Triangles : std::uint8_t { off, rendered, visible, all };
-enum class Inset : std::uint8_t { off, image, missed, both };
+enum class Inset : std::uint8_t { off, image, missed, both, exact };
+enum class Split : std::uint8_t { off, exact, missed };
 
 /// The words of each enum, in the order of its values.
 template <typename E>
@@ -82,7 +83,9 @@ inline constexpr auto words<OnlyCells> = std::to_array<std::string_view>({"all",
 template <>
 inline constexpr auto words<Triangles> = std::to_array<std::string_view>({"off", "rendered", "visible", "all"});
 template <>
-inline constexpr auto words<Inset> = std::to_array<std::string_view>({"off", "image", "missed", "both"});
+inline constexpr auto words<Inset> = std::to_array<std::string_view>({"off", "image", "missed", "both", "exact"});
+template <>
+inline constexpr auto words<Split> = std::to_array<std::string_view>({"off", "exact", "missed"});
 
 /// Pixels of a reference; 0: what the dimension asks for. 2D references have a width only.
 struct ImageSize {
@@ -150,6 +153,7 @@ struct Settings {
     std::uint32_t around = 2;
     Triangles triangles = Triangles::rendered;
     Inset inset = Inset::off;
+    Split split = Split::off;
 
     bool operator==(const Settings&) const = default;
 };

@@ -253,7 +253,11 @@ const std::vector<SettingRow>& rows() {
         only_in(3, choice<&S::triangles>("triangles", Invalidates::picture, "TVCG figs 1, 14",
                                          "which triangles are drawn")),
         only_in(3, choice<&S::inset>("inset", Invalidates::picture, "TVCG fig. 14",
-                                     "in a corner what the culling eye sees at this step, or the pixels it misses")),
+                                     "in a corner what the culling eye sees at this step, the pixels it misses, or "
+                                     "what it would see of everything")),
+        only_in(3, choice<&S::split>("split", Invalidates::picture, "TVCG fig. 13",
+                                     "beside the picture what the culling eye would see of everything, or the pixels "
+                                     "that it misses")),
     };
     return table;
 }

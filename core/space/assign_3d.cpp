@@ -1,6 +1,9 @@
 // Which cells a triangle meets. Tetrahedra: from the cell of a corner across facets; most triangles lie inside one
 // cell and are done with it, the others cost what they cross. Leaves: down the tree.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <string>
+
+#include "core/error.h"
 #include "core/space/builders.h"
 #include "core/space/triangle_test.h"
 
@@ -100,13 +103,17 @@ private:
 };
 
 template <typename Search>
-void assign(CellComplex<3>& cells, const std::vector<Primitive<3>>& primitives, const Progress& progress) {
+void assign(CellComplex<3>& cells, const std::vector<Primitive<3>>& primitives, const Progress& progress,
+            std::size_t most) {
     std::vector<CellPrimitive> pairs;
     Search search(cells);
     cells.unassigned = 0;
     for (std::uint32_t primitive = 0; primitive < primitives.size(); ++primitive) {
         report_assigned(progress, primitive, primitives.size());
         const std::vector<std::uint32_t>& found = search.cells_of(primitive, primitives[primitive]);
+        if (pairs.size() + found.size() > most)
+            throw InputError("the triangles are too large for cells that fine: together they lie in more than " +
+                             std::to_string(most) + " cells; take a larger error_bound");
         for (const std::uint32_t cell : found) pairs.push_back({cell, primitive});
         cells.unassigned += found.empty();
     }
@@ -115,11 +122,12 @@ void assign(CellComplex<3>& cells, const std::vector<Primitive<3>>& primitives, 
 
 }  // namespace
 
-void assign_primitives(CellComplex<3>& cells, const std::vector<Primitive<3>>& primitives, const Progress& progress) {
+void assign_primitives(CellComplex<3>& cells, const std::vector<Primitive<3>>& primitives, const Progress& progress,
+                       std::size_t most) {
     if (cells.kind == Tessellation::delaunay) {
-        assign<TetrahedronFlood>(cells, primitives, progress);
+        assign<TetrahedronFlood>(cells, primitives, progress, most);
     } else {
-        assign<TreeDescent>(cells, primitives, progress);
+        assign<TreeDescent>(cells, primitives, progress, most);
     }
 }
 

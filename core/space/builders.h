@@ -22,12 +22,16 @@ CellComplex<D> tree_cells(Tree<D> tree);
 extern template CellComplex<2> tree_cells<2>(Tree<2>);
 extern template CellComplex<3> tree_cells<3>(Tree<3>);
 
+/// References from cells to triangles; they take 12 bytes each while they are made, 4 when they are there.
+inline constexpr std::size_t most_references = std::size_t{1} << 29;
+
 /// Fills the rows cell -> primitives and `unassigned`. 2D: the cells whose closure meets the primitive, exactly. 3D:
 /// those and at times one that it misses by a rounding error (triangle_test.h).
 void assign_primitives(CellComplex<2>& cells, const std::vector<Primitive<2>>& primitives,
                        const Progress& progress = {});
+/// 3D throws InputError when that makes more than `most` references.
 void assign_primitives(CellComplex<3>& cells, const std::vector<Primitive<3>>& primitives,
-                       const Progress& progress = {});
+                       const Progress& progress = {}, std::size_t most = most_references);
 
 /// Word of the assignment, before each primitive; what takes time is said only now and then.
 inline void report_assigned(const Progress& progress, std::size_t done, std::size_t count) {

@@ -25,6 +25,15 @@ std::string what_became(const Workbench<D>& bench, const std::vector<StepRecord>
     return line;
 }
 
+/// What changes of the picture alone on one side changes beside it as well: both are looked at in the same way.
+template <int D>
+void picture_settings_too(const Settings& from, const Settings& to, Session<D>& beside) {
+    Settings settings = beside.settings();
+    for (const SettingRow& row : settings_table())
+        if (row.invalidates == Invalidates::picture && row.get(from) != row.get(to)) row.set(settings, row.get(to));
+    beside.change(settings);
+}
+
 /// Primitives have new numbers: see change_scene.
 template <int D>
 void renumber(Session<D>& session, std::span<const std::uint32_t> numbers) {
@@ -60,11 +69,14 @@ void change_settings(Workbench<D>& bench, const Settings& settings, const std::s
     std::shared_ptr<const Scene<D>> scene = bench.session.shared_scene();
     if (what == Invalidates::scene) scene = reread<D>(scene, settings);
     remember(bench, gesture);
+    if (bench.other) picture_settings_too(bench.session.settings(), settings, bench.other->session);
     const std::vector<StepRecord> before = bench.session.timeline().steps;
+    const bool flying = bench.session.flying();
     if (scene != bench.session.shared_scene()) bench.session.set_scene(scene);
     bench.session.change(settings);
-    if (what < Invalidates::traversal) return moved(bench);
+    if (what < Invalidates::traversal && !flying) return moved(bench);
     traversal_changed(bench);
+    if (flying) return fly_on(bench, bench.session.culling_view());
     bench.say(what_became(bench, before, what));
 }
 
@@ -99,6 +111,7 @@ void replace_session(Workbench<D>& bench, Session<D> session) {
     bench.history = {};
     bench.other.reset();
     bench.hovered_cell = bench.selected_note = none;
+    bench.flight = {};
     bench.last_stop = Stop::steps;
     bench.desk.timeline_from = 0;
     bench.desk.timeline_to = 1;

@@ -7,6 +7,7 @@
 #include "core/error.h"
 #include "core/file.h"
 #include "core/number.h"
+#include "core/output_file.h"
 #include "core/session/condition.h"
 #include "core/session/state_file.h"
 #include "core/space/cells_file.h"
@@ -100,9 +101,11 @@ void write_shot(Workbench<D>& bench, const std::string& file) {
         go_to_place(session, place);
         add_panels(bench, session, "step " + std::to_string(session.position()), panels);
     }
+    OutputFile sidecar(file + ".json");
+    sidecar.write(bench_state(bench));  // a disk that has no room for it keeps the old figure
     write_figure(make_figure(std::span<const PanelSource<D>>(panels)), figure_size(bench.figure), file,
                  bench.graphics.draw_solid);
-    write_file(file + ".json", bench_state(bench));
+    sidecar.commit();
     bench.session.times().draw += drawing.milliseconds();
     bench.say("wrote " + file + " and " + file + ".json");
 }

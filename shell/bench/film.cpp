@@ -7,6 +7,7 @@
 #include "core/draw/compose.h"
 #include "core/error.h"
 #include "core/file.h"
+#include "core/output_file.h"
 #include "core/session/state_file.h"
 #include "shell/bench/comparison.h"
 #include "shell/bench/encode.h"
@@ -125,15 +126,17 @@ std::string numbered(const fs::path& file, std::size_t number) {
     return (file.parent_path() / (file.stem().string() + "-" + digits + file.extension().string())).string();
 }
 
-/// FILE-0001.png and so on; takes back those written when one fails.
+/// FILE-0001.png and so on; takes back those that were not there before when one fails.
 template <int D>
 void write_pictures(Workbench<D>& bench, const Film& film, const fs::path& file) {
     std::vector<fs::path> written;
     const auto name = [&](std::size_t i) {
         if (i > 0 && i % frames_per_word == 0)
             bench.say(std::to_string(i) + " of " + std::to_string(film.plan.size()) + " pictures are drawn");
-        written.emplace_back(numbered(file, i + 1));
-        return written.back();
+        const fs::path path = numbered(file, i + 1);
+        std::error_code error;
+        if (!fs::exists(path, error)) written.push_back(path);
+        return path;
     };
     try {
         write_figure_frames(film.plan, film.page, figure_size(bench.figure), name, bench.graphics.draw_solid);
@@ -150,6 +153,8 @@ template <int D>
 void write_film(Workbench<D>& bench, const FilmSpec& film) {
     const std::string ending = ending_of(film.file);
     check(bench, film);
+    OutputFile beside(film.file + ".json");
+    beside.write(sidecar(bench, film));  // a disk that has no room for it keeps the old film
     const std::size_t count = film.last - film.first + 1;
     const auto walker = std::make_shared<Walker<D>>(bench, film);
     const Film made = make_film<D>(count, [walker](std::size_t i) { return walker->at(i); });
@@ -164,7 +169,7 @@ void write_film(Workbench<D>& bench, const FilmSpec& film) {
         encode_film(folder.path() / "frame-%04d.png", film.frames_per_second, made.plan.front().background, whole);
         write_file(film.file, read_file(whole));
     }
-    write_file(film.file + ".json", sidecar(bench, film));
+    beside.commit();
     bench.say("wrote " + film.file + ", " + std::to_string(count) + (film.path ? " frames, and " : " steps, and ") +
               film.file + ".json");
 }

@@ -42,7 +42,10 @@ std::span<const Command<D>> change_commands() {
     static constexpr std::array table{
         Command<D>{"set", "FIELD=VALUE", "change a setting", "", set<D>},
         Command<D>{"cycle", "FIELD", "the next word of a setting",
-                   "H=heat L=label K=penalty N=show_normals X=show_penalties M=show_chain", cycle<D>},
+                   D == 2 ? "H=heat L=label K=penalty N=show_normals X=show_penalties M=show_chain"
+                          : "H=heat L=label K=penalty N=show_normals X=show_penalties M=show_chain Z=split "
+                            "Shift+Z=inset",
+                   cycle<D>},
         Command<D>{"preset", "ID", "change a set of settings", "", preset<D>},
         Command<D>{"method", "ID", "change the method", "",
                    [](Workbench<D>& bench, Text text) { set(bench, "method=" + text); }},

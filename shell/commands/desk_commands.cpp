@@ -43,6 +43,13 @@ void scale(Workbench<D>& bench, Text text) {
 }
 
 template <int D>
+void tool(Workbench<D>& bench, Text text) {
+    const Tool asked = static_cast<Tool>(word_argument(text, tool_words));
+    if (D == 3 && asked == Tool::segment) throw InputError("segments are drawn in 2D only");
+    bench.desk.tool = asked;
+}
+
+template <int D>
 void axis(Workbench<D>& bench, Text text) {
     bench.desk.axis = static_cast<TimelineAxis>(word_argument(text, timeline_axis_words));
 }
@@ -79,11 +86,12 @@ std::span<const Command<D>> desk_commands() {
         Command<D>{"scenes", "", "choose a scene", "O", flip<&Desk::chooser, D>},
         Command<D>{"show", "PANEL", "show or hide a panel, the timeline or the legend",
                    "1=why 2=code 3=front 4=inversions 5=breakpoints 6=notes 7=settings Tab=timeline E=legend", show<D>},
-        Command<D>{"tool", "select | segment | text | arrow | ring | callout", "what the mouse does on the picture",
-                   "V=select G=segment T=text A=arrow R=ring C=callout",
-                   [](Workbench<D>& bench, Text text) {
-                       bench.desk.tool = static_cast<Tool>(word_argument(text, tool_words));
-                   }},
+        Command<D>{
+            "tool",
+            D == 2 ? "select | segment | text | arrow | ring | callout" : "select | text | arrow | ring | callout",
+            "what the mouse does on the picture",
+            D == 2 ? "V=select G=segment T=text A=arrow R=ring C=callout" : "V=select T=text A=arrow R=ring C=callout",
+            tool<D>},
         Command<D>{"axis", "steps | primitives", "what the timeline counts", "", axis<D>},
         Command<D>{"zoom-timeline", "FROM-TO | all", "the steps that the timeline shows", "", zoom_timeline<D>},
         Command<D>{"projector", "", "panels away, large text, the formula as a banner", "P F11",

@@ -1,5 +1,9 @@
 // Commands that move the eye in 3D: circling, walking, flying along paths.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
 #include "core/error.h"
 #include "core/file.h"
 #include "core/number.h"
@@ -52,57 +56,90 @@ void through(Workbench<3>& bench, Text) {
 void fly(Workbench<3>& bench, Text text) {
     constexpr auto words = std::to_array<std::string_view>({"off", "on"});
     bench.flight.on = text.empty() ? !bench.flight.on : word_argument(text, words) == 1;
-    if (!bench.flight.on) land(bench);
-    bench.say(bench.flight.on ? "flying: W A S D Q E move, the mouse turns, F freezes here, G lands"
-                              : "landed: the frame is recorded and can be stepped through");
+    land_unless_moving(bench);
+    bench.say(
+        bench.flight.on
+            ? "flying: W A S D Q E move, Shift faster, dragging turns, { } change the speed, F freezes here, G lands"
+            : "landed: the frame is recorded and can be stepped through");
 }
 
-void speed(Workbench<3>& bench, Text text) {
+void set_speed(Workbench<3>& bench, Text text) {
     const bool factor = text.starts_with("x");
     const double number = number_argument(factor ? text.substr(1) : text, "a speed such as 5 or x2");
-    if (!(number > 0)) throw InputError("the speed must be above 0");
-    bench.flight.speed = factor ? flight_speed(bench) * number : number;
+    const double asked = factor ? flight_speed(bench) * number : number;
+    if (!(asked > 0 && std::isfinite(asked))) throw InputError("the speed must be above 0 and finite");
+    bench.flight.speed = asked;
     bench.say("speed " + short_number(bench.flight.speed) + " units a second");
 }
 
-/// ID | frame N | record | stop | save FILE | open FILE | play
+void step_path(Workbench<3>& bench, Text text, int sign) {
+    const Flight<3>& flight = bench.flight;
+    if (flight.path.frames.empty()) throw InputError("there is no path: name one, or record it");
+    const auto by = static_cast<std::int64_t>(text.empty() ? 1 : whole_argument(text, "a number of frames"));
+    const auto last = static_cast<std::int64_t>(flight.path.frames.size()) - 1;
+    go_to_frame(bench, static_cast<std::uint32_t>(std::clamp<std::int64_t>(flight.frame + sign * by, 0, last)));
+    land_unless_moving(bench);
+}
+
+/// Shows the path bar, with the scene's first path where none was chosen, or hides it.
+void flip_path_bar(Workbench<3>& bench) {
+    bench.flight.bar = !bench.flight.bar;
+    const auto& paths = bench.session.scene().paths;
+    if (bench.flight.bar && bench.flight.path.frames.empty() && !paths.empty()) choose_path(bench, paths.front().id);
+}
+
+/// What `path` makes of its first word; anything else is the id of a path.
+struct PathWord {
+    std::string_view word;
+    void (*run)(Workbench<3>&, Text rest);
+};
+constexpr std::array path_words{
+    PathWord{"", [](Workbench<3>& bench, Text) { flip_path_bar(bench); }},
+    PathWord{"frame",
+             [](Workbench<3>& bench, Text rest) {
+                 go_to_frame(bench, whole_argument(rest, "a frame of the path"));
+                 land_unless_moving(bench);
+             }},
+    PathWord{"start",
+             [](Workbench<3>& bench, Text) {
+                 go_to_frame(bench, 0);
+                 land_unless_moving(bench);
+             }},
+    PathWord{"step", [](Workbench<3>& bench, Text rest) { step_path(bench, rest, 1); }},
+    PathWord{"back", [](Workbench<3>& bench, Text rest) { step_path(bench, rest, -1); }},
+    PathWord{"play", [](Workbench<3>& bench, Text) { replay(bench); }},
+    PathWord{"stop",
+             [](Workbench<3>& bench, Text) {
+                 stop_path(bench);
+                 bench.say("the path has " + std::to_string(bench.flight.path.frames.size()) + " frames");
+             }},
+    PathWord{"toggle", [](Workbench<3>& bench, Text) { bench.flight.replaying ? stop_path(bench) : replay(bench); }},
+    PathWord{"loop",
+             [](Workbench<3>& bench, Text) {
+                 bench.flight.loop = !bench.flight.loop;
+                 bench.say(bench.flight.loop ? "the path begins again where it ends" : "the path stops where it ends");
+             }},
+    PathWord{"record",
+             [](Workbench<3>& bench, Text) {
+                 if (bench.flight.recording) return stop_path(bench);
+                 record_path(bench);
+                 bench.say("recording where the eye goes: G flies, path stop ends it");
+             }},
+    PathWord{"save",
+             [](Workbench<3>& bench, Text rest) {
+                 if (bench.flight.path.frames.empty()) throw InputError("there is no path: name one, or record it");
+                 write_file(file_argument(rest), write_path(bench.flight.path));
+                 bench.say("wrote " + rest);
+             }},
+    PathWord{"open", [](Workbench<3>& bench,
+                        Text rest) { take_path(bench, read_path<3>(read_file(file_argument(rest)), rest)); }},
+};
+
 void path(Workbench<3>& bench, Text text) {
-    constexpr auto words = std::to_array<std::string_view>({"frame", "record", "stop", "play", "save", "open"});
     const auto [word, rest] = split_word(text);
-    const auto found = std::find(words.begin(), words.end(), word);
-    Flight<3>& flight = bench.flight;
-    switch (found - words.begin()) {
-        case 0:
-            go_to_frame(bench, whole_argument(rest, "a frame of the path"));
-            break;
-        case 1:
-            flight.path = {
-                "recorded", {bench.session.culling_view()}, bench.session.scene().id, bench.session.scene().origin};
-            flight.recording = true;
-            bench.say("recording the flight; path stop ends it");
-            break;
-        case 2:
-            flight.recording = flight.replaying = false;
-            land(bench);
-            bench.say("the path has " + std::to_string(flight.path.frames.size()) + " frames");
-            break;
-        case 3:
-            if (flight.path.frames.empty()) throw InputError("there is no path: name one, or record it");
-            flight.recording = false;
-            flight.replaying = true;
-            break;
-        case 4:
-            write_file(file_argument(rest), write_path(flight.path));
-            bench.say("wrote " + rest);
-            break;
-        case 5:
-            flight.path = read_path<3>(read_file(file_argument(rest)), rest);
-            set_origin(flight.path, bench.session.scene().origin);
-            flight.frame = 0;
-            break;
-        default:
-            choose_path(bench, word);
-    }
+    const auto found = std::find_if(path_words.begin(), path_words.end(),
+                                    [&word = word](const PathWord& known) { return known.word == word; });
+    found != path_words.end() ? found->run(bench, rest) : choose_path(bench, word);
 }
 
 }  // namespace
@@ -119,11 +156,17 @@ std::span<const Command<3>> flight_commands<3>() {
                    "Ctrl+Right=15,0 Ctrl+Left=-15,0 Ctrl+Up=0,15 Ctrl+Down=0,-15", orbit},
         Command<3>{"turn", "RIGHT,UP", "turn the display view on the spot, by degrees", "", turn},
         Command<3>{"walk", "RIGHT,UP,FORWARD", "move the display view, in scene units", "", walk},
-        Command<3>{"through", "", "look through the frozen eye", "Y", through},
-        Command<3>{"fly", "[on | off]", "the traversal follows the eye, which keys and mouse move", "G", fly},
-        Command<3>{"speed", "UNITS | xFACTOR", "of flying, in scene units a second", "}=x2 {=x0.5", speed},
-        Command<3>{"path", "ID | frame N | record | stop | play | save FILE | open FILE",
-                   "choose a flight path of the scene, show a frame of it (from 0), record or replay one", "", path},
+        Command<3>{"through", "", "look through the frozen eye", "I", through},
+        Command<3>{"fly", "[on | off]", "fly: keys and mouse move the eye, and the traversal follows it", "G", fly},
+        Command<3>{"fly-speed", "UNITS | xFACTOR", "the speed of flying, in scene units a second", "}=x2 {=x0.5",
+                   set_speed},
+        Command<3>{"path",
+                   "[ID | frame N | start | step [N] | back [N] | play | stop | toggle | loop | record | save FILE | "
+                   "open FILE]",
+                   "flight paths, with a bar: choose one, show its frames (from 0), replay or record it",
+                   "Shift+P Shift+Space=toggle Shift+PageDown=step Shift+PageUp=back Shift+Home=start Shift+L=loop "
+                   "Shift+R=record",
+                   path},
     };
     return table;
 }

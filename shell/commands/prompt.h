@@ -18,6 +18,7 @@ std::string prompt(const Workbench<D>& bench, const std::string& id) {
     if (id == "shot") return "shot " + place + ".svg";
     if (id == "save") return "save " + place + ".json";
     if (id == "stats" || id == "trace") return id + " " + place + "-" + id + ".json";
+    if (id == "path save") return "path save " + scene + "-path.json";
     if (id == "film") return "film 0-" + std::to_string(s.recorded()) + " " + scene + ".pdf";
     return id + " ";
 }

@@ -63,7 +63,7 @@ std::span<const Command<D>> view_commands() {
     static constexpr std::array table{
         Command<D>{"eye", D == 2 ? "X,Y" : "X,Y,Z", "move the eye; while frozen, of the display view only", "", eye<D>},
         Command<D>{"look", D == 2 ? "X,Y" : "X,Y,Z", "turn the view towards a point", "", look<D>},
-        Command<D>{"fov", "DEGREES", "open the view; 360 looks all round", "", fov<D>},
+        Command<D>{"fov", "DEGREES", D == 2 ? "open the view; 360 looks all round" : "open the view", "", fov<D>},
         Command<D>{"fit", "", "show the whole scene again", "0", [](Workbench<D>& bench, Text) { fit(bench); }},
         Command<D>{"zoom", "FACTOR", "magnify the picture about its middle", "+=1.25 -=0.8",
                    [](Workbench<D>& bench, Text text) { zoom(bench, number_argument(text, "a factor")); }},

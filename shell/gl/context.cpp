@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shell/gl/context.h"
 
+#include <dlfcn.h>
 #include <epoxy/gl.h>
 #include <malloc.h>
 
@@ -67,6 +68,20 @@ std::string version_found(SDL_Window* window) {
     return version;
 }
 
+using X11ErrorHandler = int (*)(void* display, void* error);
+
+/// Where SDL uses X11. Returns the handler before.
+X11ErrorHandler set_x11_error_handler(X11ErrorHandler handler) {
+    void* const x11 = dlopen("libX11.so.6", RTLD_NOW | RTLD_NOLOAD);
+    if (!x11) return nullptr;
+    const auto set = reinterpret_cast<X11ErrorHandler (*)(X11ErrorHandler)>(dlsym(x11, "XSetErrorHandler"));
+    const X11ErrorHandler before = set ? set(handler) : nullptr;
+    dlclose(x11);
+    return before;
+}
+
+int ignore_x11_error(void*, void*) { return 0; }
+
 }  // namespace
 
 Display::Display() {
@@ -119,6 +134,8 @@ GlContext::GlContext(Place place, const std::string& title, int width, int heigh
     ask_for_core_profile();
     const Uint32 shown =
         place == Place::window ? SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI : Uint32{SDL_WINDOW_HIDDEN};
+    // Without a driver X11 complains late, and its own handler ends the program before anything is said.
+    const X11ErrorHandler handler = set_x11_error_handler(ignore_x11_error);
     window_.reset(SDL_CreateWindow(title.c_str(), SDL_WINDOWPOS_UNDEFINED, SDL_WINDOWPOS_UNDEFINED, width, height,
                                    SDL_WINDOW_OPENGL | shown));
     if (!window_) throw WorkError("SDL opens no window for OpenGL: " + std::string(SDL_GetError()) + remedy);
@@ -127,6 +144,7 @@ GlContext::GlContext(Place place, const std::string& title, int width, int heigh
     if (!context_ || epoxy_gl_version() < 33)
         throw WorkError("OpenGL 3.3 is needed; found: " +
                         (context_ ? string_of(GL_VERSION) : version_found(window_.get()) + " (" + why + ")") + remedy);
+    set_x11_error_handler(handler);
     if (string_of(GL_RENDERER).find("llvmpipe") != std::string::npos) keep_freed_memory();
     if (epoxy_has_gl_extension("GL_KHR_debug")) {
         glEnable(GL_DEBUG_OUTPUT);

@@ -9,6 +9,7 @@ namespace {
 
 template <int D>
 std::string coverage_text(const Session<D>& session) {
+    if (session.flying() && !session.has_reference()) return "…";  // a frame of a flight does not wait for it
     const auto share = coverage(session.reference(), session.visible_rendered());
     return share ? short_number(*share) : "none";
 }
@@ -32,19 +33,26 @@ std::vector<Row> compare_rows(const Workbench<D>& bench) {
             rows.push_back({std::string(pair.name) + ": " + pair.left + " | " + pair.right, Tone::lit});
     if (left.shared_scene() != right.shared_scene()) add("scene", left.scene().id, right.scene().id);
     if (left.culling_view() != right.culling_view()) rows.push_back({"seen from different places", Tone::lit});
+    const bool flying = left.flying();
     const bool by_step = bench.other->align == Align::step;
-    add("step", std::to_string(left.position()) + " of " + std::to_string(left.recorded()),
-        std::to_string(right.position()) + " of " + std::to_string(right.recorded()), by_step ? "" : "align step");
+    if (!flying)
+        add("step", std::to_string(left.position()) + " of " + std::to_string(left.recorded()),
+            std::to_string(right.position()) + " of " + std::to_string(right.recorded()), by_step ? "" : "align step");
     add("rendered", std::to_string(left.state().rendered_count), std::to_string(right.state().rendered_count),
         by_step ? "align rendered" : "");
-    rows[rows.size() - (by_step ? 2 : 1)].text += "  (aligned)";
+    if (!flying) rows[rows.size() - (by_step ? 2 : 1)].text += "  (aligned)";
     add("coverage", coverage_text(left), coverage_text(right));
-    add("inversions", std::to_string(left.inversions().size()), std::to_string(right.inversions().size()),
-        "show inversions");
+    if (!flying)
+        add("inversions", std::to_string(left.inversions().size()), std::to_string(right.inversions().size()),
+            "show inversions");
     if (!same_cells(left, right)) rows.push_back({"different cells: their numbers do not compare", Tone::faint});
-    const Difference& difference = first_difference(bench);
-    rows.push_back({difference.sentence, difference.step == none ? Tone::good : Tone::lit,
-                    difference.step == none ? "" : "difference"});
+    if (flying) {
+        rows.push_back({"flying: frames are not recorded, their order is not compared", Tone::faint});
+    } else {
+        const Difference& difference = first_difference(bench);
+        rows.push_back({difference.sentence, difference.step == none ? Tone::good : Tone::lit,
+                        difference.step == none ? "" : "difference"});
+    }
     rows.push_back({"compare no more", Tone::faint, "compare off"});
     return rows;
 }

@@ -6,6 +6,8 @@ namespace sightline {
 
 template <int D>
 std::vector<Row> inversion_rows(const Workbench<D>& bench) {
+    if (bench.session.flying())
+        return {{"Flying", Tone::heading}, {"frames of a flight are not recorded: nothing is known of their order"}};
     const auto found = bench.session.inversions();
     std::vector<Row> rows{{std::to_string(found.size()) + " inversions in the recorded run", Tone::heading}};
     for (const Inversion& i : found) {

@@ -131,7 +131,8 @@ std::vector<Row> why_rows(const Workbench<D>& bench) {
     Writer to;
     if (s.flying()) {
         to.heading("Flying");
-        to.add("frames of a flight are not recorded: F freezes this one, G lands, and it can be stepped through");
+        to.add("frames of a flight are not recorded: F freezes this one, and it can be stepped through");
+        return to.rows;
     } else if (s.position() == 0) {
         to.heading("Step 0");
         if (s.state().seed != none) to.cell("the seed " + name(s.state().seed) + " is in the front", s.state().seed);

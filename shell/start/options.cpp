@@ -68,7 +68,7 @@ std::optional<Options> parse_options(int argc, const char* const* argv, std::spa
             ", forward and back, explains every number, measures it against the exact visible set, and writes figures.",
         D == 2 ? "viewer2d" : "viewer3d"};
     app.get_formatter()->column_width(34);
-    std::string fov, steps, font, scale, window;
+    std::string fov, steps, font, scale, window, frame, frames;
     app.add_option("SCENE", o.scene,
                    D == 2 ? "a catalogue id (--list), a file (Sightline JSON, GeoJSON, Doom WAD as FILE.wad#MAP), or "
                             "freedoom1#E1M2; default: the last one opened, without a window bottleneck"
@@ -92,6 +92,13 @@ std::optional<Options> parse_options(int argc, const char* const* argv, std::spa
     app.add_option("--steps", steps, "start at step 0 and go to step N");
     app.add_option("--until", o.until, "start at step 0 and stop at step:N, cell:ID or where an expression holds");
     app.add_option("--do", o.commands, "\"COMMAND; COMMAND\": start at step 0 and run commands, see below");
+    if (D == 3) {
+        app.add_option("--path", o.path, "a flight path: one of the scene (--list), or a file; at its first frame");
+        app.add_option("--frame", frame, "of the path, from 0: where to look from");
+        app.add_option(
+            "--frames", frames,
+            "with --headless and --stats: N frames spread evenly over the path, an array of their statistics");
+    }
     app.add_option("--shot", o.shots, "write a figure: FILE.png, .svg or .pdf; its sidecar is FILE.ext.json")
         ->allow_extra_args(false);
     app.add_option("--panels", o.panels, "\"step 1; step 12; end\": a figure with panels (a), (b), (c)");
@@ -123,6 +130,21 @@ std::optional<Options> parse_options(int argc, const char* const* argv, std::spa
         o.steps = parse_whole(steps);
         if (!o.steps) throw InputError("--steps '" + steps + "': not a number of steps");
     }
+    const auto whole = [](const std::string& option, const std::string& text) {
+        const auto value = parse_whole(text);
+        if (!value) throw InputError(option + " '" + text + "': not a whole number");
+        return value;
+    };
+    if (!frame.empty()) o.frame = whole("--frame", frame);
+    if (!frames.empty()) o.frames = whole("--frames", frames);
+    if ((o.frame || o.frames) && o.path.empty()) throw InputError("--frame and --frames are of a path: write --path");
+    if (!o.path.empty() && !(o.eye.empty() && o.look_at.empty()))
+        throw InputError("--path says where to look from: leave out --eye and --look-at");
+    if (o.frames && (*o.frames == 0 || o.frame || !o.headless || o.stats.empty() || o.steps || !o.until.empty() ||
+                     !o.commands.empty() || !o.shots.empty() || !o.trace.empty()))
+        throw InputError(
+            "--frames: at least one frame, with --headless and --stats; without --frame, --steps, --until, --do, "
+            "--shot and --trace");
     if (!scale.empty()) {
         o.scale = number("--scale", scale, "");
         if (!(*o.scale >= smallest_scale && *o.scale <= largest_scale))

@@ -22,6 +22,9 @@ struct Options {
     std::vector<std::string> settings;
     std::optional<std::uint32_t> steps;
     std::string until, commands;
+    std::string path;                     ///< 3D: of the scene, or a file
+    std::optional<std::uint32_t> frame;   ///< of the path, from 0
+    std::optional<std::uint32_t> frames;  ///< how many of them go into --stats
     std::string panels, size;
     std::optional<double> font_pt;
     std::vector<std::string> shots;

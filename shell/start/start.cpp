@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shell/start/start.h"
 
+#include <algorithm>
+#include <csignal>
+#include <filesystem>
 #include <iostream>
 #include <new>
 #include <optional>
@@ -14,6 +17,7 @@
 #include "core/session/state_file.h"
 #include "core/stopwatch.h"
 #include "shell/bench/export.h"
+#include "shell/bench/flight.h"
 #include "shell/bench/moves.h"
 #include "shell/bench/open.h"
 #include "shell/bench/recent.h"
@@ -171,6 +175,38 @@ void print_summary(const Workbench<D>& bench) {
                   << words<Border>[static_cast<std::size_t>(s.settings().border)] << ")\n";
 }
 
+/// The path and the frame that were asked for.
+template <int D>
+void take_path(Workbench<D>& bench, const Options& o) {
+    if (o.path.empty()) return;
+    const auto& paths = bench.session.scene().paths;
+    const bool known = std::any_of(paths.begin(), paths.end(), [&](const FlightPath<D>& p) { return p.id == o.path; });
+    if (!known && std::filesystem::exists(o.path))
+        take_path(bench, read_path<D>(read_file(o.path), o.path));
+    else
+        choose_path(bench, o.path);
+    if (!o.frame) return;
+    go_to_frame(bench, *o.frame);
+    land(bench);
+}
+
+/// The statistics of some frames of the path, one after the other.
+template <int D>
+std::string path_stats(Workbench<D>& bench, std::uint32_t frames) {
+    std::string text = "[";
+    for (const std::size_t frame : spread_frames(bench.flight.path.frames.size(), frames)) {
+        go_to_frame(bench, static_cast<std::uint32_t>(frame));
+        const double traverse = bench.session.times().traverse;
+        land(bench);
+        Times& times = bench.session.times();
+        times.traverse = traverse;  // of the flight: recording takes longer
+        times.reference = 0;
+        text += (text.size() > 1 ? ",\n" : "\n") + ("{\"frame\": " + std::to_string(frame) + ", \"stats\": ") +
+                stats_json(bench.session, bench.last_stop) + "}";
+    }
+    return text + "\n]\n";
+}
+
 /// What `--panels` asks for, in its order.
 std::vector<std::string> split_panels(const std::string& text) {
     std::vector<std::string> panels;
@@ -239,6 +275,8 @@ void obey(const Options& o, std::span<const Method<D>> methods, const Viewer<D>&
     if (!o.size.empty()) set_figure_size(bench, o.size);
     if (o.font_pt) bench.figure.font_pt = *o.font_pt;
     if (!o.panels.empty()) bench.figure.panels = split_panels(o.panels);
+    take_path(bench, o);
+    if (o.frames) return write_text(o.stats, path_stats(bench, *o.frames));
     move(bench, o, in_window);
     if (!in_window || o.writes()) print_summary(bench);
     for (const std::string& file : o.shots) write_shot(bench, file);
@@ -256,6 +294,7 @@ int report(const std::string& program, const char* what, int status) {
 
 template <int D>
 int start(int argc, const char* const* argv, std::span<const Method<D>> methods, const Viewer<D>& viewer) {
+    std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is told like a full disk
     try {
         const std::optional<Options> options = parse_options<D>(argc, argv, methods);
         if (!options) return 0;

@@ -21,7 +21,7 @@ constexpr std::array named{
 };
 
 /// Without Ctrl or Alt these come as text.
-constexpr std::string_view text_keys = ":[]+-";
+constexpr std::string_view text_keys = ":[]{}+-";
 
 std::string base_name(SDL_Keycode key, bool with_control) {
     for (const auto& [code, name] : named)

@@ -17,6 +17,10 @@ float menu_bar(Ui& ui, Workbench<D>& bench);
 template <int D>
 void transport_bar(Ui& ui, Workbench<D>& bench, const Area& area);
 
+/// The flight path: which, where in it, replay, record and save.
+template <int D>
+void path_bar(Ui& ui, Workbench<D>& bench, const Area& area);
+
 /// The last message, and what the keys do here.
 template <int D>
 void status_line(Ui& ui, Workbench<D>& bench, const Area& area);

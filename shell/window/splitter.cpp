@@ -9,12 +9,12 @@
 
 namespace sightline {
 
-double splitter(const Ui& ui, const char* name, const Area& strip, const Split& split, double size) {
+double splitter(const Ui& ui, const char* name, const Area& strip, const SplitterRange& split, double size) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
     begin_part(name, strip);
     ImGui::PopStyleVar(2);
-    ImGui::InvisibleButton("strip", {strip.w, strip.h});
+    ImGui::InvisibleButton("strip", {std::max(1.0f, strip.w), std::max(1.0f, strip.h)});
     const bool held = ImGui::IsItemActive();
     if (held || ImGui::IsItemHovered()) {
         ImGui::SetMouseCursor(split.upright ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);

@@ -7,7 +7,7 @@
 namespace sightline {
 
 /// What the strip gives its part: the part lies from the strip to `fixed`.
-struct Split {
+struct SplitterRange {
     bool upright = true;        ///< the strip stands and moves sideways
     float fixed = 0;            ///< x or y of the part's edge that stays
     float least = 0, most = 0;  ///< sizes of the part, in the window's units
@@ -17,6 +17,6 @@ struct Split {
 inline float splitter_width(const Ui& ui) { return 5 * ui.unit; }
 
 /// The part's size while it is dragged, in pixels at scale 1 as the desk keeps them; else `size`.
-double splitter(const Ui& ui, const char* name, const Area& strip, const Split& split, double size);
+double splitter(const Ui& ui, const char* name, const Area& strip, const SplitterRange& split, double size);
 
 }  // namespace sightline

@@ -17,7 +17,8 @@ void status_line(Ui& ui, Workbench<D>& bench, const Area& area) {
     begin_part("status", area);
     ImGui::PopStyleVar();
     if (ui.messages.empty()) {
-        ImGui::TextDisabled("Right: next step   Left: back   Space: play   F1: all keys   : types a command");
+        ImGui::TextDisabled("%sRight: next step   Left: back   Space: play   F1: all keys   : types a command",
+                            D == 3 ? "G: fly   F: freeze here   Z: exact image   " : "");
     } else {
         const Message& message = ui.messages.back();
         ImGui::PushStyleColor(ImGuiCol_Text, colour(message.bad ? theme::bad : theme::ink));
@@ -79,7 +80,10 @@ void projector_banner(Ui& ui, Workbench<D>& bench, const Area& area) {
     begin_part("banner", area);
     ImGui::PushFont(ui.fonts.banner);
     const Session<D>& s = bench.session;
-    if (s.position() == 0) {
+    if (s.flying()) {
+        ImGui::TextWrapped("Flying: %s runs in each frame within its budget. F freezes this one.",
+                           std::string(s.method().title).c_str());
+    } else if (s.position() == 0) {
         ImGui::TextWrapped("Step 0 of %u: the seed cell is in the front, nothing is projected yet.", s.recorded());
     } else {
         const StepExplanation step = explain_step(s, s.position());

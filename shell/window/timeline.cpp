@@ -142,7 +142,7 @@ void header(Ui& ui, Workbench<D>& bench, const TimelineLayout& layout) {
     const auto tip = [&](const Area& lane, const char* id, const char* text) {
         if (lane.h == 0) return;
         ImGui::SetCursorScreenPos({layout.header.x, lane.y});
-        ImGui::InvisibleButton(id, {layout.header.w, lane.h});
+        ImGui::InvisibleButton(id, {std::max(1.0f, layout.header.w), lane.h});
         if (!ImGui::IsItemHovered()) return;
         if (text)
             ImGui::SetTooltip("%s", text);
@@ -175,6 +175,18 @@ void note_places(Workbench<D>& bench, const TimelineLayout& layout, const Timeli
                                     8 * unit, layout.mark_row});
         before = &group;
     }
+}
+
+/// Over the run that was recorded last, while frames fly by that are not.
+void draw_veil(ImDrawList& list, const Ui& ui, const TimelineLayout& layout) {
+    constexpr const char* text = "the run before the flight; where it lands, what is seen is recorded";
+    const Area& ruler = layout.ruler;
+    list.AddRectFilled(ruler.min(), {ruler.x + ruler.w, layout.bottom()}, IM_COL32(243, 244, 245, 170));
+    const ImVec2 size = ImGui::CalcTextSize(text);
+    const ImVec2 at{ruler.x + std::max(0.0f, (ruler.w - size.x) / 2), (ruler.y + layout.bottom() - size.y) / 2};
+    list.AddRectFilled({at.x - 8 * ui.unit, at.y - 4 * ui.unit},
+                       {at.x + size.x + 8 * ui.unit, at.y + size.y + 4 * ui.unit}, colour(theme::paper));
+    list.AddText(at, colour(theme::ink), text);
 }
 
 /// A step that is made outside the shown part brings it into view.
@@ -214,12 +226,13 @@ void timeline(Ui& ui, Workbench<D>& bench, const Area& area) {
     header(ui, bench, layout);
     ImGui::SetCursorScreenPos(layout.ruler.min());
     ImGui::InvisibleButton(
-        "plot", {layout.ruler.w, layout.bottom() - layout.ruler.y},
+        "plot", {std::max(1.0f, layout.ruler.w), std::max(1.0f, layout.bottom() - layout.ruler.y)},
         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
     mouse(ui, bench, layout);
     data.position = bench.session.position();
     draw_position(list, ui, layout, data, palette);
     draw_step_of_cell(list, ui, layout, data, bench.hovered_cell);
+    if (bench.session.flying()) draw_veil(list, ui, layout);
     note_places(bench, layout, data, unit);
     ImGui::End();
 }

@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "core/stopwatch.h"
 #include "shell/bench/change.h"
+#include "shell/bench/flight.h"
 #include "shell/commands/command_table.h"
 #include "shell/commands/prompt.h"
 #include "shell/window/imgui_backend.h"
@@ -24,6 +25,7 @@ namespace {
 constexpr std::size_t most_messages = 500;
 /// Pixels at scale 1.
 constexpr float least_timeline = 150, least_column = 180, least_timeline_em = 36;
+constexpr float least_side = 32;
 constexpr float text_pixels = 15, label_pixels = 12;
 /// Of the projector mode, in a window 1080 pixels high.
 constexpr float projector_text_pixels = 24, projector_label_pixels = 22;
@@ -162,7 +164,9 @@ void Window<D>::escape() {
         ++ui_.revision;
         return;
     }
-    if (bench_.transport.playing)
+    if (bench_.flight.replaying)
+        act("path stop");
+    else if (bench_.transport.playing)
         act("pause");
     else if (desk.tool != Tool::select)
         act("tool select");
@@ -312,6 +316,11 @@ void Window<D>::lay_out() {
         column(Column::right, desk.right, desk.right_width);
         if (!below) timeline_part();
     }
+    if (bench_.flight.bar) {
+        const float h = line + 18 * unit;
+        middle.h -= h;
+        path_bar(ui_, bench_, {middle.x, middle.y + middle.h, middle.w, h});
+    }
     if (stage.interact && middle.w > 8 && middle.h > 8) {
         bench_.places.push_back({"picture", middle.x, middle.y, middle.w, middle.h});
         ImGui::SetNextWindowPos(middle.min());
@@ -338,6 +347,7 @@ void Window<D>::frame(double seconds) {
         advance_clock(bench_, seconds);
         ui_.revision += bench_.session.position() != before;
     }
+    ui_.revision += advance_flight(bench_, seconds);
     if (fullscreen_ != bench_.desk.fullscreen) {
         fullscreen_ = bench_.desk.fullscreen;
         SDL_SetWindowFullscreen(context_.window(), fullscreen_ ? SDL_WINDOW_FULLSCREEN_DESKTOP : 0);
@@ -354,7 +364,9 @@ void Window<D>::frame(double seconds) {
     glViewport(0, 0, w, h);
     glClearColor(theme::panel.r / 255.0f, theme::panel.g / 255.0f, theme::panel.b / 255.0f, 1);
     glClear(GL_COLOR_BUFFER_BIT);
-    lay_out();
+    // A window that is minimized or next to nothing has no room for widgets of any size.
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    if (size.x >= least_side && size.y >= least_side) lay_out();
     ImGui::Render();
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     SDL_GL_SwapWindow(context_.window());
@@ -367,7 +379,8 @@ void Window<D>::frame(double seconds) {
 /// Sleeps while nothing moves.
 template <int D>
 void Window<D>::wait_for_something() {
-    if (bench_.transport.playing || lively_frames_-- > 0 || (stage.lively && stage.lively())) return;
+    if (bench_.transport.playing || bench_.flight.replaying || lively_frames_-- > 0 || (stage.lively && stage.lively()))
+        return;
     lively_frames_ = 0;
     SDL_WaitEventTimeout(nullptr, 250);
 }

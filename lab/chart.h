@@ -1,0 +1,39 @@
+// Charts as plain data; gnuplot draws them.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace sightline::lab {
+
+struct Series {
+    enum class Look { line_and_dots, dashed_and_rings, line, dashed, steps, dots };
+    std::string name;  ///< in the key; empty: not there
+    Look look = Look::line_and_dots;
+    std::string colour = "#000000";
+    double width = 2;
+    std::vector<std::array<double, 2>> points;  ///< not finite: a gap
+    std::vector<std::string> labels;            ///< beside the points; none, or one per point
+};
+
+struct Chart {
+    std::string title, x, y;
+    bool log_x = false, log_y = false;
+    bool from_zero = true;  ///< the y axis, where it is linear
+    double most_y = 0;      ///< where the y axis ends; 0: where the data do
+    std::vector<Series> series;
+};
+
+/// For gnuplot 5.4, with the data in it; what stands before it chooses terminal and output.
+std::string gnuplot_script(const Chart& chart);
+
+/// stem.gp, stem.svg and stem.png. Throws WorkError when gnuplot is not there or fails.
+void write_chart(const Chart& chart, const std::filesystem::path& stem);
+
+/// A colour that stays apart from its neighbours for the colour-blind, too; they repeat after eight.
+std::string series_colour(std::size_t index);
+
+}  // namespace sightline::lab

@@ -1,0 +1,16 @@
+// Progress for a person who waits.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+namespace sightline::lab {
+
+/// On standard error: over one line at a terminal, else a line each. An empty line ends the progress.
+void say(const std::string& line);
+
+/// From now on an interrupt (Ctrl+C, SIGTERM) is only noted; interrupted() tells.
+void note_interrupts();
+bool interrupted();
+
+}  // namespace sightline::lab

@@ -1,0 +1,346 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lab/stability.h"
+
+#include <oneapi/tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+#include "core/error.h"
+#include "core/geometry/random.h"
+#include "core/geometry/trig.h"
+#include "core/measure/frame_change.h"
+#include "core/measure/visible_set.h"
+#include "core/settings/settings_table.h"
+#include "core/space/builders.h"
+#include "core/traversal/methods.h"
+
+namespace sightline::lab {
+
+namespace {
+
+using Set = std::vector<std::uint8_t>;
+
+View<2> view_of(const ViewSpec<2>& spec, const Scene<2>&, const Settings&) { return make_view(spec); }
+View<3> view_of(const ViewSpec<3>& spec, const Scene<3>& scene, const Settings& settings) {
+    const ImageSize size = image_size<3>(settings.reference_size);
+    return make_view(spec, static_cast<double>(size.width) / size.height, scene.up_axis);
+}
+
+Set visible_set(const Scene<2>& scene, const View<2>& view, const Settings&, const DrawIds&) {
+    return exact_visible_set(scene.primitives, view).visible;
+}
+Set visible_set(const Scene<3>& scene, const View<3>& view, const Settings& settings, const DrawIds& draw_ids) {
+    if (!draw_ids) throw WorkError("the exact image cannot be drawn: there is no OpenGL");
+    Set visible(scene.primitives.size());
+    const std::vector<IdImage> images = draw_ids(scene, view, image_size<3>(settings.reference_size), 1);
+    for (const std::uint32_t id : images.front().ids)
+        if (id != no_primitive) visible[id] = 1;
+    return visible;
+}
+
+double coverage_of(const Set& visible, const Set& rendered) {
+    std::size_t count = 0, found = 0;
+    for (std::size_t i = 0; i < visible.size(); ++i) {
+        count += visible[i];
+        found += visible[i] & rendered[i];
+    }
+    return count == 0 ? 1 : static_cast<double>(found) / static_cast<double>(count);
+}
+
+/// What a method makes of a frame, in the ids of the undisturbed scene.
+struct Outcome {
+    std::vector<std::uint32_t> order;  ///< rendered primitives
+    Set rendered;
+    double coverage = 0;
+    std::size_t not_finite = 0;
+};
+
+template <int D>
+Outcome outcome(const Scene<D>& scene, const CellComplex<D>& cells, const Settings& settings, const View<D>& view,
+                std::span<const std::uint32_t> original) {
+    const Method<D>& method = find_method<D>(method_table<D>(), settings.method);
+    Frame<D> frame = make_frame<D>(scene.primitives, cells, view, settings, scene.two_sided);
+    State<D> state;
+    method.start(frame, state);
+    method.run(frame, state, none);
+    Outcome result;
+    result.rendered.resize(scene.primitives.size());
+    for (std::uint32_t i = 0; i < state.touched_count; ++i) {
+        if (state.touched[i] & State<D>::culled_bit) continue;
+        const std::uint32_t id = original.empty() ? state.touched[i] : original[state.touched[i]];
+        result.order.push_back(id);
+        result.rendered[id] = 1;
+    }
+    for (std::uint32_t cell = 0; cell < cells.cell_count(); ++cell)
+        result.not_finite += !std::isfinite(state.mark(cell).key);
+    return result;
+}
+
+template <int D>
+class StabilityStudy {
+public:
+    StabilityStudy(const LabScene<D>& lab, const Study& study, const StabilityOptions& options, const DrawIds& draw_ids,
+                   const std::function<void(const std::string&)>& say)
+        : lab_(lab), options_(options), draw_ids_(draw_ids), say_(say), random_(options.seed) {
+        size_ = bounds<D>(lab.scene->primitives).longest_side();
+        for (const MethodChoice& choice : study.methods)
+            for (const Method<D>& method : method_table<D>()) {
+                // A conservative method renders what the view holds: nothing to be unstable.
+                if (method.id != choice.id || method.guarantee == Guarantee::conservative) continue;
+                for (const Budget& budget : study.budgets) methods_.push_back({choice, budget});
+            }
+    }
+
+    std::vector<StabilityRow> run() {
+        if (methods_.empty() || lab_.scene->primitives.empty()) return {};
+        for (std::size_t frame = 0; frame < lab_.specs.size(); ++frame) base_.push_back(base_of(frame));
+        say("moving the eye");
+        for (int decade = -9; decade <= -2; ++decade) move_eye(std::pow(10.0, decade));
+        say("shuffling");
+        for (std::uint32_t i = 0; i < options_.repeats; ++i) shuffle();
+        say("scaling and moving the scene");
+        for (const double factor : {0x1p-20, 0x1p-1, 0x1p1, 0x1p20, 1e-6, 1e6})
+            transform(Disturbance::scale, factor, factor, 0);
+        transform(Disturbance::offset, 1e6, 1, 1e6);
+        say("other jitter seeds");
+        for (std::uint32_t i = 0; i < options_.repeats; ++i) jitter(lab_.settings.seed + 1 + i);
+        say("grazing a wall");
+        graze();
+        return rows();
+    }
+
+private:
+    struct Choice {
+        MethodChoice method;
+        Budget budget;
+    };
+    struct Base {
+        Set visible;
+        std::vector<Outcome> of;  ///< per method
+    };
+    struct Sum {
+        StabilityRow row;
+        std::vector<double> coverages;
+    };
+
+    void say(const std::string& what) const {
+        if (say_) say_(lab_.name + ": " + what);
+    }
+
+    Settings settings_of(const Choice& choice, const Settings& from) const {
+        Settings settings = from;
+        settings.method = choice.method.id;
+        settings.tessellation = choice.method.tessellation;
+        settings.budget = choice.budget;
+        return settings;
+    }
+
+    /// All methods in one view; their coverage is against `visible`.
+    std::vector<Outcome> outcomes(const Scene<D>& scene, const std::array<std::optional<CellComplex<D>>, 2>& cells,
+                                  const Settings& settings, const View<D>& view, const Set& visible,
+                                  std::span<const std::uint32_t> original = {}) const {
+        std::vector<Outcome> all(methods_.size());
+        tbb::parallel_for(std::size_t{0}, methods_.size(), [&](std::size_t m) {
+            const auto& on = *cells[static_cast<std::size_t>(methods_[m].method.tessellation)];
+            all[m] = outcome<D>(scene, on, settings_of(methods_[m], settings), view, original);
+            all[m].coverage = coverage_of(visible, all[m].rendered);
+        });
+        return all;
+    }
+
+    Base base_of(std::size_t frame) const {
+        Base base;
+        base.visible = visible_set(*lab_.scene, lab_.views[frame], lab_.settings, draw_ids_);
+        base.of = outcomes(*lab_.scene, lab_.cells, lab_.settings, lab_.views[frame], base.visible);
+        return base;
+    }
+
+    void add(Disturbance disturbance, double amount, const std::vector<Outcome>& before,
+             const std::vector<Outcome>& after, double visible_jaccard) {
+        for (std::size_t m = 0; m < methods_.size(); ++m) {
+            Sum& sum = sums_[{m, disturbance, amount}];
+            StabilityRow& row = sum.row;
+            const double same = jaccard(before[m].rendered, after[m].rendered);
+            const auto n = static_cast<double>(row.samples);
+            const auto mean = [&](double old, double value) { return (old * n + value) / (n + 1); };
+            row.jaccard = row.samples == 0 ? same : mean(row.jaccard, same);
+            row.jaccard_min = row.samples == 0 ? same : std::min(row.jaccard_min, same);
+            row.coverage_change = mean(row.coverage_change, std::abs(before[m].coverage - after[m].coverage));
+            row.visible_jaccard = row.samples == 0 ? visible_jaccard : mean(row.visible_jaccard, visible_jaccard);
+            row.equal &= before[m].order == after[m].order;
+            row.not_finite += after[m].not_finite;
+            ++row.samples;
+            sum.coverages.push_back(after[m].coverage);
+        }
+    }
+
+    Vec<D> random_direction() {
+        for (;;) {
+            Vec<D> d{};
+            for (int i = 0; i < D; ++i) d[i] = random_.uniform(-1, 1);
+            const double length = std::sqrt(glm::dot(d, d));
+            if (length > 0.1 && length <= 1) return d / length;
+        }
+    }
+
+    void move_eye(double amount) {
+        for (std::size_t frame = 0; frame < lab_.specs.size(); ++frame)
+            for (std::uint32_t i = 0; i < options_.repeats; ++i) {
+                ViewSpec<D> spec = lab_.specs[frame];
+                const Vec<D> by = random_direction() * (amount * size_);
+                spec.eye += by;
+                spec.look_at += by;
+                const View<D> view = view_of(spec, *lab_.scene, lab_.settings);
+                const Set visible = visible_set(*lab_.scene, view, lab_.settings, draw_ids_);
+                add(Disturbance::eye, amount, base_[frame].of,
+                    outcomes(*lab_.scene, lab_.cells, lab_.settings, view, visible),
+                    jaccard(base_[frame].visible, visible));
+            }
+    }
+
+    /// Runs on another scene, whose exact set is that of the undisturbed one.
+    void compare(Disturbance disturbance, double amount, const Scene<D>& scene, const Settings& settings,
+                 std::span<const std::uint32_t> original, const std::function<ViewSpec<D>(ViewSpec<D>)>& moved) {
+        std::array<std::optional<CellComplex<D>>, 2> cells;
+        for (std::size_t t = 0; t < 2; ++t)
+            if (lab_.cells[t]) {
+                Settings s = settings;
+                s.tessellation = static_cast<Tessellation>(t);
+                cells[t] = build_cells(scene, s);
+            }
+        for (std::size_t frame = 0; frame < lab_.specs.size(); ++frame)
+            add(disturbance, amount, base_[frame].of,
+                outcomes(scene, cells, settings, view_of(moved(lab_.specs[frame]), scene, settings),
+                         base_[frame].visible, original),
+                1);
+    }
+
+    void shuffle() {
+        std::vector<std::uint32_t> original(lab_.scene->primitives.size());
+        std::iota(original.begin(), original.end(), 0u);
+        for (std::size_t i = original.size(); i > 1; --i) std::swap(original[i - 1], original[random_.below(i)]);
+        Scene<D> scene = *lab_.scene;
+        for (std::size_t i = 0; i < original.size(); ++i) {
+            scene.primitives[i] = lab_.scene->primitives[original[i]];
+            if (!scene.two_sided.empty()) scene.two_sided[i] = lab_.scene->two_sided[original[i]];
+        }
+        compare(Disturbance::shuffle, 0, scene, lab_.settings, original, [](ViewSpec<D> spec) { return spec; });
+    }
+
+    void transform(Disturbance disturbance, double amount, double factor, double offset) {
+        const auto moved = [&](const Vec<D>& p) { return p * factor + Vec<D>(offset); };
+        Scene<D> scene = *lab_.scene;
+        for (Primitive<D>& primitive : scene.primitives)
+            for (Vec<D>& p : primitive) p = moved(p);
+        compare(disturbance, amount, scene, lab_.settings, {}, [&](ViewSpec<D> spec) {
+            spec.eye = moved(spec.eye);
+            spec.look_at = moved(spec.look_at);
+            return spec;
+        });
+    }
+
+    void jitter(std::uint64_t seed) {
+        Settings settings = lab_.settings;
+        settings.seed = seed;
+        compare(Disturbance::jitter, 0, *lab_.scene, settings, {}, [](ViewSpec<D> spec) { return spec; });
+    }
+
+    static double extent(const Primitive<2>& p) { return glm::dot(p[1] - p[0], p[1] - p[0]); }
+    static double extent(const Primitive<3>& p) {
+        const Vec<3> n = glm::cross(p[1] - p[0], p[2] - p[0]);
+        return glm::dot(n, n);
+    }
+    /// A unit vector out of the primitive's plane, on its seen side.
+    static Vec<2> out_of(const Primitive<2>& p) {
+        const Vec<2> d = p[1] - p[0];
+        return Vec<2>(-d.y, d.x) / std::sqrt(glm::dot(d, d));
+    }
+    static Vec<3> out_of(const Primitive<3>& p) {
+        const Vec<3> n = glm::cross(p[1] - p[0], p[2] - p[0]);
+        return n / std::sqrt(glm::dot(n, n));
+    }
+
+    /// From a point in the plane of the largest primitive that the first frame sees, along it: v · n is about 0 for
+    /// every facet that the wall cuts.
+    void graze() {
+        const Set& visible = base_.front().visible;
+        const auto& primitives = lab_.scene->primitives;
+        std::optional<std::size_t> wall;
+        for (std::size_t i = 0; i < primitives.size(); ++i)
+            if (visible[i] && (!wall || extent(primitives[i]) > extent(primitives[*wall]))) wall = i;
+        if (!wall) return;
+        const Primitive<D>& p = primitives[*wall];
+        const Vec<D> out = out_of(p);
+        Vec<D> middle{};
+        for (const Vec<D>& corner : p) middle += corner / static_cast<double>(D);
+        const Vec<D> away = p[0] - middle;
+        // The eye turns about the middle of the wall, at one and a half times the distance of its corner.
+        std::vector<Outcome> before;
+        Set visible_before;
+        constexpr int steps = 10;
+        for (int i = -steps; i <= steps; ++i) {
+            const SinCos angle = sincos_degrees(0.1 * i);
+            const double distance = 1.5 * std::sqrt(glm::dot(away, away));
+            ViewSpec<D> spec = lab_.specs.front();
+            spec.eye =
+                middle + away / std::sqrt(glm::dot(away, away)) * (distance * angle.cos) + out * (distance * angle.sin);
+            spec.look_at = middle;
+            const View<D> view = view_of(spec, *lab_.scene, lab_.settings);
+            const Set now_visible = visible_set(*lab_.scene, view, lab_.settings, draw_ids_);
+            std::vector<Outcome> now = outcomes(*lab_.scene, lab_.cells, lab_.settings, view, now_visible);
+            if (!before.empty()) add(Disturbance::grazing, 0.1, before, now, jaccard(visible_before, now_visible));
+            before = std::move(now);
+            visible_before = now_visible;
+        }
+    }
+
+    std::vector<StabilityRow> rows() {
+        std::vector<StabilityRow> all;
+        for (auto& [key, sum] : sums_) {
+            const auto& [m, disturbance, amount] = key;
+            StabilityRow row = sum.row;
+            row.scene = lab_.name;
+            row.path = lab_.path;
+            row.method = methods_[m].method;
+            row.budget = budget_text(methods_[m].budget);
+            row.disturbance = disturbance;
+            row.amount = amount;
+            const auto n = static_cast<double>(sum.coverages.size());
+            const double mean = std::accumulate(sum.coverages.begin(), sum.coverages.end(), 0.0) / n;
+            double squares = 0;
+            for (const double c : sum.coverages) squares += (c - mean) * (c - mean);
+            row.coverage_spread = std::sqrt(squares / n);
+            all.push_back(std::move(row));
+        }
+        return all;
+    }
+
+    const LabScene<D>& lab_;
+    StabilityOptions options_;
+    const DrawIds& draw_ids_;
+    const std::function<void(const std::string&)>& say_;
+    Random random_;
+    double size_ = 1;
+    std::vector<Choice> methods_;
+    std::vector<Base> base_;  ///< per frame
+    std::map<std::tuple<std::size_t, Disturbance, double>, Sum> sums_;
+};
+
+}  // namespace
+
+template <int D>
+std::vector<StabilityRow> measure_stability(const LabScene<D>& lab, const Study& study, const StabilityOptions& options,
+                                            const DrawIds& draw_ids,
+                                            const std::function<void(const std::string&)>& say) {
+    return StabilityStudy<D>(lab, study, options, draw_ids, say).run();
+}
+
+template std::vector<StabilityRow> measure_stability<2>(const LabScene<2>&, const Study&, const StabilityOptions&,
+                                                        const DrawIds&, const std::function<void(const std::string&)>&);
+template std::vector<StabilityRow> measure_stability<3>(const LabScene<3>&, const Study&, const StabilityOptions&,
+                                                        const DrawIds&, const std::function<void(const std::string&)>&);
+
+}  // namespace sightline::lab

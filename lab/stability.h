@@ -1,0 +1,56 @@
+// How much the rendered set changes for what should not matter.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/measure/id_image.h"
+#include "lab/lab_scene.h"
+#include "lab/results.h"
+
+namespace sightline::lab {
+
+/// What is done to a scene or its view before the method runs again.
+enum class Disturbance : std::uint8_t {
+    eye,      ///< eye and look-at moved by `amount` of the scene's longest side, in a random direction
+    shuffle,  ///< primitives in another order
+    scale,    ///< everything times `amount`
+    offset,   ///< everything moved by `amount` along each axis
+    jitter,   ///< another seed of the tessellation's jitter
+    grazing,  ///< the eye `amount` degrees off the plane of the largest visible primitive; neighbours are compared
+};
+inline constexpr auto disturbance_words =
+    std::to_array<std::string_view>({"eye", "shuffle", "scale", "offset", "jitter", "grazing"});
+
+/// One disturbance of one amount, over frames and repetitions.
+struct StabilityRow {
+    std::string scene, path;
+    MethodChoice method;
+    std::string budget;
+    Disturbance disturbance = Disturbance::eye;
+    double amount = 0;
+    std::size_t samples = 0;
+    double jaccard = 1, jaccard_min = 1;  ///< of the rendered sets, undisturbed and disturbed: mean and least
+    double coverage_change = 0;           ///< mean of |coverage - coverage'|; eye and grazing: each against its own V
+    double coverage_spread = 0;           ///< standard deviation of coverage over the samples
+    double visible_jaccard = 1;           ///< of the exact sets: what explains a change; 1 where V is the same
+    bool equal = true;                    ///< the same primitives in the same order in every sample
+    std::size_t not_finite = 0;           ///< keys that are NaN or infinite, in all samples
+};
+
+struct StabilityOptions {
+    std::uint32_t repeats = 4;  ///< random directions, orders and seeds
+    std::uint32_t frames = 2;   ///< of the path, spread evenly
+    std::uint64_t seed = 1;
+};
+
+/// Rows by method, disturbance and amount. 2D and 3D; a primitive keeps its identity through every disturbance.
+template <int D>
+std::vector<StabilityRow> measure_stability(const LabScene<D>& lab, const Study& study, const StabilityOptions& options,
+                                            const DrawIds& draw_ids,
+                                            const std::function<void(const std::string&)>& say = {});
+
+}  // namespace sightline::lab

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lab/stability_report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "core/file.h"
+#include "core/number.h"
+#include "lab/chart.h"
+#include "lab/page.h"
+
+namespace sightline::lab {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string_view word(const StabilityRow& row) { return disturbance_words[static_cast<std::size_t>(row.disturbance)]; }
+std::string tessellation(const MethodChoice& method) {
+    return std::string(words<Tessellation>[static_cast<std::size_t>(method.tessellation)]);
+}
+
+/// What was done, in words.
+std::string what(const StabilityRow& row) {
+    const std::string amount = short_number(row.amount);
+    switch (row.disturbance) {
+        case Disturbance::eye:
+            return "eye moved by " + amount + " of the scene's size";
+        case Disturbance::shuffle:
+            return "primitives in another order";
+        case Disturbance::scale:
+            return "everything times " + amount;
+        case Disturbance::offset:
+            return "everything moved by " + amount;
+        case Disturbance::jitter:
+            return "another jitter seed";
+        case Disturbance::grazing:
+            return "past a wall in steps of " + amount + "°";
+    }
+    return {};
+}
+
+struct Key {
+    std::string scene, path, budget;
+    auto operator<=>(const Key&) const = default;
+};
+
+/// Curves over the distance that the eye moves: a line per method, grey for what the exact set explains.
+Chart eye_chart(const Key& key, const std::vector<const StabilityRow*>& rows, bool coverage) {
+    Chart chart;
+    chart.title =
+        key.scene + ", path " + key.path + ", budget " + key.budget +
+        (coverage ? ": change of coverage when the eye moves" : ": change of what is rendered when the eye moves");
+    chart.x = "distance, of the scene's longest side";
+    chart.y = coverage ? "mean |coverage - coverage'|, %" : "1 - Jaccard of the rendered sets, %";
+    chart.log_x = true;
+    std::map<std::string, std::size_t> of_method;
+    Series exact{"exact set", Series::Look::dashed, "#888888", 3, {}, {}};
+    std::map<std::string, std::size_t> colours;
+    for (const StabilityRow* row : rows) {
+        if (row->disturbance != Disturbance::eye) continue;
+        const std::string method = method_text(row->method);
+        const auto [at, is_new] = of_method.try_emplace(method, chart.series.size());
+        if (is_new) {
+            Series s;
+            s.name = method;
+            s.colour = series_colour(colours.try_emplace(row->method.id, colours.size()).first->second);
+            if (row->method.tessellation == Tessellation::tree) s.look = Series::Look::dashed_and_rings;
+            chart.series.push_back(std::move(s));
+        }
+        const double y = coverage ? row->coverage_change : 1 - row->jaccard;
+        chart.series[at->second].points.push_back({row->amount, 100 * y});
+        if (at->second == 0) exact.points.push_back({row->amount, 100 * (1 - row->visible_jaccard)});
+    }
+    if (!coverage) chart.series.push_back(std::move(exact));
+    return chart;
+}
+
+std::string table(const std::vector<const StabilityRow*>& rows) {
+    std::string html =
+        "<table><tr><th class=t>method</th><th class=t>what was done</th><th>samples</th><th>Jaccard</th>"
+        "<th>least</th><th>exact set</th><th>coverage changes by, %</th><th>spread, %</th><th>same order"
+        "</th><th>not finite</th></tr>";
+    for (const StabilityRow* row : rows)
+        html += "<tr>" + cell(method_text(row->method), true) + cell(what(*row), true) +
+                cell(std::to_string(row->samples)) + cell(short_number(row->jaccard, 5)) +
+                cell(short_number(row->jaccard_min, 5)) + cell(short_number(row->visible_jaccard, 5)) +
+                cell(per_cent(row->coverage_change)) + cell(per_cent(row->coverage_spread)) +
+                cell(row->equal ? "yes" : "no") + cell(std::to_string(row->not_finite)) + "</tr>";
+    return html + "</table>";
+}
+
+std::string path_table(const Results& along_path) {
+    if (along_path.rows.empty()) return {};
+    std::string html =
+        "<h2>Along a path</h2><table><caption>From frame to frame, in the mean. Popping counts primitives "
+        "that are visible in both frames and rendered in one: no change of the exact set explains it."
+        "</caption><tr><th class=t>scene</th><th class=t>method</th><th>budget</th><th>popping, %</th>"
+        "<th>flipping pixels, %</th><th>the exact set changes by, %</th></tr>";
+    for (const Row& row : along_path.rows)
+        html += "<tr>" + cell(row.scene + ", " + row.path, true) + cell(method_text(row.method), true) +
+                cell(row.budget) + cell(per_cent(summary(row, Measure::pop))) +
+                cell(per_cent(summary(row, Measure::flip))) + cell(per_cent(summary(row, Measure::visible_change))) +
+                "</tr>";
+    return html + "</table>";
+}
+
+}  // namespace
+
+std::string stability_csv(const std::vector<StabilityRow>& rows) {
+    std::string text =
+        "scene,path,method,tessellation,budget,disturbance,amount,samples,jaccard,jaccard_min,visible_jaccard,"
+        "coverage_change,coverage_spread,equal,not_finite\n";
+    for (const StabilityRow& row : rows)
+        text += row.scene + "," + row.path + "," + row.method.id + "," + tessellation(row.method) + "," + row.budget +
+                "," + std::string(word(row)) + "," + number_text(row.amount) + "," + std::to_string(row.samples) + "," +
+                number_text(row.jaccard) + "," + number_text(row.jaccard_min) + "," + number_text(row.visible_jaccard) +
+                "," + number_text(row.coverage_change) + "," + number_text(row.coverage_spread) + "," +
+                (row.equal ? "1" : "0") + "," + std::to_string(row.not_finite) + "\n";
+    return text;
+}
+
+std::string stability_json(const Conditions& c, const std::vector<StabilityRow>& rows) {
+    Json json{{"format", "sightline-stability"},
+              {"version", 1},
+              {"conditions", {{"study", Json::parse(c.study)}, {"build", c.build}, {"renderer", c.renderer}}},
+              {"rows", Json::array()}};
+    for (const StabilityRow& row : rows)
+        json["rows"].push_back({{"scene", row.scene},
+                                {"path", row.path},
+                                {"method", row.method.id},
+                                {"tessellation", tessellation(row.method)},
+                                {"budget", row.budget},
+                                {"disturbance", word(row)},
+                                {"amount", row.amount},
+                                {"samples", row.samples},
+                                {"jaccard", row.jaccard},
+                                {"jaccard_min", row.jaccard_min},
+                                {"visible_jaccard", row.visible_jaccard},
+                                {"coverage_change", row.coverage_change},
+                                {"coverage_spread", row.coverage_spread},
+                                {"equal", row.equal},
+                                {"not_finite", row.not_finite}});
+    return json.dump(1) + "\n";
+}
+
+void write_stability(const Conditions& conditions, const std::vector<StabilityRow>& rows, const Results& along_path,
+                     const std::filesystem::path& folder) {
+    std::filesystem::create_directories(folder / "charts");
+    write_file(folder / "stability.json", stability_json(conditions, rows));
+    write_file(folder / "stability.csv", stability_csv(rows));
+    std::map<Key, std::vector<const StabilityRow*>> groups;
+    for (const StabilityRow& row : rows) groups[{row.scene, row.path, row.budget}].push_back(&row);
+    std::string html =
+        "<p>The set of primitives that a budget renders, before and after something that should not matter. Jaccard is "
+        "|T ∩ T'| / |T ∪ T'|: 1 means the same set. Scaling by powers of two must keep the order bit by bit; NaN and "
+        "infinite keys must not occur.</p>";
+    for (const auto& [key, group] : groups) {
+        html += "<h2>" + escaped(key.scene + ", path " + key.path + ", budget " + key.budget) + "</h2>";
+        for (const bool coverage : {false, true}) {
+            std::string stem = key.scene + "-" + key.path + "-" + key.budget + (coverage ? "-coverage" : "-rendered");
+            for (char& c : stem)
+                if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-' && c != '.') c = '_';
+            const std::filesystem::path file = folder / "charts" / ("stability-" + stem);
+            write_chart(eye_chart(key, group, coverage), file);
+            html += picture(file.string() + ".svg",
+                            coverage ? "How far a small step of the eye changes what is found."
+                                     : "Grey is what the exact set itself changes: a line above it is instability.");
+        }
+        html += table(group);
+    }
+    write_file(folder / "stability.html", page("Stability", html + path_table(along_path)));
+}
+
+}  // namespace sightline::lab

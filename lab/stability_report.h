@@ -1,0 +1,25 @@
+// Stability as files: a table for programs, curves and a page for people.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "lab/results.h"
+#include "lab/stability.h"
+
+namespace sightline::lab {
+
+/// A line per row, columns as StabilityRow.
+std::string stability_csv(const std::vector<StabilityRow>& rows);
+
+/// {"format": "sightline-stability", "version": 1, "conditions": {…}, "rows": […]}
+std::string stability_json(const Conditions& conditions, const std::vector<StabilityRow>& rows);
+
+/// stability.json, stability.csv, charts/ and stability.html. `along_path`: the rows of a study of the same scenes, for
+/// popping against what the exact set itself changes. Throws WorkError.
+void write_stability(const Conditions& conditions, const std::vector<StabilityRow>& rows, const Results& along_path,
+                     const std::filesystem::path& folder);
+
+}  // namespace sightline::lab

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lab/wrong_pictures.h"
+
+#include <algorithm>
+
+#include "core/file.h"
+#include "core/measure/wrong_region.h"
+#include "core/number.h"
+#include "core/settings/settings_table.h"
+#include "lab/lab_scene.h"
+#include "lab/study_charts.h"
+#include "shell/figure/cairo_surface.h"
+#include "shell/figure/png.h"
+
+namespace sightline::lab {
+
+namespace {
+
+constexpr double screen_dpi = 96;
+
+std::string point_text(const Vec<3>& p, const Vec<3>& origin) {
+    const Vec<3> q = p + origin;
+    return number_text(q.x) + "," + number_text(q.y) + "," + number_text(q.z);
+}
+
+/// The row in the middle of a method's budgets.
+std::vector<const Row*> middle_rows(const Group& group) {
+    std::vector<const Row*> chosen;
+    for (std::size_t i = 0; i < group.rows.size();) {
+        std::size_t end = i;
+        while (end < group.rows.size() && group.rows[end]->method == group.rows[i]->method) ++end;
+        if (group.rows[i]->approximate) chosen.push_back(group.rows[i + (end - i) / 2]);
+        i = end;
+    }
+    return chosen;
+}
+
+/// What a budget renders, and red where it should render something else.
+Pixels picture(const LabScene<3>& lab, const Row& row, std::size_t frame, LabGraphics& graphics) {
+    const MethodChoice& choice = row.method;
+    Frame<3> f = make_frame<3>(lab.scene->primitives, lab.on(choice.tessellation), lab.views[frame],
+                               lab.settings_for(choice), lab.scene->two_sided);
+    f.budget = static_cast<std::uint32_t>(row.values[frame][Measure::budget]);
+    const Method<3>& method = find_method<3>(method_table<3>(), choice.id);
+    State<3> state;
+    method.start(f, state);
+    method.run(f, state, none);
+
+    SolidList list;
+    list.camera = lab.views[frame];
+    list.styles = {{"rendered", {200, 200, 205}}};
+    list.scene = lab.scene;
+    for (const std::uint32_t entry : std::span(state.touched).first(state.touched_count))
+        if (!(entry & State<3>::culled_bit)) list.triangles.push_back(entry);
+    list.runs = {{0, 0, static_cast<std::uint32_t>(list.triangles.size())}};
+    const ImageSize size = image_size<3>(lab.settings.reference_size);
+    Pixels pixels = graphics.draw_solid()(list, size.width, size.height, 1);
+
+    std::vector<std::uint8_t> rendered(lab.scene->primitives.size());
+    for (const std::uint32_t id : list.triangles) rendered[id] = 1;
+    const IdImage exact = graphics.draw_ids()(*lab.scene, lab.views[frame], size, 1).front();
+    const std::vector<std::uint8_t> wrong = wrong_mask(exact, rendered);
+    for (std::size_t i = 0; i < wrong.size(); ++i)
+        if (wrong[i]) pixels.colours[i] = {220, 30, 30};
+    return pixels;
+}
+
+}  // namespace
+
+std::vector<WorstFrame> draw_worst_frames(const Results& results, const Study& study,
+                                          const std::filesystem::path& folder, LabGraphics& graphics) {
+    std::vector<WorstFrame> drawn;
+    std::filesystem::create_directories(folder);
+    for (const Group& group : groups(results)) {
+        const SceneName name = parse_scene(group.scene);
+        if (name.dimension != 3) continue;
+        const LabScene<3> lab = load_lab_scene<3>(group.scene, group.path, study);
+        for (const Row* row : middle_rows(group)) {
+            const std::size_t frame = worst_frame(*row, Measure::wrong);
+            const ViewSpec<3>& view = lab.specs[frame];
+            WorstFrame worst{group.scene,
+                             group.path,
+                             method_text(row->method),
+                             row->budget,
+                             row->frames[frame],
+                             row->values[frame][Measure::wrong],
+                             {},
+                             {}};
+            std::string file = group.scene + "-" + group.path + "-" + worst.method;
+            for (char& c : file)
+                if (c == '/' || c == ':' || c == '@') c = '-';
+            worst.file = folder / (file + ".png");
+            write_file(worst.file, encode_png(image_of(picture(lab, *row, frame, graphics)).get(), screen_dpi));
+            worst.command = "./run viewer3d " + name.name + " --eye " + point_text(view.eye, lab.scene->origin) +
+                            " --look-at " + point_text(view.look_at, lab.scene->origin) + " --fov " +
+                            number_text(view.fov) + " --method " + row->method.id + " --budget " + row->budget;
+            if (row->method.tessellation == Tessellation::tree) worst.command += " --set tessellation=tree";
+            for (const std::string& setting : study.settings) worst.command += " --set " + setting;
+            drawn.push_back(std::move(worst));
+        }
+    }
+    return drawn;
+}
+
+}  // namespace sightline::lab

@@ -1,0 +1,111 @@
+// Stability: what must not change does not, what must change does, and a primitive keeps its identity.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lab/stability.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "lab/lab_graphics.h"
+#include "lab/stability_report.h"
+
+namespace sightline::lab {
+namespace {
+
+std::vector<StabilityRow> rows_of(const std::string& scene) {
+    Study study;
+    study.scenes = {scene};
+    study.size = {160, 120};
+    study.frames = 2;
+    study.budgets = {parse_budget("5%")};
+    LabGraphics graphics;
+    StabilityOptions options;
+    options.repeats = 2;
+    const DrawIds draw_ids = graphics.draw_ids();
+    return parse_scene(scene).dimension == 2
+               ? measure_stability<2>(load_lab_scene<2>(scene, "", study), study, options, draw_ids)
+               : measure_stability<3>(load_lab_scene<3>(scene, "", study), study, options, draw_ids);
+}
+
+bool power_of_two(double x) {
+    int exponent = 0;
+    return std::frexp(x, &exponent) == 0.5;
+}
+
+void expect_stable(const std::vector<StabilityRow>& rows) {
+    bool jitter_matters = false, order_matters = false;
+    for (const StabilityRow& row : rows) {
+        const std::string where = row.scene + " " + method_text(row.method) + " " +
+                                  std::string(disturbance_words[static_cast<std::size_t>(row.disturbance)]) + " " +
+                                  std::to_string(row.amount);
+        EXPECT_EQ(row.not_finite, 0u) << where;
+        EXPECT_GE(row.jaccard, row.jaccard_min) << where;
+        EXPECT_GE(row.jaccard_min, 0) << where;
+        EXPECT_LE(row.jaccard, 1) << where;
+        const bool tree = row.method.tessellation == Tessellation::tree;
+        switch (row.disturbance) {
+            case Disturbance::eye:
+                EXPECT_EQ(row.samples, 4u) << where;
+                break;
+            case Disturbance::shuffle:
+                // Cells are the same; inside a cell primitives come in another order, so that the cut cell differs.
+                EXPECT_GT(row.jaccard, 0.6) << where;
+                order_matters |= !row.equal;
+                break;
+            case Disturbance::scale:
+                // Other factors round, which decides ties among cells on a grid.
+                EXPECT_TRUE(row.equal || !power_of_two(row.amount)) << where;
+                EXPECT_GT(row.jaccard, 0.5) << where;
+                break;
+            case Disturbance::offset:
+                EXPECT_GT(row.jaccard, 0.9) << where;
+                break;
+            case Disturbance::jitter:
+                EXPECT_TRUE(row.equal || !tree) << where << ": leaves are not jittered";
+                jitter_matters |= !row.equal;
+                break;
+            case Disturbance::grazing:
+                EXPECT_EQ(row.samples, 20u) << where;
+                break;
+        }
+    }
+    EXPECT_TRUE(jitter_matters) << "else other seeds were not tried";
+    EXPECT_TRUE(order_matters) << "else nothing was shuffled";
+    const auto count = [&](Disturbance d) {
+        return std::count_if(rows.begin(), rows.end(), [&](const StabilityRow& r) { return r.disturbance == d; });
+    };
+    const auto methods = count(Disturbance::shuffle);
+    EXPECT_EQ(methods, 5) << "the approximate ones";
+    EXPECT_EQ(count(Disturbance::eye), 8 * methods);
+    EXPECT_EQ(count(Disturbance::scale), 6 * methods);
+    EXPECT_EQ(count(Disturbance::grazing), methods);
+}
+
+TEST(LabStability, IsMeasuredInBothDimensions) {
+    expect_stable(rows_of("2d:rooms"));
+    expect_stable(rows_of("city:10k"));
+}
+
+TEST(LabStability, ComparesEachPrimitiveWithItself) {
+    // Sorted by distance the order does not depend on ids but for ties: the same triangles in any order of the file.
+    for (const StabilityRow& row : rows_of("jungle:10k"))
+        if (row.disturbance == Disturbance::shuffle && row.method.id == "centroid") {
+            EXPECT_DOUBLE_EQ(row.jaccard, 1);
+            EXPECT_DOUBLE_EQ(row.coverage_change, 0);
+        }
+}
+
+TEST(LabStability, IsTheSameTwiceAndWritten) {
+    const std::vector<StabilityRow> rows = rows_of("2d:bottleneck");
+    EXPECT_EQ(stability_csv(rows), stability_csv(rows_of("2d:bottleneck")));
+    const std::string csv = stability_csv(rows);
+    EXPECT_EQ(static_cast<std::size_t>(std::count(csv.begin(), csv.end(), '\n')), rows.size() + 1);
+    const auto json = nlohmann::json::parse(stability_json(conditions_here({}, ""), rows));
+    ASSERT_EQ(json.at("rows").size(), rows.size());
+    EXPECT_EQ(json.at("rows").at(0).at("jaccard"), rows.front().jaccard);
+}
+
+}  // namespace
+}  // namespace sightline::lab

@@ -1,0 +1,51 @@
+// What the culling eye sees: at this very step, of everything, and which pixels it misses; as insets, or in the second
+// half of a split picture.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/session/session.h"
+#include "shell/gl/handles.h"
+#include "shell/gl/solid_renderer.h"
+#include "shell/gl/target.h"
+#include "shell/window/ui.h"
+
+namespace sightline {
+
+/// Made, used and destroyed while one OpenGL context is current.
+class EyePictures {
+public:
+    /// As the settings `inset` and `split` ask. A new revision says that the session may have changed. What needs the
+    /// reference stays as it was during a flight without one. Draws off screen; leaves the default framebuffer bound.
+    void update(const Session<3>& session, std::uint64_t revision);
+
+    /// Where the insets stand: in the upper right corner of the area, below each other. Empty without one.
+    std::vector<Area> insets(const Ui& ui, const Area& area, const Session<3>& session) const;
+    void draw_insets(ImDrawList& list, const Ui& ui, const Area& area, const Session<3>& session) const;
+
+    /// The picture that `split` asks for, in the middle of the area; its words are split_title.
+    void draw_split(ImDrawList& list, const Area& area, const Session<3>& session) const;
+    std::string split_title(const Session<3>& session) const;
+
+private:
+    struct Shown {
+        GLuint texture = 0;
+        bool upside_down = false;  ///< rows from the bottom
+        const char* title = "";
+        bool measured = false;  ///< needs the reference
+    };
+    std::vector<Shown> inset_pictures(const Session<3>& session) const;
+    void draw(GlTarget& target, const SolidList& list);
+
+    std::uint64_t revision_ = 0;
+    SolidRenderer renderer_;
+    std::optional<GlTarget> image_, exact_;
+    GlTexture missed_;
+    bool stale_ = false;  ///< what needs the reference is of an earlier frame of the flight
+};
+
+}  // namespace sightline
