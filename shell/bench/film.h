@@ -1,5 +1,5 @@
-// Films: the steps of a run, or the frames of a flight path, as numbered pictures, as pages of a PDF, as GIF or as
-// video. SPDX-License-Identifier: GPL-3.0-or-later
+// Films: the steps of a run, or the frames of a flight path, as numbered pictures, pages of a PDF, GIF or video.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <optional>
