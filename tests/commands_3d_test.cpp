@@ -5,6 +5,8 @@
 #include "core/error.h"
 #include "core/file.h"
 #include "core/session/state_file.h"
+#include "core/space/cells_file.h"
+#include "shell/bench/camera.h"
 #include "shell/bench/open.h"
 #include "shell/commands/groups.h"
 #include "tests/commands_support.h"
@@ -383,11 +385,22 @@ TEST_F(EachCommand3, film) {
     EXPECT_FALSE(exists("f-0004.png"));
     EXPECT_EQ(session().hash(), hash);
     EXPECT_EQ(opened("f.png.json").position(), 2u);
+    bench->flight.path.frames = {culling(), orbited(culling(), session().scene().up_axis, 5, 0)};
+    run("film path 0-1 " + file("g.png"));
+    EXPECT_TRUE(exists("g-0001.png"));
+    EXPECT_TRUE(exists("g-0002.png"));
+    EXPECT_EQ(session().hash(), hash);
 }
 
 TEST_F(EachCommand3, save) {
     run("save " + file("s.json"));
     EXPECT_EQ(opened("s.json").hash(), session().hash());
+}
+
+TEST_F(EachCommand3, cells) {
+    run("cells " + file("c.cells"));
+    EXPECT_EQ(read_cells<3>(file("c.cells"), session().scene(), session().settings()).cell_primitives,
+              session().cells().cell_primitives);
 }
 
 TEST_F(EachCommand3, trace) {

@@ -4,6 +4,7 @@
 #include "core/error.h"
 #include "core/file.h"
 #include "core/session/state_file.h"
+#include "core/space/cells_file.h"
 #include "tests/commands_support.h"
 
 namespace sightline {
@@ -51,6 +52,12 @@ TEST_F(EachCommand, film) {
 TEST_F(EachCommand, save) {
     run("save " + file("s.json"));
     EXPECT_EQ(open_state(read_file(file("s.json")), "f").session.hash(), session().hash());
+}
+
+TEST_F(EachCommand, cells) {
+    run("cells " + file("c.cells"));
+    EXPECT_EQ(read_cells<2>(file("c.cells"), session().scene(), session().settings()).cell_primitives,
+              session().cells().cell_primitives);
 }
 
 TEST_F(EachCommand, trace) {

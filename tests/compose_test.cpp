@@ -16,7 +16,10 @@ namespace {
 using namespace test;
 
 std::vector<Figure> film_of(const std::vector<PanelSource<2>>& frames) {
-    return make_film<2>(frames.size(), [&](std::size_t i) -> const PanelSource<2>& { return frames[i]; });
+    const Film film = make_film<2>(frames.size(), [&](std::size_t i) { return std::span(&frames[i], 1); });
+    std::vector<Figure> pages;
+    for (std::size_t i = 0; i < frames.size(); ++i) pages.push_back(film.page(i));
+    return pages;
 }
 
 TEST(Compose, PanelsShareLegendAndScale) {

@@ -195,9 +195,10 @@ TEST_F(FigureFiles, TheFormatsLookAlike) {
 
 TEST_F(FigureFiles, SeveralPagesGoIntoOnePdf) {
     std::vector<Figure> pages(3, sample_figure(1, LegendPlace::outside));
-    write_figure_pages(pages, {}, folder / "film.pdf");
-    EXPECT_THROW(write_figure_pages(pages, {}, folder / "film.svg"), InputError);
-    EXPECT_THROW(write_figure_pages({}, {}, folder / "none.pdf"), InputError);
+    const MakePage page = [&](std::size_t i) { return pages[i]; };
+    write_figure_pages(pages, page, {}, folder / "film.pdf");
+    EXPECT_THROW(write_figure_pages(pages, page, {}, folder / "film.svg"), InputError);
+    EXPECT_THROW(write_figure_pages({}, page, {}, folder / "none.pdf"), InputError);
     EXPECT_EQ(files(), 1u);
     if (!has("pdfinfo")) GTEST_SKIP() << "poppler-utils is not installed";
     const std::string info = output("pdfinfo film.pdf");

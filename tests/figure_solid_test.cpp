@@ -233,7 +233,8 @@ TEST_F(FigureSolids, APdfHoldsAnOpaqueImageAndText) {
     const Figure figure = solid_figure();
     const std::array<Figure, 2> pages{figure, figure};
     written(figure, {}, "a.pdf");
-    write_figure_pages(pages, {}, folder / "b.pdf", renderer.draw());
+    write_figure_pages(
+        pages, [&](std::size_t i) { return pages[i]; }, {}, folder / "b.pdf", renderer.draw());
     ASSERT_EQ(renderer.asked.size(), 3u);
     const std::string size =
         " +" + std::to_string(renderer.asked[0].width) + " +" + std::to_string(renderer.asked[0].height) + " +rgb";
@@ -253,7 +254,8 @@ TEST_F(FigureSolids, TheSameFigureIsTheSameBytes) {
 TEST_F(FigureSolids, FilmsAskForEachFrame) {
     const std::array<Figure, 3> pages{solid_figure(), solid_figure(), solid_figure()};
     write_figure_frames(
-        pages, pixels(100, 80), [&](std::size_t i) { return folder / (std::to_string(i) + ".png"); }, renderer.draw());
+        pages, [&](std::size_t i) { return pages[i]; }, pixels(100, 80),
+        [&](std::size_t i) { return folder / (std::to_string(i) + ".png"); }, renderer.draw());
     EXPECT_EQ(renderer.asked.size(), 3u);
     EXPECT_EQ(read_file(folder / "0.png"), read_file(folder / "2.png"));
 }

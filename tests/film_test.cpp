@@ -18,14 +18,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class Film : public ::testing::Test {
+class FilmTest : public ::testing::Test {
 protected:
-    Film() {
+    FilmTest() {
         fs::create_directories(folder);
         bench.session.run(12);
         bench.figure.size = "201x151";
     }
-    ~Film() override { fs::remove_all(folder); }
+    ~FilmTest() override { fs::remove_all(folder); }
 
     std::string file(const std::string& name) const { return (folder / name).string(); }
     std::set<std::string> files() const {
@@ -44,7 +44,7 @@ protected:
 /// Width and height of a PNG, big-endian after its first header.
 std::string size_of_png(const std::string& data) { return data.substr(16, 8); }
 
-TEST_F(Film, PicturesAreNumberedAndFitEachOther) {
+TEST_F(FilmTest, PicturesAreNumberedAndFitEachOther) {
     bench.figure.size = "60mm";  // the height follows from the content
     Settings settings = bench.session.settings();
     settings.caption = Switch::on;
@@ -64,7 +64,7 @@ TEST_F(Film, PicturesAreNumberedAndFitEachOther) {
     EXPECT_EQ(bench.session.position(), 12u);
 }
 
-TEST_F(Film, TheSidecarOpensTheFirstStep) {
+TEST_F(FilmTest, TheSidecarOpensTheFirstStep) {
     write_film(bench, {3, 5, file("f.pdf")});
     EXPECT_EQ(files(), (std::set<std::string>{"f.pdf", "f.pdf.json"}));
     open(bench, file("f.pdf.json"));
@@ -72,7 +72,54 @@ TEST_F(Film, TheSidecarOpensTheFirstStep) {
     EXPECT_EQ(bench.figure.size, "201x151");
 }
 
-TEST_F(Film, GifAndVideoComeFromFfmpeg) {
+TEST_F(FilmTest, APathIsFilmedFrameByFrameWhileTheBenchStays) {
+    Workbench<2>& b = bench;
+    for (int i = 0; i < 5; ++i) {
+        ViewSpec<2> view = b.session.culling_view();
+        view.eye += Vec<2>(0.02 * i, 0);
+        b.flight.path.frames.push_back(view);
+    }
+    const std::uint64_t hash = b.session.hash();
+    write_film(b, {0, 4, file("p.png"), 25, true});
+    std::set<std::string> contents;
+    for (int i = 1; i <= 5; ++i) contents.insert(read_file(file("p-000" + std::to_string(i) + ".png")));
+    EXPECT_EQ(contents.size(), 5u);
+    EXPECT_EQ(files().size(), 6u);
+    EXPECT_EQ(b.session.hash(), hash);
+    // Picture 4 is what its view shows at the end of its run.
+    Session<2> alone = b.session;
+    alone.set_culling_view(b.flight.path.frames[3]);
+    alone.run();
+    write_film(b, {3, 3, file("q.png"), 25, true});
+    EXPECT_EQ(open_state(read_file(file("q.png.json")), "q").session.hash(), alone.hash());
+    EXPECT_THROW(write_film(b, {0, 5, file("r.png"), 25, true}), InputError);
+    b.flight.path.frames.clear();
+    EXPECT_THROW(write_film(b, {0, 0, file("r.png"), 25, true}), InputError);
+}
+
+TEST_F(FilmTest, BothSidesOfAComparisonAreInIt) {
+    Settings settings = bench.session.settings();
+    settings.method = "centroid";
+    write_film(bench, {2, 4, file("alone.pdf")});
+    compare_settings(bench, settings, "centroid");
+    write_film(bench, {2, 4, file("f.png")});
+    const OpenedState<2> opened = open_state(read_file(file("f.png.json")), "f");
+    ASSERT_TRUE(opened.other);
+    EXPECT_EQ(opened.session.position(), 2u);
+    EXPECT_EQ(opened.other->position(), 2u);
+    EXPECT_EQ(opened.other->settings().method, "centroid");
+    EXPECT_EQ(bench.session.position(), 12u);
+    const auto letters = [](const std::string& svg) { return svg.find("(b) step 3") != std::string::npos; };
+    if (std::system("command -v pdftotext > /dev/null 2>&1") != 0) return;
+    write_film(bench, {2, 4, file("both.pdf")});
+    for (const auto& [name, both] : {std::pair("alone", false), std::pair("both", true)}) {
+        const std::string made = file(name);
+        ASSERT_EQ(std::system(("pdftotext '" + made + ".pdf' '" + made + ".txt'").c_str()), 0);
+        EXPECT_EQ(letters(read_file(made + ".txt")), both) << name;
+    }
+}
+
+TEST_F(FilmTest, GifAndVideoComeFromFfmpeg) {
     if (!has_ffmpeg()) GTEST_SKIP() << "ffmpeg is not installed";
     write_film(bench, {0, 6, file("f.gif")});
     write_film(bench, {0, 6, file("f.mp4"), 10});
@@ -83,7 +130,7 @@ TEST_F(Film, GifAndVideoComeFromFfmpeg) {
     EXPECT_EQ(read_file(file("f.mp4")).substr(4, 4), "ftyp");
 }
 
-TEST_F(Film, SaysWhichPackageIsMissing) {
+TEST_F(FilmTest, SaysWhichPackageIsMissing) {
     const std::string path = std::getenv("PATH");
     setenv("PATH", folder.c_str(), 1);
     std::string said;
@@ -97,7 +144,7 @@ TEST_F(Film, SaysWhichPackageIsMissing) {
     EXPECT_TRUE(files().empty());
 }
 
-TEST_F(Film, LeavesNothingBehindWhereItFails) {
+TEST_F(FilmTest, LeavesNothingBehindWhereItFails) {
     fs::create_directories(folder / "f-0003.png" / "in the way");
     EXPECT_THROW(write_film(bench, {0, 4, file("f.png")}), WorkError);
     EXPECT_EQ(files(), (std::set<std::string>{"f-0003.png"}));
@@ -112,7 +159,7 @@ TEST_F(Film, LeavesNothingBehindWhereItFails) {
     EXPECT_TRUE(fs::is_empty(place));
 }
 
-TEST_F(Film, RefusesStepsThatAreNot) {
+TEST_F(FilmTest, RefusesStepsThatAreNot) {
     const auto refuses = [&](const FilmSpec& film) {
         EXPECT_THROW(write_film(bench, film), InputError);
         EXPECT_TRUE(files().empty());
@@ -125,7 +172,7 @@ TEST_F(Film, RefusesStepsThatAreNot) {
     refuses({0, 3, file("f.gif"), 1000});
 }
 
-TEST_F(Film, TellsHowFarItIs) {
+TEST_F(FilmTest, TellsHowFarItIs) {
     write_film(bench, {0, 60, file("f.png")});
     ASSERT_EQ(on.said.size(), 3u);
     EXPECT_EQ(on.said[0], "25 of 61 pictures are drawn");

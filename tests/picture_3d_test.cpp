@@ -455,8 +455,8 @@ TEST(Picture3, FiguresAndFilmsShareScaleAndLegend) {
         sources.back().session.seek(step);
     }
     const Figure figure = make_figure(sources);
-    const std::vector<Figure> film =
-        make_film<3>(3, [&](std::size_t i) -> const PanelSource<3>& { return sources[i]; });
+    const Film made = make_film<3>(3, [&](std::size_t i) { return std::span(&sources[i], 1); });
+    const std::vector<Figure> film{made.page(0), made.page(1), made.page(2)};
     ASSERT_EQ(figure.panels.size(), 3u);
     ASSERT_EQ(film.size(), 3u);
     ASSERT_TRUE(figure.bar);

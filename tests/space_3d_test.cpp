@@ -299,9 +299,9 @@ TEST(Space3, MoreReferencesThanAllowedAreRefused) {
         CellComplex<3> cells = build_cells(scene, settings);
         const std::size_t references = cells.cell_primitives.size();
         ASSERT_GT(references, 100u);
-        assign_primitives(cells, scene.primitives, references);
+        assign_primitives(cells, scene.primitives, {}, references);
         EXPECT_EQ(cells.cell_primitives.size(), references);
-        EXPECT_THROW(assign_primitives(cells, scene.primitives, references - 1), InputError);
+        EXPECT_THROW(assign_primitives(cells, scene.primitives, {}, references - 1), InputError);
     }
 }
 

@@ -3,6 +3,7 @@
 #include <sys/resource.h>
 
 #include <csignal>
+#include <set>
 
 #include "tests/viewer2d_support.h"
 
@@ -56,12 +57,90 @@ TEST_F(Viewer3d, AFrozenPictureOpensAgainFromItsSidecar) {
     EXPECT_NE(read("a.svg").find("here"), std::string::npos);
 }
 
+TEST_F(Viewer3d, InsetsAreInTheFigureAndItsSidecar) {
+    good({"city:10k", "--size", "400x300", "--do",
+          "set reference_size=320x240; step 40; freeze; orbit 30,20; zoom 0.5; set inset=both; shot a.svg"});
+    good({"--state", "a.svg.json", "--do", "shot b.svg; set inset=off; shot c.svg"});
+    const auto images = [](const std::string& svg) {
+        std::size_t count = 0;
+        for (std::size_t at = svg.find("<image"); at != std::string::npos; at = svg.find("<image", at + 1)) ++count;
+        return count;
+    };
+    EXPECT_EQ(read("a.svg"), read("b.svg"));
+    EXPECT_EQ(images(read("a.svg")), 3u);
+    EXPECT_EQ(images(read("c.svg")), 1u);
+}
+
+TEST_F(Viewer3d, CellsAreWrittenOnceAndReadAgain) {
+    const Result first = good({"city:10k", "--cells", "c.cells", "--stats", "a.json"});
+    EXPECT_NE(first.out.find("c.cells"), std::string::npos);
+    const std::string file = read("c.cells");
+    const Result again = good({"city:10k", "--cells", "c.cells", "--stats", "b.json"});
+    EXPECT_EQ(again.out.find("c.cells"), std::string::npos);
+    EXPECT_EQ(read("c.cells"), file);
+    const Json a = Json::parse(read("a.json")), b = Json::parse(read("b.json"));
+    EXPECT_EQ(a["state_hash"], b["state_hash"]);
+    EXPECT_EQ(a["cells"], b["cells"]);
+    EXPECT_GT(a["ms"]["tessellate"], 0);
+    EXPECT_EQ(b["ms"]["tessellate"], 0);
+    EXPECT_EQ(b["ms"]["assign"], 0);
+    good({"city:10k", "--do", "cells d.cells"});
+    EXPECT_EQ(read("d.cells"), file);
+    // Settings that the cells do not depend on may change.
+    good({"city:10k", "--cells", "c.cells", "--method", "layers", "--set", "heat=order"});
+}
+
+TEST_F(Viewer3d, CellsThatDoNotFitAreRefused) {
+    good({"city:10k", "--cells", "c.cells"});
+    const std::string file = read("c.cells");
+    bad({"room", "--cells", "c.cells"}, "another scene");
+    bad({"city:20k", "--cells", "c.cells"}, "another scene");
+    bad({"city:10k", "--set", "error_bound=0.1", "--cells", "c.cells"}, "error_bound");
+    bad({"city:10k", "--set", "tessellation=tree", "--cells", "c.cells"}, "tessellation");
+    bad({"--cells", "c.cells"}, "scene");
+    bad({"city:10k", "--cells", "."}, ".");
+    write("t.cells", file.substr(0, file.size() / 2));
+    bad({"city:10k", "--cells", "t.cells"}, "truncated");
+    std::string damaged = file;
+    damaged[damaged.size() / 2] ^= 1;
+    write("t.cells", damaged);
+    bad({"city:10k", "--cells", "t.cells"}, "t.cells: is damaged");
+    write("t.cells", "v 0 0 0\n");
+    bad({"city:10k", "--cells", "t.cells"}, "t.cells");
+    EXPECT_EQ(read("c.cells"), file);
+    EXPECT_EQ(headless({"city:10k", "--cells", "nowhere/c.cells"}).status, 1);
+    program = "viewer2d";
+    path = SIGHTLINE_VIEWER2D;
+    bad({"bottleneck", "--cells", "c.cells"}, "dimensions");
+    good({"bottleneck", "--cells", "flat.cells"});
+    good({"bottleneck", "--cells", "flat.cells"});
+}
+
 TEST_F(Viewer3d, FlyingShowsTheFrameThatSteppingReaches) {
     good({"city:10k", "--budget", "5%", "--do", "path test; path frame 3; fly off; stats flown.json; eye 0,0,2"});
     const Json flown = Json::parse(read("flown.json"));
     good({"city:10k", "--budget", "5%", "--do", "path test; path frame 3; path stop; seek start; run; stats s.json"});
     EXPECT_EQ(flown["state_hash"], Json::parse(read("s.json"))["state_hash"]);
     EXPECT_GT(flown["steps"], 0);
+}
+
+TEST_F(Viewer3d, APathBecomesAFilmOfTwoMethods) {
+    good(
+        {"city:10k", "--budget", "2%", "--size", "400x200", "--do",
+         "set reference_size=320x240; compare method=centroid; path street; film path 0-4 f.png; film path 7-7 g.png"});
+    std::set<std::string> pictures;
+    for (int i = 1; i <= 5; ++i) pictures.insert(read("f-000" + std::to_string(i) + ".png"));
+    EXPECT_EQ(pictures.size(), 5u);
+    EXPECT_EQ(files(), 8u);  // and of the second film one, and two sidecars
+    const Json sidecar = Json::parse(read("g.png.json"));
+    EXPECT_EQ(sidecar["film"]["path"], "street");
+    good({"--state", "g.png.json", "--do", "stats opened.json"});
+    good({"city:10k", "--budget", "2%", "--do",
+          "set reference_size=320x240; path street; path frame 7; path stop; stats flown.json"});
+    EXPECT_EQ(Json::parse(read("opened.json"))["state_hash"], Json::parse(read("flown.json"))["state_hash"]);
+    bad({"city:10k", "--do", "film path f.png"}, "path");
+    bad({"city:10k", "--do", "path street; film path 5-160 f.png"}, "160");
+    bad({"city:10k", "--do", "film f.png"}, "FROM-TO");
 }
 
 TEST_F(Viewer3d, PathsAreKeptInFiles) {

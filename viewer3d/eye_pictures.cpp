@@ -2,11 +2,9 @@
 #include "viewer3d/eye_pictures.h"
 
 #include <algorithm>
-#include <utility>
 
-#include "core/draw/palette.h"
+#include "core/draw/insets.h"
 #include "core/draw/shown_cells.h"
-#include "core/draw/solid_palette.h"
 #include "core/draw/wrong_picture.h"
 #include "core/number.h"
 #include "core/settings/settings_table.h"
@@ -28,22 +26,6 @@ bool shows_missed(const Settings& s) {
 }
 bool shows_exact(const Settings& s) { return s.inset == Inset::exact || s.split == Split::exact; }
 
-std::vector<std::uint32_t> rendered_so_far(const Session<3>& session) {
-    std::vector<std::uint32_t> triangles;
-    const State<3>& state = session.state();
-    for (const std::uint32_t entry : std::span(state.touched).first(state.touched_count))
-        if (!(entry & State<3>::culled_bit)) triangles.push_back(entry);
-    return triangles;
-}
-
-/// All that shows at the centre of a pixel of the reference: at that size nothing else can be seen.
-std::vector<std::uint32_t> visible_triangles(const Reference& reference) {
-    std::vector<std::uint32_t> triangles;
-    for (std::uint32_t i = 0; i < reference.visible.size(); ++i)
-        if (reference.visible[i]) triangles.push_back(i);
-    return triangles;
-}
-
 void make(std::optional<GlTarget>& target, const ImageSize& size) {
     if (!target || target->width() != size.width || target->height() != size.height)
         target.emplace(size.width, size.height, 1, true);
@@ -57,14 +39,7 @@ void add_image(ImDrawList& list, GLuint texture, bool upside_down, const Area& a
 
 }  // namespace
 
-void EyePictures::draw(GlTarget& target, const Session<3>& session, std::vector<std::uint32_t> triangles) {
-    SolidList list;
-    list.camera = session.frame().view;
-    list.styles = {solid_styles(session.settings().palette)[static_cast<std::size_t>(SolidLook::plain)]};
-    list.background = colours(session.settings().palette).background;
-    list.scene = session.shared_scene();
-    list.triangles = std::move(triangles);
-    list.runs = {{0, 0, static_cast<std::uint32_t>(list.triangles.size())}};
+void EyePictures::draw(GlTarget& target, const SolidList& list) {
     renderer_.set(list);
     target.bind();
     renderer_.draw(list.camera, 0, 0, target.width(), target.height(), 1);
@@ -79,14 +54,14 @@ void EyePictures::update(const Session<3>& session, std::uint64_t revision) {
     if (shows_image(settings)) {
         const int longer = std::max(size.width, size.height);
         make(image_, {std::max(1, image_side * size.width / longer), std::max(1, image_side * size.height / longer)});
-        draw(*image_, session, rendered_so_far(session));
+        draw(*image_, image_so_far(session));
     }
     if (!shows_missed(settings) && !shows_exact(settings)) return;
     stale_ = session.flying() && !session.has_reference();
     if (stale_) return;
     if (shows_exact(settings)) {
         make(exact_, size);
-        draw(*exact_, session, visible_triangles(session.reference()));
+        draw(*exact_, exact_image(session));
     }
     if (shows_missed(settings)) {
         const State<3>& state = session.state();
@@ -103,10 +78,10 @@ void EyePictures::update(const Session<3>& session, std::uint64_t revision) {
 std::vector<EyePictures::Shown> EyePictures::inset_pictures(const Session<3>& session) const {
     const Settings& s = session.settings();
     std::vector<Shown> pictures;
-    if (shows_image(s) && image_) pictures.push_back({image_->texture(), true, "the culling eye, so far", false});
-    if (s.inset == Inset::exact && exact_) pictures.push_back({exact_->texture(), true, "the exact image", true});
+    if (shows_image(s) && image_) pictures.push_back({image_->texture(), true, title_of_image, false});
+    if (s.inset == Inset::exact && exact_) pictures.push_back({exact_->texture(), true, title_of_exact, true});
     if (s.inset == Inset::missed || s.inset == Inset::both)
-        pictures.push_back({missed_.name(), false, "wrong pixels in red", true});
+        pictures.push_back({missed_.name(), false, title_of_missed, true});
     return pictures;
 }
 
@@ -159,7 +134,7 @@ void EyePictures::draw_split(ImDrawList& list, const Area& area, const Session<3
 std::string EyePictures::split_title(const Session<3>& session) const {
     const bool exact = session.settings().split == Split::exact;
     std::string title = seen_from_outside(session) ? "frozen eye: " : "";
-    title += exact ? "the exact image" : "wrong pixels in red";
+    title += exact ? title_of_exact : title_of_missed;
     if (stale_) return title + ", when the eye rests";
     if (exact) return title + ", " + std::to_string(session.reference().count) + " visible triangles";
     return title;

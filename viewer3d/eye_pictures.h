@@ -39,7 +39,7 @@ private:
         bool measured = false;  ///< needs the reference
     };
     std::vector<Shown> inset_pictures(const Session<3>& session) const;
-    void draw(GlTarget& target, const Session<3>& session, std::vector<std::uint32_t> triangles);
+    void draw(GlTarget& target, const SolidList& list);
 
     std::uint64_t revision_ = 0;
     SolidRenderer renderer_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/draw/cell_number.h"
+#include "core/draw/insets.h"
 #include "core/draw/legend.h"
 #include "core/draw/notes.h"
 #include "core/draw/palette.h"
@@ -12,6 +13,7 @@
 #include "core/draw/projection.h"
 #include "core/draw/shown_world.h"
 #include "core/number.h"
+#include "core/scene/flight_path.h"
 #include "core/session/report.h"
 
 namespace sightline {
@@ -48,29 +50,11 @@ Figure::Panel draw_panel(const PanelSource<2>& source, const HeatRange& range, c
 Figure::Panel draw_panel(const PanelSource<3>& source, const HeatRange& range, const std::optional<Box<2>>&) {
     const PictureOptions3 options{range, 0, source.sides};
     return {make_picture(source.session, options), "",
-            std::make_shared<const SolidList>(make_solid(source.session, options))};
+            std::make_shared<const SolidList>(make_solid(source.session, options)), make_insets(source.session)};
 }
 
 std::optional<Vec<2>> place_of(const Figure::Panel&, const Vec<2>& p) { return p; }
 std::optional<Vec<2>> place_of(const Figure::Panel& panel, const Vec<3>& p) { return project(panel.solid->camera, p); }
-
-std::vector<LegendRow> rows_of(std::span<const Figure::Panel> panels, const Settings& settings,
-                               std::span<const Note<2>> notes) {
-    std::vector<const DrawList*> lists;
-    for (const Figure::Panel& panel : panels) lists.push_back(&panel.list);
-    return legend_rows(lists, settings, notes);
-}
-
-std::vector<LegendRow> rows_of(std::span<const Figure::Panel> panels, const Settings& settings,
-                               std::span<const Note<3>> notes) {
-    std::vector<const DrawList*> lists;
-    std::vector<const SolidList*> solids;
-    for (const Figure::Panel& panel : panels) {
-        lists.push_back(&panel.list);
-        solids.push_back(panel.solid.get());
-    }
-    return legend_rows(lists, solids, settings, notes);
-}
 
 /// What all panels or frames share. The first one's settings say what the numbers, the legend and the colours are.
 template <int D>
@@ -78,7 +62,7 @@ struct Common {
     Settings settings;
     HeatRange range;
     std::optional<Box<2>> world;  ///< that of all; nothing: each has its own
-    std::vector<Figure::Panel> panels;
+    UsedStyles used;
     std::vector<Note<D>> notes;  ///< those that some panel shows
 };
 
@@ -102,13 +86,27 @@ void widen_world(const PanelSource<2>& frame, Common<2>& common) {
 }
 void widen_world(const PanelSource<3>&, Common<3>&) {}
 
+/// The panels of one figure; several have letters.
 template <int D>
-void draw(const PanelSource<D>& source, Common<D>& common) {
-    common.panels.push_back(draw_panel(source, common.range, common.world));
-    const Figure::Panel& panel = common.panels.back();
-    for (const Note<D>& note : current_notes(source.session)) {
-        const auto at = place_of(panel, anchor_point(source.session, note));
-        if (at && panel.list.world.contains(*at)) common.notes.push_back(note);
+std::vector<Figure::Panel> draw_panels(std::span<const PanelSource<D>> sources, const Common<D>& common) {
+    std::vector<Figure::Panel> panels;
+    for (std::size_t i = 0; i < sources.size(); ++i) {
+        panels.push_back(draw_panel(sources[i], common.range, common.world));
+        if (sources.size() > 1) panels[i].title = "(" + std::string(1, panel_letter(i)) + ") " + sources[i].title;
+    }
+    return panels;
+}
+
+/// What the legend has to explain.
+template <int D>
+void note_use(std::span<const PanelSource<D>> sources, std::span<const Figure::Panel> panels, Common<D>& common) {
+    for (std::size_t i = 0; i < sources.size(); ++i) {
+        add_used(panels[i].list, common.used);
+        if (panels[i].solid) add_used(*panels[i].solid, common.used);
+        for (const Note<D>& note : current_notes(sources[i].session)) {
+            const auto at = place_of(panels[i], anchor_point(sources[i].session, note));
+            if (at && panels[i].list.world.contains(*at)) common.notes.push_back(note);
+        }
     }
 }
 
@@ -120,7 +118,7 @@ Figure empty_figure(const Common<D>& common) {
     figure.legend_place = settings.legend == Legend::inside    ? LegendPlace::inside
                           : settings.legend == Legend::outside ? LegendPlace::outside
                                                                : LegendPlace::off;
-    figure.legend = rows_of(common.panels, settings, common.notes);
+    figure.legend = legend_rows(common.used, settings, common.notes);
     if (common.range)
         figure.bar = ColourBar{std::string(number_title(settings.heat)), short_number((*common.range)[0]),
                                short_number((*common.range)[1]), colours(settings.palette).heat};
@@ -130,17 +128,39 @@ Figure empty_figure(const Common<D>& common) {
 }
 
 template <int D>
+Common<D> common_of(std::span<const PanelSource<D>> sources) {
+    return {sources.front().session.settings(), {}, {}, {}, {}};
+}
+
+template <int D>
 Figure figure_of(std::span<const PanelSource<D>> sources) {
-    Common<D> common{sources.front().session.settings(), {}, {}, {}, {}};
+    Common<D> common = common_of(sources);
     for (const PanelSource<D>& source : sources) meet(source, common);
-    for (const PanelSource<D>& source : sources) draw(source, common);
+    std::vector<Figure::Panel> panels = draw_panels(sources, common);
+    note_use<D>(sources, panels, common);
     Figure figure = empty_figure(common);
-    figure.panels = std::move(common.panels);
-    if (sources.size() > 1)
-        for (std::size_t i = 0; i < sources.size(); ++i)
-            figure.panels[i].title = "(" + std::string(1, panel_letter(i)) + ") " + sources[i].title;
+    figure.panels = std::move(panels);
     if (common.settings.caption == Switch::on) figure.caption = caption(sources);
     return figure;
+}
+
+/// Of so many frames a film keeps the pictures, to find a place for its legend.
+constexpr std::size_t kept_pictures = 8;
+
+/// What layout needs of a panel that it does not look at.
+Figure::Panel outline_of(const Figure::Panel& panel) {
+    Figure::Panel outline;
+    outline.list.world = panel.list.world;
+    outline.title = panel.title;
+    return outline;
+}
+
+/// A frame alone has a title of its own, which tells it from the others.
+template <int D>
+std::vector<Figure::Panel> draw_frame(std::span<const PanelSource<D>> sources, const Common<D>& common) {
+    std::vector<Figure::Panel> panels = draw_panels(sources, common);
+    if (panels.size() == 1) panels[0].title = sources[0].title;
+    return panels;
 }
 
 }  // namespace
@@ -149,29 +169,43 @@ Figure make_figure(std::span<const PanelSource<2>> panels) { return figure_of(pa
 Figure make_figure(std::span<const PanelSource<3>> panels) { return figure_of(panels); }
 
 template <int D>
-std::vector<Figure> make_film(std::size_t frames, const std::function<const PanelSource<D>&(std::size_t)>& frame) {
-    Common<D> common{frame(0).session.settings(), {}, {}, {}, {}};
+Film make_film(std::size_t frames, FilmFrame<D> frame) {
+    Common<D> common = common_of(frame(0));
+    Film film;
+    for (std::size_t i = 0; i < frames; ++i)
+        for (const PanelSource<D>& source : frame(i)) {
+            meet(source, common);
+            widen_world(source, common);
+        }
+    const std::vector<std::size_t> kept = spread_frames(frames, kept_pictures);
     for (std::size_t i = 0; i < frames; ++i) {
-        const PanelSource<D>& source = frame(i);
-        meet(source, common);
-        widen_world(source, common);
+        const std::span<const PanelSource<D>> sources = frame(i);
+        Figure& figure = film.plan.emplace_back();
+        figure.panels = draw_frame(sources, common);
+        note_use<D>(sources, figure.panels, common);
+        if (common.settings.caption == Switch::on) figure.caption = caption(sources);
+        if (!std::binary_search(kept.begin(), kept.end(), i))
+            for (Figure::Panel& panel : figure.panels) panel = outline_of(panel);
     }
-    std::vector<std::string> captions(frames);
-    for (std::size_t i = 0; i < frames; ++i) {
-        const PanelSource<D>& source = frame(i);
-        draw(source, common);
-        common.panels.back().title = source.title;
-        if (common.settings.caption == Switch::on) captions[i] = caption(std::span(&source, 1));
+    const Figure empty = empty_figure(common);
+    std::vector<std::string> captions;
+    for (Figure& figure : film.plan) {
+        captions.push_back(figure.caption);
+        std::vector<Figure::Panel> panels = std::move(figure.panels);
+        figure = empty;
+        figure.panels = std::move(panels);
+        figure.caption = captions.back();
     }
-    std::vector<Figure> film(frames, empty_figure(common));
-    for (std::size_t i = 0; i < frames; ++i) {
-        film[i].panels.push_back(std::move(common.panels[i]));
-        film[i].caption = std::move(captions[i]);
-    }
+    film.page = [frame = std::move(frame), common = std::move(common), empty, captions](std::size_t i) {
+        Figure figure = empty;
+        figure.panels = draw_frame(frame(i), common);
+        figure.caption = captions[i];
+        return figure;
+    };
     return film;
 }
 
-template std::vector<Figure> make_film<2>(std::size_t, const std::function<const PanelSource<2>&(std::size_t)>&);
-template std::vector<Figure> make_film<3>(std::size_t, const std::function<const PanelSource<3>&(std::size_t)>&);
+template Film make_film<2>(std::size_t, FilmFrame<2>);
+template Film make_film<3>(std::size_t, FilmFrame<3>);
 
 }  // namespace sightline

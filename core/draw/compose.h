@@ -29,11 +29,20 @@ PanelSource(Session<D>, std::string, std::vector<Side>) -> PanelSource<D>;
 Figure make_figure(std::span<const PanelSource<2>> panels);
 Figure make_figure(std::span<const PanelSource<3>> panels);
 
-/// A film: a figure of one panel for each frame, all with the same legend, scale of the heat map and world, so that
-/// nothing jumps from one to the next (write_figure_pages). A frame's caption is about its own step. frame(i) is asked
-/// for in order, more than once, and read before it is asked for another: one session walks through a film. `frames` >
-/// 0.
+/// A figure for each frame, all with the same legend, scale of the heat map and world, so that nothing jumps from one
+/// to the next (write_figure_pages). A frame's caption is about its own step.
+struct Film {
+    std::vector<Figure> plan;                 ///< all that decides where things stand, but pictures of some frames only
+    std::function<Figure(std::size_t)> page;  ///< the whole figure, made when it is asked for
+};
+
+/// The panels of a frame; those of one film have equally many. They are read before another frame is asked for: one
+/// session may walk through a film.
 template <int D>
-std::vector<Figure> make_film(std::size_t frames, const std::function<const PanelSource<D>&(std::size_t)>& frame);
+using FilmFrame = std::function<std::span<const PanelSource<D>>(std::size_t)>;
+
+/// Asks for the frames in order, twice; the film keeps `frame` and asks it again for each page. `frames` > 0.
+template <int D>
+Film make_film(std::size_t frames, FilmFrame<D> frame);
 
 }  // namespace sightline

@@ -14,6 +14,7 @@
 namespace sightline {
 
 struct SolidList;  // core/draw/solid_list.h
+struct Pixels;     // core/draw/pixels.h
 
 struct Colour {
     std::uint8_t r = 0, g = 0, b = 0, a = 255;
@@ -109,10 +110,19 @@ enum class LegendPlace : std::uint8_t {
 
 /// A whole figure: one panel or several with one legend and one scale.
 struct Figure {
+    /// A small picture in the upper right corner of a panel, over all else; several stand below each other. One of
+    /// `solid` and `pixels` is what it shows.
+    struct Inset {
+        std::string title;
+        double aspect = 1;  ///< width / height, > 0
+        std::shared_ptr<const SolidList> solid{};
+        std::shared_ptr<const Pixels> pixels{};
+    };
     struct Panel {
         DrawList list;
         std::string title;                         ///< e.g. "(a) step 12"; may be empty
         std::shared_ptr<const SolidList> solid{};  ///< 3D: lies under the list and fills its world
+        std::vector<Inset> insets{};
     };
     std::vector<Panel> panels;
     std::vector<LegendRow> legend;

@@ -93,23 +93,6 @@ bool is_shown(const DrawList& list, const Shape& shape) {
     return box.min.x <= world.max.x && box.min.y <= world.max.y && box.max.x >= world.min.x && box.max.y >= world.min.y;
 }
 
-/// Per look whether some shape of a list has it.
-std::vector<std::uint8_t> looks_used(std::span<const DrawList* const> lists) {
-    std::vector<std::uint8_t> used(index(Look::count));
-    for (const DrawList* list : lists)
-        for (const Shape& shape : list->shapes)
-            if (shape.style < used.size() && !used[shape.style] && is_shown(*list, shape)) used[shape.style] = 1;
-    return used;
-}
-
-/// The style of that name that some list shows; nullptr when none does.
-const Style* shown_style(std::span<const DrawList* const> lists, std::string_view name) {
-    for (const DrawList* list : lists)
-        for (const Shape& shape : list->shapes)
-            if (list->styles[shape.style].name == name && is_shown(*list, shape)) return &list->styles[shape.style];
-    return nullptr;
-}
-
 std::string text_of(const Entry& entry, bool beside, const Settings& settings) {
     if (entry.look == Look::clean && beside) return "projected by neither";
     if (settings.show_visibility == Switch::off) {
@@ -143,31 +126,7 @@ private:
     std::array<Vec<3>, 4> inward_;
 };
 
-/// Per solid look how some list has it: as faces or triangles, or as edges only.
-struct SolidUse {
-    bool faces = false, edges = false;
-};
-
-std::array<SolidUse, static_cast<std::size_t>(SolidLook::count)> solids_used(std::span<const SolidList* const> solids) {
-    std::array<SolidUse, static_cast<std::size_t>(SolidLook::count)> used{};
-    for (const SolidList* list : solids) {
-        const Sight sight(*list);
-        const std::span points(list->points), ends(list->edge_points);
-        for (std::size_t i = 0; i < list->face_style.size(); ++i)
-            if (const std::uint8_t style = list->face_style[i]; style < used.size() && !used[style].faces)
-                used[style].faces =
-                    sight.shows(points.subspan(list->face_begin[i], list->face_begin[i + 1] - list->face_begin[i]));
-        for (std::size_t i = 0; i < list->edge_style.size(); ++i)
-            if (const std::uint8_t style = list->edge_style[i]; style < used.size() && !used[style].edges)
-                used[style].edges = sight.shows(ends.subspan(2 * i, 2));
-        for (const SolidList::Run& run : list->runs)
-            for (std::uint32_t i = 0; run.style < used.size() && i < run.count && !used[run.style].faces; ++i)
-                used[run.style].faces = sight.shows(list->scene->primitives[list->triangles[run.first + i]]);
-    }
-    return used;
-}
-
-LegendRow solid_row(const SolidStyle& look, const SolidUse& use, const char* text, Colour rim) {
+LegendRow solid_row(const SolidStyle& look, const UsedStyles::Solid& use, const char* text, Colour rim) {
     Style style{look.name};
     style.width_pt = use.faces ? 0.5 : look.width_pt;
     style.stroke = use.faces ? rim : look.colour;
@@ -192,9 +151,41 @@ void add_texts(const Settings& settings, std::span<const Note<D>> notes, std::ve
 
 }  // namespace
 
-std::vector<LegendRow> legend_rows(std::span<const DrawList* const> lists, const Settings& settings,
-                                   std::span<const Note<2>> notes) {
-    std::vector<std::uint8_t> used = looks_used(lists);
+void add_used(const DrawList& list, UsedStyles& used) {
+    used.looks.resize(index(Look::count));
+    for (const Shape& shape : list.shapes) {
+        if (shape.style < used.looks.size()) {
+            if (!used.looks[shape.style] && is_shown(list, shape)) used.looks[shape.style] = 1;
+            continue;
+        }
+        const Style& style = list.styles[shape.style];
+        const auto has_its_name = [&](const auto& other) { return other.name == style.name; };
+        if (std::any_of(star_entries.begin(), star_entries.end(), has_its_name) &&
+            std::none_of(used.others.begin(), used.others.end(), has_its_name) && is_shown(list, shape))
+            used.others.push_back(style);
+    }
+}
+
+void add_used(const SolidList& list, UsedStyles& in) {
+    std::vector<UsedStyles::Solid>& used = in.solids;
+    used.resize(static_cast<std::size_t>(SolidLook::count));
+    const Sight sight(list);
+    const std::span points(list.points), ends(list.edge_points);
+    for (std::size_t i = 0; i < list.face_style.size(); ++i)
+        if (const std::uint8_t style = list.face_style[i]; style < used.size() && !used[style].faces)
+            used[style].faces =
+                sight.shows(points.subspan(list.face_begin[i], list.face_begin[i + 1] - list.face_begin[i]));
+    for (std::size_t i = 0; i < list.edge_style.size(); ++i)
+        if (const std::uint8_t style = list.edge_style[i]; style < used.size() && !used[style].edges)
+            used[style].edges = sight.shows(ends.subspan(2 * i, 2));
+    for (const SolidList::Run& run : list.runs)
+        for (std::uint32_t i = 0; run.style < used.size() && i < run.count && !used[run.style].faces; ++i)
+            used[run.style].faces = sight.shows(list.scene->primitives[list.triangles[run.first + i]]);
+}
+
+std::vector<LegendRow> legend_rows(const UsedStyles& styles, const Settings& settings, std::span<const Note<2>> notes) {
+    std::vector<std::uint8_t> used = styles.looks;
+    used.resize(index(Look::count));
     const bool states = settings.heat == CellNumber::none && settings.show_states == Switch::on;
     used[index(Look::clean)] = states && settings.show_tessellation == Switch::on;
     const bool beside = used[index(Look::both)] || used[index(Look::only_left)] || used[index(Look::only_right)];
@@ -212,24 +203,38 @@ std::vector<LegendRow> legend_rows(std::span<const DrawList* const> lists, const
     return rows;
 }
 
-std::vector<LegendRow> legend_rows(std::span<const DrawList* const> lists, std::span<const SolidList* const> solids,
-                                   const Settings& settings, std::span<const Note<3>> notes) {
-    const auto solid = solids_used(solids);
-    const std::vector<std::uint8_t> used = looks_used(lists);
+std::vector<LegendRow> legend_rows(const UsedStyles& used, const Settings& settings, std::span<const Note<3>> notes) {
     const Colours& palette = colours(settings.palette);
     std::vector<LegendRow> rows;
     for (const SolidEntry& entry : solid_entries)
-        if (const SolidUse& use = solid[static_cast<std::size_t>(entry.look)]; use.faces || use.edges)
-            rows.push_back(solid_row(solid_styles(settings.palette)[static_cast<std::size_t>(entry.look)], use,
-                                     entry.text, palette.looks[index(Look::tessellation)].stroke));
+        if (const auto look = static_cast<std::size_t>(entry.look);
+            look < used.solids.size() && (used.solids[look].faces || used.solids[look].edges))
+            rows.push_back(solid_row(solid_styles(settings.palette)[look], used.solids[look], entry.text,
+                                     palette.looks[index(Look::tessellation)].stroke));
     for (const Entry& entry : entries)
-        if (used[index(entry.look)])
+        if (index(entry.look) < used.looks.size() && used.looks[index(entry.look)])
             rows.push_back({entry.swatch, palette.looks[index(entry.look)],
                             entry.look == Look::selected_primitive ? "selected triangle" : entry.text});
     for (const StarEntry& entry : star_entries)
-        if (const Style* style = shown_style(lists, entry.name)) rows.push_back({entry.swatch, *style, entry.text});
+        for (const Style& style : used.others)
+            if (style.name == entry.name) rows.push_back({entry.swatch, style, entry.text});
     add_texts(settings, notes, rows);
     return rows;
+}
+
+std::vector<LegendRow> legend_rows(std::span<const DrawList* const> lists, const Settings& settings,
+                                   std::span<const Note<2>> notes) {
+    UsedStyles used;
+    for (const DrawList* list : lists) add_used(*list, used);
+    return legend_rows(used, settings, notes);
+}
+
+std::vector<LegendRow> legend_rows(std::span<const DrawList* const> lists, std::span<const SolidList* const> solids,
+                                   const Settings& settings, std::span<const Note<3>> notes) {
+    UsedStyles used;
+    for (const DrawList* list : lists) add_used(*list, used);
+    for (const SolidList* solid : solids) add_used(*solid, used);
+    return legend_rows(used, settings, notes);
 }
 
 }  // namespace sightline

@@ -12,11 +12,27 @@
 
 namespace sightline {
 
-/// The rows for pictures that stand beside each other or follow each other: what some of them shows inside its world,
-/// in a fixed order, and the callouts among the notes. Takes time in proportion to the shapes.
+/// Which styles pictures show inside their worlds, gathered one picture after the other.
+struct UsedStyles {
+    struct Solid {
+        bool faces = false, edges = false;  ///< as faces or triangles, as edges
+    };
+    std::vector<std::uint8_t> looks;  ///< per Look
+    std::vector<Solid> solids;        ///< per SolidLook
+    std::vector<Style> others;        ///< those beyond the looks that a legend names
+};
+/// Takes time in proportion to the shapes.
+void add_used(const DrawList& list, UsedStyles& used);
+void add_used(const SolidList& solid, UsedStyles& used);
+
+/// Their rows, in a fixed order, and the callouts among the notes.
+std::vector<LegendRow> legend_rows(const UsedStyles& used, const Settings& settings, std::span<const Note<2>> notes);
+std::vector<LegendRow> legend_rows(const UsedStyles& used, const Settings& settings, std::span<const Note<3>> notes);
+
+/// The same for pictures that stand beside each other.
 std::vector<LegendRow> legend_rows(std::span<const DrawList* const> lists, const Settings& settings,
                                    std::span<const Note<2>> notes);
-/// The same in three dimensions; `solids` are what lies under the lists.
+/// `solids` are what lies under the lists.
 std::vector<LegendRow> legend_rows(std::span<const DrawList* const> lists, std::span<const SolidList* const> solids,
                                    const Settings& settings, std::span<const Note<3>> notes);
 

@@ -18,4 +18,7 @@ struct Pixels {
     }
 };
 
+/// The same picture of so many pixels, > 0: each is the mean of those under it. The picture has some.
+Pixels resized(const Pixels& pixels, int width, int height);
+
 }  // namespace sightline

@@ -59,8 +59,10 @@ std::vector<std::uint32_t> make_layering(const Scene<3>& scene, const View<3>& v
 
 template <int D>
 Session<D>::Session(std::shared_ptr<const Scene<D>> scene, const ViewSpec<D>& view, const Settings& settings,
-                    std::span<const Method<D>> methods, DrawIds draw_ids)
+                    std::span<const Method<D>> methods, DrawIds draw_ids, const Progress& progress,
+                    std::shared_ptr<const CellComplex<D>> cells)
     : scene_(std::move(scene)),
+      cells_(std::move(cells)),
       methods_(methods),
       method_(find_method<D>(methods, settings.method)),
       settings_(settings),
@@ -68,14 +70,16 @@ Session<D>::Session(std::shared_ptr<const Scene<D>> scene, const ViewSpec<D>& vi
       culling_view_(view),
       display_view_(view),
       view_(view_of(view, *scene_, settings)) {
-    tessellate();
+    if (!cells_) tessellate(progress);
     restart();
 }
 
 template <int D>
-void Session<D>::tessellate() {
+void Session<D>::tessellate(const Progress& progress) {
+    report(progress, "making the cells", 0);
     CellComplex<D> cells = timed(times_.tessellate, [&] { return tessellation(*scene_, settings_); });
-    timed(times_.assign, [&] { assign_primitives(cells, scene_->primitives); });
+    timed(times_.assign, [&] { assign_primitives(cells, scene_->primitives, progress); });
+    report(progress, "assigning to cells", 1);
     cells_ = std::make_shared<const CellComplex<D>>(std::move(cells));
     drop_dangling();
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/measure/metrics.h"
+#include "core/progress.h"
 #include "core/session/note.h"
 #include "core/settings/settings_table.h"
 #include "core/traversal/methods.h"
@@ -50,10 +51,12 @@ struct Times {
 template <int D>
 class Session {
 public:
-    /// Tessellates, starts the traversal and stays at step 0. 3D: `draw_ids` draws the reference. Throws InputError for
-    /// a view or a method that cannot be.
+    /// Tessellates, starts the traversal and stays at step 0. 3D: `draw_ids` draws the reference. `cells`: what
+    /// build_cells() makes of the scene with these settings, where that is at hand. Throws InputError for a view or a
+    /// method that cannot be.
     Session(std::shared_ptr<const Scene<D>> scene, const ViewSpec<D>& view, const Settings& settings,
-            std::span<const Method<D>> methods = method_table<D>(), DrawIds draw_ids = {});
+            std::span<const Method<D>> methods = method_table<D>(), DrawIds draw_ids = {},
+            const Progress& progress = {}, std::shared_ptr<const CellComplex<D>> cells = {});
 
     // What there is. A step number counts the steps taken: 0 is the start.
     const Scene<D>& scene() const { return *scene_; }
@@ -142,7 +145,7 @@ public:
     std::vector<Marker> markers() const;
 
 private:
-    void tessellate();
+    void tessellate(const Progress& progress = {});
     void aim(const ViewSpec<D>& view);
     void restart();
     void drop_dangling();

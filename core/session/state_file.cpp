@@ -140,7 +140,7 @@ Scene<2> embedded_scene(const Json& json, const std::string& name) {
 }
 
 template <int D>
-Scene<D> read_scene(const Json& json, const std::string& name, bool two_sided) {
+Scene<D> read_scene(const Json& json, const std::string& name, bool two_sided, const Progress& progress) {
     Scene<D> scene;
     bool embedded = false;
     if constexpr (D == 2) embedded = json.contains("embedded");
@@ -156,7 +156,7 @@ Scene<D> read_scene(const Json& json, const std::string& name, bool two_sided) {
         };
         const std::string beside = (std::filesystem::path(name).parent_path() / file).string();
         if (!exists(file) && exists(beside)) file = beside;
-        scene = load_scene<D>(file, {.two_sided = two_sided});
+        scene = load_scene<D>(file, {.two_sided = two_sided, .progress = progress});
     }
     if (hash_text(scene_hash(scene)) != json.at("hash").get<std::string>())
         throw InputError("scene '" + scene.id + "' is not the one the state was made with (its hash differs)");
@@ -187,7 +187,8 @@ Settings read_settings(const Json& json) {
 /// `shared`: the scene of a state that has none of its own.
 template <int D>
 OpenedState<D> read_state(const Json& json, const std::string& name, std::span<const Method<D>> methods,
-                          const DrawIds& draw_ids, std::shared_ptr<const Scene<D>> shared = nullptr) {
+                          const DrawIds& draw_ids, const Progress& progress,
+                          std::shared_ptr<const Scene<D>> shared = nullptr) {
     if (json.at("format") != "sightline-state") throw InputError("\"format\" is not \"sightline-state\"");
     if (json.at("version") != 1) throw InputError("\"version\" is not 1, the only one known");
     if (const int dimension = json.value("dimension", 2); dimension != D)
@@ -195,10 +196,12 @@ OpenedState<D> read_state(const Json& json, const std::string& name, std::span<c
                          std::to_string(dimension) + "d");
     const Settings settings = read_settings(json.at("settings"));
     if (!shared || json.contains("scene"))
-        shared =
-            std::make_shared<const Scene<D>>(read_scene<D>(json.at("scene"), name, settings.two_sided == Switch::on));
+        shared = std::make_shared<const Scene<D>>(
+            read_scene<D>(json.at("scene"), name, settings.two_sided == Switch::on, progress));
     OpenedState<D> opened{
-        Session<D>(std::move(shared), at_member(json, "view", read_view<D>), settings, methods, draw_ids), {}, {}};
+        Session<D>(std::move(shared), at_member(json, "view", read_view<D>), settings, methods, draw_ids, progress),
+        {},
+        {}};
     Session<D>& session = opened.session;
     if (json.contains("time_stop")) session.set_time_stop(read_count(json.at("time_stop")));
     const std::uint32_t step = read_count(json.at("step"));
@@ -238,12 +241,13 @@ OpenedState<D> read_state(const Json& json, const std::string& name, std::span<c
 /// The state that stands beside the first one, if there is one.
 template <int D>
 void read_other(const Json& json, const std::string& name, std::span<const Method<D>> methods, const DrawIds& draw_ids,
-                OpenedState<D>& opened) {
+                const Progress& progress, OpenedState<D>& opened) {
     if (json.contains("align")) opened.align = read_word<Align>(json.at("align"), align_words);
     if (!json.contains("other")) return;
     const std::string place = name + ": other";
     try {
-        OpenedState<D> other = read_state<D>(json.at("other"), place, methods, draw_ids, opened.session.shared_scene());
+        OpenedState<D> other =
+            read_state<D>(json.at("other"), place, methods, draw_ids, progress, opened.session.shared_scene());
         opened.other = std::move(other.session);
         opened.warnings.insert(opened.warnings.end(), other.warnings.begin(), other.warnings.end());
     } catch (const Json::exception& error) {
@@ -320,11 +324,11 @@ std::string state_json(const Session<D>& session, const FigureSpec& figure, cons
 
 template <int D>
 OpenedState<D> open_state(std::string_view text, const std::string& name, std::span<const Method<D>> methods,
-                          const DrawIds& draw_ids) {
+                          const DrawIds& draw_ids, const Progress& progress) {
     try {
         const Json json = parse_json(text, name);
-        OpenedState<D> opened = read_state<D>(json, name, methods, draw_ids);
-        read_other<D>(json, name, methods, draw_ids, opened);
+        OpenedState<D> opened = read_state<D>(json, name, methods, draw_ids, progress);
+        read_other<D>(json, name, methods, draw_ids, progress, opened);
         return opened;
     } catch (const Json::exception& error) {
         throw input_error(name, "", why_not(error));
@@ -338,7 +342,7 @@ OpenedState<D> open_state(std::string_view text, const std::string& name, std::s
 #define SIGHTLINE_INSTANTIATE(D)                                                                            \
     template std::string state_json<D>(const Session<D>&, const FigureSpec&, const Session<D>*, Align);     \
     template OpenedState<D> open_state<D>(std::string_view, const std::string&, std::span<const Method<D>>, \
-                                          const DrawIds&);
+                                          const DrawIds&, const Progress&);
 SIGHTLINE_INSTANTIATE(2)
 SIGHTLINE_INSTANTIATE(3)
 #undef SIGHTLINE_INSTANTIATE

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/progress.h"
 #include "core/session/comparison.h"
 #include "core/session/figure_spec.h"
 #include "core/session/session.h"
@@ -37,6 +38,7 @@ struct OpenedState {
 /// breakpoint is no condition.
 template <int D = 2>
 OpenedState<D> open_state(std::string_view text, const std::string& name,
-                          std::span<const Method<D>> methods = method_table<D>(), const DrawIds& draw_ids = {});
+                          std::span<const Method<D>> methods = method_table<D>(), const DrawIds& draw_ids = {},
+                          const Progress& progress = {});
 
 }  // namespace sightline

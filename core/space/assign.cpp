@@ -27,12 +27,13 @@ bool meets(const CellComplex<2>& cells, std::uint32_t cell, const Primitive<2>& 
 
 }  // namespace
 
-void assign_primitives(CellComplex<2>& cells, const std::vector<Primitive<2>>& primitives) {
+void assign_primitives(CellComplex<2>& cells, const std::vector<Primitive<2>>& primitives, const Progress& progress) {
     std::vector<CellPrimitive> pairs;
     std::vector<std::uint32_t> reached_for(cells.cell_count(), none);  // last primitive that tried the cell
     std::vector<std::uint32_t> flood;
     cells.unassigned = 0;
     for (std::uint32_t primitive = 0; primitive < primitives.size(); ++primitive) {
+        report_assigned(progress, primitive, primitives.size());
         const Primitive<2>& segment = primitives[primitive];
         flood.clear();
         const auto reach = [&](std::uint32_t cell) {

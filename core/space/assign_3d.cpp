@@ -103,11 +103,13 @@ private:
 };
 
 template <typename Search>
-void assign(CellComplex<3>& cells, const std::vector<Primitive<3>>& primitives, std::size_t most) {
+void assign(CellComplex<3>& cells, const std::vector<Primitive<3>>& primitives, const Progress& progress,
+            std::size_t most) {
     std::vector<CellPrimitive> pairs;
     Search search(cells);
     cells.unassigned = 0;
     for (std::uint32_t primitive = 0; primitive < primitives.size(); ++primitive) {
+        report_assigned(progress, primitive, primitives.size());
         const std::vector<std::uint32_t>& found = search.cells_of(primitive, primitives[primitive]);
         if (pairs.size() + found.size() > most)
             throw InputError("the triangles are too large for cells that fine: together they lie in more than " +
@@ -120,11 +122,12 @@ void assign(CellComplex<3>& cells, const std::vector<Primitive<3>>& primitives, 
 
 }  // namespace
 
-void assign_primitives(CellComplex<3>& cells, const std::vector<Primitive<3>>& primitives, std::size_t most) {
+void assign_primitives(CellComplex<3>& cells, const std::vector<Primitive<3>>& primitives, const Progress& progress,
+                       std::size_t most) {
     if (cells.kind == Tessellation::delaunay) {
-        assign<TetrahedronFlood>(cells, primitives, most);
+        assign<TetrahedronFlood>(cells, primitives, progress, most);
     } else {
-        assign<TreeDescent>(cells, primitives, most);
+        assign<TreeDescent>(cells, primitives, progress, most);
     }
 }
 

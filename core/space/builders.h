@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/progress.h"
 #include "core/space/cell_complex.h"
 
 namespace sightline {
@@ -26,10 +27,18 @@ inline constexpr std::size_t most_references = std::size_t{1} << 29;
 
 /// Fills the rows cell -> primitives and `unassigned`. 2D: the cells whose closure meets the primitive, exactly. 3D:
 /// those and at times one that it misses by a rounding error (triangle_test.h).
-void assign_primitives(CellComplex<2>& cells, const std::vector<Primitive<2>>& primitives);
+void assign_primitives(CellComplex<2>& cells, const std::vector<Primitive<2>>& primitives,
+                       const Progress& progress = {});
 /// 3D throws InputError when that makes more than `most` references.
 void assign_primitives(CellComplex<3>& cells, const std::vector<Primitive<3>>& primitives,
-                       std::size_t most = most_references);
+                       const Progress& progress = {}, std::size_t most = most_references);
+
+/// Word of the assignment, before each primitive; what takes time is said only now and then.
+inline void report_assigned(const Progress& progress, std::size_t done, std::size_t count) {
+    constexpr std::size_t block = std::size_t{1} << 16;
+    if (done % block == 0)
+        report(progress, "assigning to cells", static_cast<double>(done) / static_cast<double>(count));
+}
 
 /// A primitive that meets a cell.
 struct CellPrimitive {

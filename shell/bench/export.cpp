@@ -10,6 +10,7 @@
 #include "core/output_file.h"
 #include "core/session/condition.h"
 #include "core/session/state_file.h"
+#include "core/space/cells_file.h"
 #include "core/stopwatch.h"
 
 namespace sightline {
@@ -115,6 +116,13 @@ std::string bench_state(const Workbench<D>& bench) {
     return state_json<D>(bench.session, bench.figure, &bench.other->session, bench.other->align);
 }
 
+template <int D>
+void write_cells(Workbench<D>& bench, const std::string& file) {
+    const Session<D>& session = bench.session;
+    write_cells(session.cells(), session.scene(), session.settings(), file);
+    bench.say("wrote " + file + ", " + std::to_string(session.cells().cell_count()) + " cells");
+}
+
 void write_text(const std::string& file, const std::string& text) {
     if (file == "-") {
         std::cout << text;
@@ -125,6 +133,7 @@ void write_text(const std::string& file, const std::string& text) {
 
 #define SIGHTLINE_INSTANTIATE(D)                                         \
     template void set_figure_size<D>(Workbench<D>&, const std::string&); \
+    template void write_cells<D>(Workbench<D>&, const std::string&);     \
     template void write_shot<D>(Workbench<D>&, const std::string&);      \
     template std::string bench_state<D>(const Workbench<D>&);
 SIGHTLINE_INSTANTIATE(2)

@@ -22,6 +22,10 @@ void write_shot(Workbench<D>& bench, const std::string& file);
 template <int D>
 std::string bench_state(const Workbench<D>& bench);
 
+/// Writes the tessellation and the assignment of the session on the bench (cells_file.h).
+template <int D>
+void write_cells(Workbench<D>& bench, const std::string& file);
+
 /// Writes the text of stats, trace or state; the name "-" is standard output.
 void write_text(const std::string& file, const std::string& text);
 

@@ -11,6 +11,7 @@
 #include "core/session/condition.h"
 #include "core/session/start_settings.h"
 #include "core/session/state_file.h"
+#include "core/space/cells_file.h"
 #include "core/stopwatch.h"
 #include "shell/bench/change.h"
 
@@ -35,11 +36,12 @@ Settings start_settings(const std::string& name, bool in_window) {
 
 template <int D>
 Session<D> open_scene(const std::string& name, const Settings& settings, std::span<const Method<D>> methods,
-                      const std::function<void(const std::string&)>& warn, const Graphics& graphics) {
+                      const std::function<void(const std::string&)>& warn, const Graphics& graphics,
+                      const std::string& cells) {
     const Stopwatch reading;
     auto scene = std::make_shared<const Scene<D>>(
         load_scene<D>(name, {.two_sided = settings.two_sided == Switch::on, .progress = graphics.progress}));
-    const double read_ms = reading.milliseconds();
+    double read_ms = reading.milliseconds();
     for (const std::string& warning : scene->warnings) warn(warning);
     if (const Dropped& d = scene->dropped; d.total() > 0)
         warn(name + ": dropped " + std::to_string(d.degenerate) + (D == 2 ? " of zero length, " : " of zero area, ") +
@@ -47,7 +49,14 @@ Session<D> open_scene(const std::string& name, const Settings& settings, std::sp
     ViewSpec<D> view;
     view.look_at.x = 1;
     if (scene->start_view) view = *scene->start_view;
-    Session<D> session(scene, view, settings, methods, graphics.draw_ids);
+    std::shared_ptr<const CellComplex<D>> at_hand;
+    if (!cells.empty()) {
+        report(graphics.progress, "reading the cells", 0);
+        const Stopwatch also;
+        at_hand = std::make_shared<const CellComplex<D>>(read_cells<D>(cells, *scene, settings));
+        read_ms += also.milliseconds();
+    }
+    Session<D> session(scene, view, settings, methods, graphics.draw_ids, graphics.progress, std::move(at_hand));
     session.times().read = read_ms;
     return session;
 }
@@ -77,7 +86,7 @@ auto warner(const Workbench<D>& bench) {
 
 template <int D>
 void open_state_text(Workbench<D>& bench, const std::string& text, const std::string& name) {
-    OpenedState<D> opened = open_state<D>(text, name, bench.methods, bench.graphics.draw_ids);
+    OpenedState<D> opened = open_state<D>(text, name, bench.methods, bench.graphics.draw_ids, bench.graphics.progress);
     std::for_each(opened.warnings.begin(), opened.warnings.end(), warner(bench));
     replace_session(bench, std::move(opened.session));
     bench.figure = std::move(opened.figure);
@@ -102,7 +111,7 @@ void compare_file(Workbench<D>& bench, const std::string& name) {
                             open_scene<D>(name, start_settings<D>(name, bench.record_ahead), bench.methods,
                                           warner(bench), bench.graphics),
                             name);
-    OpenedState<D> opened = open_state<D>(*text, name, bench.methods, bench.graphics.draw_ids);
+    OpenedState<D> opened = open_state<D>(*text, name, bench.methods, bench.graphics.draw_ids, bench.graphics.progress);
     std::for_each(opened.warnings.begin(), opened.warnings.end(), warner(bench));
     compare_with(bench, std::move(opened.session), name);
 }
@@ -115,15 +124,16 @@ std::shared_ptr<const Scene<D>> reread(const std::shared_ptr<const Scene<D>>& sc
         load_scene<D>(scene->name, {.two_sided = settings.two_sided == Switch::on}));
 }
 
-#define SIGHTLINE_INSTANTIATE(D)                                                                        \
-    template std::optional<std::string> state_text<D>(const std::string&);                              \
-    template Settings start_settings<D>(const std::string&, bool);                                      \
-    template Session<D> open_scene<D>(const std::string&, const Settings&, std::span<const Method<D>>,  \
-                                      const std::function<void(const std::string&)>&, const Graphics&); \
-    template void add_bookmarks<D>(Session<D>&);                                                        \
-    template void open<D>(Workbench<D>&, const std::string&);                                           \
-    template void open_state_text<D>(Workbench<D>&, const std::string&, const std::string&);            \
-    template void compare_file<D>(Workbench<D>&, const std::string&);                                   \
+#define SIGHTLINE_INSTANTIATE(D)                                                                       \
+    template std::optional<std::string> state_text<D>(const std::string&);                             \
+    template Settings start_settings<D>(const std::string&, bool);                                     \
+    template Session<D> open_scene<D>(const std::string&, const Settings&, std::span<const Method<D>>, \
+                                      const std::function<void(const std::string&)>&, const Graphics&, \
+                                      const std::string&);                                             \
+    template void add_bookmarks<D>(Session<D>&);                                                       \
+    template void open<D>(Workbench<D>&, const std::string&);                                          \
+    template void open_state_text<D>(Workbench<D>&, const std::string&, const std::string&);           \
+    template void compare_file<D>(Workbench<D>&, const std::string&);                                  \
     template std::shared_ptr<const Scene<D>> reread<D>(const std::shared_ptr<const Scene<D>>&, const Settings&);
 SIGHTLINE_INSTANTIATE(2)
 SIGHTLINE_INSTANTIATE(3)

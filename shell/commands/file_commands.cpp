@@ -14,13 +14,33 @@ namespace sightline {
 
 namespace {
 
-/// FROM-TO FILE [4fps]
+/// Where no speed is asked for.
+constexpr double path_frames_per_second = 25;
+
+/// FROM-TO FILE [4fps] | path [FROM-TO] FILE [25fps]
 template <int D>
 void film(Workbench<D>& bench, Text text) {
-    const auto [steps, rest] = split_word(text);
-    const auto range = parse_steps(steps);
-    if (!range) throw InputError("write the steps of a film as FROM-TO");
-    FilmSpec spec{(*range)[0], (*range)[1], rest};
+    FilmSpec spec;
+    std::string rest = text;
+    const auto take_word = [&] {
+        const auto [word, after] = split_word(rest);
+        rest = after;
+        return word;
+    };
+    if (split_word(rest)[0] == "path") {
+        take_word();
+        spec.path = true;
+        spec.frames_per_second = path_frames_per_second;
+        spec.last = static_cast<std::uint32_t>(std::max<std::size_t>(1, bench.flight.path.frames.size()) - 1);
+    }
+    if (const auto range = parse_steps(split_word(rest)[0])) {
+        take_word();
+        spec.first = (*range)[0];
+        spec.last = (*range)[1];
+    } else if (!spec.path) {
+        throw InputError("write the steps of a film as FROM-TO");
+    }
+    spec.file = rest;
     const std::size_t space = rest.rfind(' ');
     if (space != std::string::npos && rest.ends_with("fps")) {
         const std::string speed = rest.substr(space + 1, rest.size() - space - 4);
@@ -68,10 +88,14 @@ std::span<const Command<D>> file_commands() {
                    [](Workbench<D>& bench, Text text) { set_figure_size(bench, text); }},
         Command<D>{"shot", "FILE", "write a figure (.png, .svg, .pdf) and its sidecar", "Ctrl+E=?",
                    [](Workbench<D>& bench, Text text) { write_shot(bench, file_argument(text)); }},
-        Command<D>{"film", "FROM-TO FILE [4fps]",
-                   "write steps as numbered .png, as pages of a .pdf, as .gif or as .mp4", "", film<D>},
+        Command<D>{"film", D == 2 ? "FROM-TO FILE [4fps]" : "[path] FROM-TO FILE [4fps]",
+                   D == 2 ? "write steps as numbered .png, as pages of a .pdf, as .gif or as .mp4"
+                          : "write steps, or frames of the path, as numbered .png, pages of a .pdf, .gif or .mp4",
+                   "", film<D>},
         Command<D>{"save", "FILE", "write a state file", "Ctrl+S=?",
                    [](Workbench<D>& bench, Text text) { write_text(file_argument(text), bench_state(bench)); }},
+        Command<D>{"cells", "FILE", "write the cells and what they hold, for --cells", "",
+                   [](Workbench<D>& bench, Text text) { write_cells(bench, file_argument(text)); }},
         Command<D>{"trace", "FILE", "write the records of the steps so far", "",
                    [](Workbench<D>& bench, Text text) { write_text(file_argument(text), trace_json(bench.session)); }},
         Command<D>{"stats", "FILE", "write the statistics", "",

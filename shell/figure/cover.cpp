@@ -3,6 +3,7 @@
 
 #include "core/draw/solid_list.h"
 #include "core/measure/image_plane.h"
+#include "shell/figure/inset.h"
 #include "shell/figure/label.h"
 #include "shell/figure/outline.h"
 
@@ -52,7 +53,7 @@ double covered(const SolidList& solid, const Rect& place, const Rect& box) {
 
 double covered(const Figure::Panel& content, const Layout::Panel& panel, const Layout& layout, const Font& font,
                const Rect& box) {
-    const double line_weight = 3, mark_weight = 10, label_weight = 150;
+    const double line_weight = 3, mark_weight = 10, label_weight = 150, inset_weight = 1e6;
     const DrawList& list = content.list;
     double sum = content.solid ? covered(*content.solid, world_on_page(list, panel, layout.scale), box) : 0;
     std::vector<Vec<2>> points;
@@ -77,6 +78,8 @@ double covered(const Figure::Panel& content, const Layout::Panel& panel, const L
         const auto placed = place_label(label, panel, layout, font);
         if (placed && placed->box.overlaps(box)) sum += label_weight;
     }
+    for (const PlacedInset& inset : place_insets(content, panel, layout, font))
+        if (inset.box.overlaps(box)) sum += inset_weight;
     return sum;
 }
 

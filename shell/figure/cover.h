@@ -8,8 +8,9 @@
 
 namespace sightline {
 
-/// A measure of what is drawn under the box: lengths of outlines in points; lines and labels weigh more. Of a solid it
-/// is the outlines of faces and triangles, also of hidden ones; of many, some that are spread over all.
+/// A measure of what is drawn under the box: lengths of outlines in points; lines and labels weigh more, insets more
+/// than all else. Of a solid it is the outlines of faces and triangles, also of hidden ones; of many, some that are
+/// spread over all.
 double covered(const Figure::Panel& content, const Layout::Panel& panel, const Layout& layout, const Font& font,
                const Rect& box);
 

@@ -75,7 +75,7 @@ cairo_status_t append(void* text, const unsigned char* data, unsigned length) {
     return CAIRO_STATUS_SUCCESS;
 }
 
-std::string pdf_of(std::span<const Figure> pages, std::span<const Layout> layouts, double dpi, const Font& font,
+std::string pdf_of(const MakePage& page, std::span<const Layout> layouts, double dpi, const Font& font,
                    const DrawSolid& draw_solid) {
     // Acrobat reads no page beyond 200 inches.
     if (std::max(layouts.front().width, layouts.front().height) > 14400)
@@ -89,8 +89,8 @@ std::string pdf_of(std::span<const Figure> pages, std::span<const Layout> layout
         // The same figure is the same file, whenever it is written.
         cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, "2000-01-01T00:00:00Z");
         CairoCanvas canvas(surface.get(), 1, dpi / 72, font);
-        for (std::size_t i = 0; i < pages.size(); ++i) {
-            paint(canvas, pages[i], layouts[i], font, draw_solid);
+        for (std::size_t i = 0; i < layouts.size(); ++i) {
+            paint(canvas, page(i), layouts[i], font, draw_solid);
             canvas.end_page();
         }
         cairo_surface_finish(surface.get());
@@ -120,26 +120,26 @@ void write_figure(const Figure& figure, const FigureSize& size, const std::files
         case Format::svg:
             return save(path, svg_of(figure, size, layouts[0], font, draw_solid));
         case Format::pdf:
-            return save(path, pdf_of({&figure, 1}, layouts, size.dpi, font, draw_solid));
+            return save(path, pdf_of([&](std::size_t) { return figure; }, layouts, size.dpi, font, draw_solid));
     }
 }
 
-void write_figure_pages(std::span<const Figure> pages, const FigureSize& size, const std::filesystem::path& path,
-                        const DrawSolid& draw_solid) {
+void write_figure_pages(std::span<const Figure> plan, const MakePage& page, const FigureSize& size,
+                        const std::filesystem::path& path, const DrawSolid& draw_solid) {
     if (format_of(path) != Format::pdf)
         throw InputError("cannot write " + path.string() + ": several pages need the ending .pdf");
-    if (pages.empty()) throw InputError("cannot write " + path.string() + ": there are no pages");
+    if (plan.empty()) throw InputError("cannot write " + path.string() + ": there are no pages");
     check_size(size);
     const Font font = find_font();
-    save(path, pdf_of(pages, lay_out(pages, size, font), size.dpi, font, draw_solid));
+    save(path, pdf_of(page, lay_out(plan, size, font), size.dpi, font, draw_solid));
 }
 
-void write_figure_frames(std::span<const Figure> pages, const FigureSize& size,
+void write_figure_frames(std::span<const Figure> plan, const MakePage& page, const FigureSize& size,
                          const std::function<std::filesystem::path(std::size_t)>& file, const DrawSolid& draw_solid) {
     check_size(size);
     const Font font = find_font();
-    const std::vector<Layout> layouts = lay_out(pages, size, font);
-    for (std::size_t i = 0; i < pages.size(); ++i) save(file(i), png_of(pages[i], size, layouts[i], font, draw_solid));
+    const std::vector<Layout> layouts = lay_out(plan, size, font);
+    for (std::size_t i = 0; i < plan.size(); ++i) save(file(i), png_of(page(i), size, layouts[i], font, draw_solid));
 }
 
 }  // namespace sightline

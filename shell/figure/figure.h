@@ -28,13 +28,17 @@ struct FigureSize {
 void write_figure(const Figure& figure, const FigureSize& size, const std::filesystem::path& path,
                   const DrawSolid& draw_solid = {});
 
+/// Makes page i; asked for once, in order.
+using MakePage = std::function<Figure(std::size_t)>;
+
 /// The same for a PDF of several pages, e.g. the steps of a film: panels, legend and caption lie at the same places on
-/// each page, so that nothing jumps. The first page says where the legend stands.
-void write_figure_pages(std::span<const Figure> pages, const FigureSize& size, const std::filesystem::path& path,
-                        const DrawSolid& draw_solid = {});
+/// each page, so that nothing jumps. `plan` has all pages with their worlds and texts, and of some at least the
+/// pictures, which say where the legend hides little; its first page says where the legend stands.
+void write_figure_pages(std::span<const Figure> plan, const MakePage& page, const FigureSize& size,
+                        const std::filesystem::path& path, const DrawSolid& draw_solid = {});
 
 /// The same as PNGs that fit each other; file(i) is asked for the name of page i before it is drawn.
-void write_figure_frames(std::span<const Figure> pages, const FigureSize& size,
+void write_figure_frames(std::span<const Figure> plan, const MakePage& page, const FigureSize& size,
                          const std::function<std::filesystem::path(std::size_t)>& file,
                          const DrawSolid& draw_solid = {});
 

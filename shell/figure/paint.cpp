@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "shell/figure/inset.h"
 #include "shell/figure/label.h"
 #include "shell/figure/outline.h"
 
@@ -140,8 +141,29 @@ void paint_solid(Canvas& canvas, const SolidList& solid, const Rect& rect, const
     });
 }
 
-void paint_panel(Canvas& canvas, const Figure::Panel& content, const Layout::Panel& panel, const Layout& layout,
-                 const Font& font, double pitch, const DrawSolid& draw_solid) {
+Path rectangle(const Rect& r) {
+    Path path;
+    path.closed = true;
+    path.add({{r.x, r.y}, {r.right(), r.y}, {r.right(), r.bottom()}, {r.x, r.bottom()}});
+    return path;
+}
+
+void paint_inset(Canvas& canvas, const Figure::Inset& inset, const PlacedInset& placed, const Figure& figure,
+                 const DrawSolid& draw_solid) {
+    if (inset.solid) paint_solid(canvas, *inset.solid, placed.box, draw_solid);
+    if (inset.pixels)
+        canvas.image(placed.box, [&](int width, int height, double) { return resized(*inset.pixels, width, height); });
+    Pen paper = fill_of(figure.background);
+    paper.fill.a = 255;
+    canvas.draw(rectangle(placed.paper), paper);
+    canvas.draw(rectangle(placed.box), {transparent, figure.ink, 0.75});
+    canvas.text(placed.title, figure.ink);
+}
+
+void paint_panel(Canvas& canvas, const Figure& figure, std::size_t i, const Layout& layout, const Font& font,
+                 double pitch, const DrawSolid& draw_solid) {
+    const Figure::Panel& content = figure.panels[i];
+    const Layout::Panel& panel = layout.panels[i];
     const DrawList& list = content.list;
     canvas.clip(panel.frame);
     if (content.solid) paint_solid(canvas, *content.solid, world_on_page(list, panel, layout.scale), draw_solid);
@@ -153,7 +175,9 @@ void paint_panel(Canvas& canvas, const Figure::Panel& content, const Layout::Pan
             points.push_back(to_page(panel, layout.scale, list.points[s.first_point + i]));
         paint_shape(canvas, s.kind, std::move(points), s.size_pt, list.styles[s.style], panel.frame, pitch);
     }
+    const std::vector<PlacedInset> insets = place_insets(content, panel, layout, font);
     std::vector<Rect> taken;
+    for (const PlacedInset& inset : insets) taken.push_back(inset.box);
     for (const Label& label : list.labels) {
         const auto placed = place_label(label, panel, layout, font);
         if (!placed) continue;
@@ -165,14 +189,9 @@ void paint_panel(Canvas& canvas, const Figure::Panel& content, const Layout::Pan
         if (label.disc) canvas.circle(placed->centre, placed->radius, fill_of(*label.disc));
         if (!placed->run.text.empty()) canvas.text(placed->run, label.colour, label.halo);
     }
+    for (std::size_t k = 0; k < insets.size(); ++k)
+        paint_inset(canvas, content.insets[k], insets[k], figure, draw_solid);
     canvas.unclip();
-}
-
-Path rectangle(const Rect& r) {
-    Path path;
-    path.closed = true;
-    path.add({{r.x, r.y}, {r.right(), r.y}, {r.right(), r.bottom()}, {r.x, r.bottom()}});
-    return path;
 }
 
 void paint_swatch(Canvas& canvas, const LegendRow& row, const Rect& swatch, double size, double pitch) {
@@ -211,7 +230,7 @@ void paint(Canvas& canvas, const Figure& figure, const Layout& layout, const Fon
     };
     for (std::size_t i = 0; i < layout.panels.size(); ++i) {
         const Layout::Panel& panel = layout.panels[i];
-        paint_panel(canvas, figure.panels[i], panel, layout, font, pitch, draw_solid);
+        paint_panel(canvas, figure, i, layout, font, pitch, draw_solid);
         canvas.draw(rectangle(panel.frame), border);
         write(panel.title);
     }

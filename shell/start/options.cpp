@@ -85,6 +85,8 @@ std::optional<Options> parse_options(int argc, const char* const* argv, std::spa
                           : "opening of the view in degrees, from top to bottom");
     app.add_option("--method", o.method, "method id, see below");
     app.add_option("--preset", o.preset, "preset id, see below");
+    app.add_option("--cells", o.cells,
+                   "file of the scene's cells: read where it exists and fits, else made and written");
     app.add_option("--set", o.settings, "FIELD=VALUE, see below; may be given several times")->allow_extra_args(false);
     app.add_option("--budget", o.budget, "500 | 5% | 16ms | unlimited");
     app.add_option("--steps", steps, "start at step 0 and go to step N");
@@ -152,6 +154,7 @@ std::optional<Options> parse_options(int argc, const char* const* argv, std::spa
     if (!window.empty()) o.window = window_size(window);
     if (o.headless && (o.scale || o.window)) throw InputError("--scale and --window: with --headless there is none");
     if (!o.state.empty() && !o.scene.empty()) throw InputError("--state names its own scene: leave out " + o.scene);
+    if (!o.cells.empty() && o.scene.empty()) throw InputError("--cells belongs to a scene: name the scene, too");
     return o;
 }
 

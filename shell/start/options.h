@@ -28,7 +28,7 @@ struct Options {
     std::string panels, size;
     std::optional<double> font_pt;
     std::vector<std::string> shots;
-    std::string state, trace, stats;
+    std::string cells, state, trace, stats;
     std::optional<double> scale;               ///< of the window
     std::optional<std::array<int, 2>> window;  ///< its size
 

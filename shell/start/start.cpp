@@ -56,7 +56,9 @@ Session<D> open_session(const Options& o, bool in_window, std::span<const Method
     const std::string name = o.scene.empty() ? first_scene : o.scene;
     Settings settings = start_settings<D>(name, in_window);
     apply_options(settings, o);
-    Session<D> session = open_scene<D>(name, settings, methods, warn, graphics);
+    std::error_code error;
+    const bool made = !o.cells.empty() && std::filesystem::exists(o.cells, error);
+    Session<D> session = open_scene<D>(name, settings, methods, warn, graphics, made ? o.cells : "");
     const ViewSpec<D> view = apply_options<D>(session.culling_view(), o, session.scene());
     if (view != session.culling_view()) session.set_view(view);
     return session;
@@ -71,9 +73,11 @@ Workbench<D> open_bench(const Options& o, bool in_window, std::span<const Method
     if (o.state.empty()) {
         Workbench<D> bench{open_session<D>(o, in_window, methods, graphics), {}, Stop::steps, false, say, methods};
         bench.graphics = graphics;
+        if (std::error_code error; !o.cells.empty() && !std::filesystem::exists(o.cells, error))
+            write_cells(bench, o.cells);
         return bench;
     }
-    OpenedState<D> opened = open_state<D>(read_file(o.state), o.state, methods, graphics.draw_ids);
+    OpenedState<D> opened = open_state<D>(read_file(o.state), o.state, methods, graphics.draw_ids, graphics.progress);
     for (const std::string& warning : opened.warnings) warn(warning);
     for (const std::string& warning : opened.session.scene().warnings) warn(warning);
     Settings settings = opened.session.settings();

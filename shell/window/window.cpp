@@ -101,6 +101,9 @@ Window<D>::Window(Workbench<D>& bench, const WindowOptions& options)
     ui_.act = [this](const std::string& commands) { act(commands); };
     bench_.say = [this](const std::string& text) { tell({text, false}); };
     bench_.clipboard = {clipboard_text, [](const std::string& text) { SDL_SetClipboardText(text.c_str()); }};
+    bench_.graphics.progress = [this](std::string_view what, double share) {
+        progress_.show(context_.window(), ui_, what, share);
+    };
     bench_.record_ahead = true;
     traversal_changed(bench_);
     if (options_.scale == 0) options_.scale = screen_density(context_.window());
@@ -111,6 +114,7 @@ Window<D>::Window(Workbench<D>& bench, const WindowOptions& options)
 
 template <int D>
 Window<D>::~Window() {
+    bench_.graphics.progress = {};
     stage = {};  // while OpenGL is there
 }
 
@@ -145,6 +149,7 @@ void Window<D>::act(const std::string& commands) {
         return;
     }
     ++ui_.revision;
+    progress_.begin();
     try {
         run_commands(bench_, commands);
     } catch (const std::exception& error) {

@@ -9,6 +9,7 @@
 #include "shell/gl/context.h"
 #include "shell/window/mouse_state.h"
 #include "shell/window/placement.h"
+#include "shell/window/progress_card.h"
 #include "shell/window/stage.h"
 
 namespace sightline {
@@ -70,6 +71,7 @@ private:
     bool fullscreen_ = false;
     std::vector<std::string> recent_;  ///< of the bench, at the last frame
     MouseState mouse_;
+    ProgressCard progress_;
     std::optional<SDL_Event> later_;          ///< a release that must not fall into the frame of what came before
     std::optional<std::string> after_frame_;  ///< a command that takes seconds, until its word has been drawn
     bool expected_text_ = false;              ///< in the frame before
