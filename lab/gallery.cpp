@@ -72,6 +72,33 @@ const Expectation& shown(const GalleryRow<D>& row) {
     throw InputError(std::string(row.id) + ": nothing is measured");
 }
 
+/// Lines of a caption are at most this long, so that they fit beside the border of a picture.
+constexpr std::size_t caption_columns = 44;
+constexpr double caption_line_pt = 11;
+
+/// Notes, one below the other, at the last cell or at the point looked at, shown in this step only.
+template <int D>
+void add_caption(Session<D>& session, const std::string& text) {
+    std::vector<std::string> lines(1);
+    std::istringstream words(text);
+    for (std::string word; words >> word;) {
+        if (!lines.back().empty() && lines.back().size() + word.size() >= caption_columns) lines.emplace_back();
+        lines.back() += (lines.back().empty() ? "" : " ") + word;
+    }
+    Note<D> note;
+    note.point = session.culling_view().look_at;
+    if (const std::uint32_t cell = last_cell(session); cell != none) {
+        note.anchor = Note<D>::Anchor::cell;
+        note.index = cell;
+    }
+    note.first_step = note.last_step = session.position();
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        note.text = lines[i];
+        note.offset_pt.y = 12 + caption_line_pt * static_cast<double>(lines.size() - 1 - i);
+        session.notes.push_back(note);
+    }
+}
+
 }  // namespace
 
 bool passes(const Expectation& expectation, double value) {
@@ -118,16 +145,8 @@ std::string gallery_state(const GalleryRow<D>& row, const DrawIds& draw_ids) {
     else if (run_until(session, Condition<D>(row.until)) != Stop::breakpoint)
         throw WorkError(std::string(row.id) + ": '" + row.until + "' never holds");
     session.bookmarks.push_back({session.position(), row.look});
-    Note<D> caption;
-    caption.point = session.culling_view().look_at;
-    caption.text = row.look;
-    if (const std::uint32_t cell = last_cell(session); cell != none) {
-        session.selected_cell = cell;
-        caption.anchor = Note<D>::Anchor::cell;
-        caption.index = cell;
-    }
-    caption.first_step = caption.last_step = session.position();
-    session.notes.push_back(caption);
+    session.selected_cell = last_cell(session);
+    add_caption(session, row.look);
     return state_json(session);
 }
 

@@ -8,15 +8,15 @@
 #include "core/measure/frame_change.h"
 #include "core/scene/clean.h"
 #include "lab/gallery_functions.h"
+#include "lab/one_run.h"
 
 namespace sightline::lab {
 
 namespace {
 
 template <int D>
-Ran<D> ran_at(const Probe<D>& p, const ViewSpec<D>& view) {
-    return ran<D>(p.at.scene().primitives, p.at.scene().two_sided, p.at.cells(p.settings), p.at.view(view, p.settings),
-                  p.settings);
+OneRun ran_at(const Probe<D>& p, const ViewSpec<D>& view) {
+    return one_run(p.at.scene(), p.at.cells(p.settings), p.at.view(view, p.settings), p.settings);
 }
 
 /// The runs after the eye and what it looks at moved along every axis, both ways, and along the diagonals.
@@ -35,7 +35,7 @@ void for_each_shift(const Probe<D>& p, See see) {
 
 /// The scene and the view in other coordinates: c -> c * scale + offset.
 template <int D>
-Ran<D> ran_elsewhere(const Probe<D>& p, double scale, const Vec<D>& offset, bool as_read) {
+OneRun ran_elsewhere(const Probe<D>& p, double scale, const Vec<D>& offset, bool as_read) {
     Scene<D> scene = p.at.scene();
     for (Primitive<D>& primitive : scene.primitives)
         for (Vec<D>& corner : primitive) corner = corner * scale + offset;
@@ -45,12 +45,11 @@ Ran<D> ran_elsewhere(const Probe<D>& p, double scale, const Vec<D>& offset, bool
     view.eye -= scene.origin;
     view.look_at -= scene.origin;
     const CellComplex<D> cells = build_cells(scene, p.settings);
-    return ran<D>(scene.primitives, scene.two_sided, cells, p.at.view(view, p.settings), p.settings);
+    return one_run(scene, cells, view_in(view, scene, p.settings.reference_size), p.settings);
 }
 
 /// 0 where the other run has lost primitives: two of them fell together.
-template <int D>
-double overlap(const Ran<D>& a, const Ran<D>& b) {
+double overlap(const OneRun& a, const OneRun& b) {
     return a.rendered.size() == b.rendered.size() ? jaccard(a.rendered, b.rendered) : 0;
 }
 
@@ -68,8 +67,7 @@ ViewSpec<D> turned_view(const ViewSpec<D>& view, double degrees) {
     return result;
 }
 
-template <int D>
-double coverage_of(const Reference& reference, const Ran<D>& run) {
+double coverage_of(const Reference& reference, const OneRun& run) {
     double found = 0;
     for (std::size_t i = 0; i < run.rendered.size(); ++i) found += run.rendered[i] && reference.visible[i];
     return found / static_cast<double>(reference.count);
@@ -87,36 +85,36 @@ ViewSpec<D> on_walk(const Probe<D>& p, int frame) {
 
 template <int D>
 double least_overlap_under_shifts(const Probe<D>& p) {
-    const Ran<D> here = ran_at(p, p.view);
+    const OneRun here = ran_at(p, p.view);
     double least = 1;
-    for_each_shift(p, [&](const Ran<D>& there) { least = std::min(least, overlap(here, there)); });
+    for_each_shift(p, [&](const OneRun& there) { least = std::min(least, overlap(here, there)); });
     return least;
 }
 
 template <int D>
 double fewest_steps_under_shifts(const Probe<D>& p) {
     double fewest = std::numeric_limits<double>::infinity();
-    for_each_shift(p, [&](const Ran<D>& there) { fewest = std::min<double>(fewest, there.steps); });
+    for_each_shift(p, [&](const OneRun& there) { fewest = std::min<double>(fewest, there.steps); });
     return fewest;
 }
 
 template <int D>
 double change_by_powers_of_two(const Probe<D>& p) {
-    const Ran<D> here = ran_at(p, p.view);
+    const OneRun here = ran_at(p, p.view);
     double worst = 0;
     for (const double scale : {0x1p20, 0x1p-20}) {
-        const Ran<D> there = ran_elsewhere(p, scale, Vec<D>(0), false);
-        if (there.touched.size() != here.touched.size()) return 1;
+        const OneRun there = ran_elsewhere(p, scale, Vec<D>(0), false);
+        if (there.order.size() != here.order.size()) return 1;
         double differ = 0;
-        for (std::size_t i = 0; i < here.touched.size(); ++i) differ += here.touched[i] != there.touched[i];
-        if (!here.touched.empty()) worst = std::max(worst, differ / static_cast<double>(here.touched.size()));
+        for (std::size_t i = 0; i < here.order.size(); ++i) differ += here.order[i] != there.order[i];
+        if (!here.order.empty()) worst = std::max(worst, differ / static_cast<double>(here.order.size()));
     }
     return worst;
 }
 
 template <int D>
 double overlap_scaled(const Probe<D>& p) {
-    const Ran<D> here = ran_at(p, p.view);
+    const OneRun here = ran_at(p, p.view);
     return std::min(overlap(here, ran_elsewhere(p, 1e6, Vec<D>(0), false)),
                     overlap(here, ran_elsewhere(p, 1e-6, Vec<D>(0), false)));
 }
@@ -151,7 +149,7 @@ template <int D>
 double bad_keys_in_sweep(const Probe<D>& p) {
     double bad = 0;
     for (int i = 0; i < sweep_frames; ++i)
-        bad += ran_at(p, turned_view(p.view, sweep_degrees * (i / (sweep_frames - 1.0) - 0.5))).bad_keys;
+        bad += ran_at(p, turned_view(p.view, sweep_degrees * (i / (sweep_frames - 1.0) - 0.5))).not_finite;
     return bad;
 }
 
@@ -175,7 +173,7 @@ double largest_pop(const Probe<D>& p) {
     for (int i = 0; i < walk_frames; ++i) {
         const ViewSpec<D> view = on_walk(p, i);
         std::vector<std::uint8_t> now = p.at.truth(view, p.settings).reference.visible;
-        Ran<D> run = ran_at(p, view);
+        OneRun run = ran_at(p, view);
         if (i > 0) largest = std::max(largest, pop(visible, rendered, now, run.rendered).value_or(0));
         visible = std::move(now);
         rendered = std::move(run.rendered);

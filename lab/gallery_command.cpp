@@ -35,17 +35,22 @@ std::string name_of(const GalleryRow<D>& row) {
     return std::to_string(D) + "d:" + row.id;
 }
 
+/// By its id, with or without dimension, or by its scene as the viewers know it.
+template <int D>
+bool is_named(const std::string& id, const GalleryRow<D>& row) {
+    return id == row.id || id == name_of(row) || id == row.scene;
+}
+
 template <int D>
 bool is_asked(const Asked& asked, const GalleryRow<D>& row) {
-    return asked.ids.empty() || std::any_of(asked.ids.begin(), asked.ids.end(),
-                                            [&](const std::string& id) { return id == row.id || id == name_of(row); });
+    return asked.ids.empty() ||
+           std::any_of(asked.ids.begin(), asked.ids.end(), [&](const std::string& id) { return is_named(id, row); });
 }
 
 void check_ids(const Asked& asked) {
     for (const std::string& id : asked.ids) {
         const auto names = [&](const auto& rows) {
-            return std::any_of(rows.begin(), rows.end(),
-                               [&](const auto& row) { return id == row.id || id == name_of(row); });
+            return std::any_of(rows.begin(), rows.end(), [&](const auto& row) { return is_named(id, row); });
         };
         if (!names(gallery<2>()) && !names(gallery<3>()))
             throw InputError("the gallery has no scene '" + id + "' (--list lists them)");

@@ -9,22 +9,6 @@
 
 namespace sightline::lab {
 
-/// The method of the settings; throws InputError when there is none.
-template <int D>
-const Method<D>& method_of(const Settings& settings);
-
-/// A run to the budget of the settings.
-template <int D>
-struct Ran {
-    std::vector<std::uint32_t> touched;  ///< as State::touched
-    std::vector<std::uint8_t> rendered;  ///< per primitive
-    std::uint32_t count = 0, steps = 0;
-    std::uint32_t bad_keys = 0;  ///< cells whose key is no finite number
-};
-template <int D>
-Ran<D> ran(const std::vector<Primitive<D>>& primitives, const std::vector<std::uint8_t>& two_sided,
-           const CellComplex<D>& cells, const View<D>& view, const Settings& settings);
-
 // gallery_changes.cpp: what should not matter.
 template <int D>
 double least_overlap_under_shifts(const Probe<D>& probe);

@@ -11,6 +11,7 @@
 #include "core/settings/settings_table.h"
 #include "core/space/cell_complex.h"
 #include "lab/gallery_functions.h"
+#include "lab/one_run.h"
 
 namespace sightline::lab {
 
@@ -19,6 +20,11 @@ namespace {
 constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 
 double ratio(double part, double whole) { return whole > 0 ? part / whole : no_value; }
+
+template <int D>
+const Method<D>& method_of(const Settings& settings) {
+    return find_method<D>(method_table<D>(), settings.method);
+}
 
 template <int D>
 Values values(const Probe<D>& p) {
@@ -36,9 +42,8 @@ Values values(const Probe<D>& p) {
 }
 
 template <int D>
-Ran<D> ran(const Probe<D>& p) {
-    return lab::ran<D>(p.at.scene().primitives, p.at.scene().two_sided, p.at.cells(p.settings),
-                       p.at.view(p.view, p.settings), p.settings);
+OneRun ran(const Probe<D>& p) {
+    return one_run(p.at.scene(), p.at.cells(p.settings), p.at.view(p.view, p.settings), p.settings);
 }
 
 template <int D>
@@ -98,7 +103,7 @@ double ahead_of_centroid(const Probe<D>& p) {
 template <int D>
 double coverage_at_look(const Probe<D>& p) {
     const Reference reference = p.at.truth(p.view, p.settings).reference;
-    const Ran<D> run = ran(p);
+    const OneRun run = ran(p);
     double visible = 0, found = 0;
     for (std::size_t i = 0; i < run.rendered.size(); ++i) {
         const Vec<D> d = p.at.scene().primitives[i][0] - p.view.look_at;
@@ -130,7 +135,7 @@ template <int D>
 double culled(const Probe<D>& p) {
     const Reference reference = p.at.truth(p.view, p.settings).reference;
     const double shown = shown_count(p), visible = static_cast<double>(reference.count);
-    const Ran<D> run = ran(with(p, {"budget=unlimited"}));
+    const OneRun run = ran(with(p, {"budget=unlimited"}));
     double hidden = 0;
     for (std::size_t i = 0; i < run.rendered.size(); ++i) hidden += run.rendered[i] && !reference.visible[i];
     return ratio(shown - visible - hidden, shown - visible);
@@ -139,24 +144,24 @@ double culled(const Probe<D>& p) {
 template <int D>
 double off_budget(const Probe<D>& p) {
     const auto all = static_cast<std::uint32_t>(p.at.scene().primitives.size());
-    const std::uint32_t reachable = ran(with(p, {"budget=unlimited"})).count;
+    const std::uint32_t reachable = static_cast<std::uint32_t>(ran(with(p, {"budget=unlimited"})).order.size());
     double worst = 0;
     for (const std::uint32_t k : {0u, 1u, 2u, 3u, 5u, 17u, all / 2, all - 1, all, all + 1}) {
         Probe<D> at = p;
         at.settings.budget = {Budget::Kind::primitives, static_cast<double>(k)};
-        const Ran<D> run = ran(at);
-        worst = std::max(worst, std::abs(static_cast<double>(run.count) - std::min(k, reachable)));
+        const OneRun run = ran(at);
+        worst = std::max(worst, std::abs(static_cast<double>(run.order.size()) - std::min(k, reachable)));
     }
     return worst;
 }
 
 template <int D>
 double rendered_twice(const Probe<D>& p) {
-    Ran<D> run = ran(with(p, {"budget=unlimited"}));
-    const auto met = static_cast<double>(run.touched.size());
-    std::sort(run.touched.begin(), run.touched.end());
-    run.touched.erase(std::unique(run.touched.begin(), run.touched.end()), run.touched.end());
-    return met - static_cast<double>(run.touched.size());
+    OneRun run = ran(with(p, {"budget=unlimited"}));
+    const auto met = static_cast<double>(run.order.size());
+    std::sort(run.order.begin(), run.order.end());
+    run.order.erase(std::unique(run.order.begin(), run.order.end()), run.order.end());
+    return met - static_cast<double>(run.order.size());
 }
 
 template <int D>
@@ -236,7 +241,7 @@ double steps(const Probe<D>& p) {
 
 template <int D>
 double rendered_count(const Probe<D>& p) {
-    return ran(p).count;
+    return static_cast<double>(ran(p).order.size());
 }
 
 bool of_a_frame(const MeasureRow& row) {
@@ -260,43 +265,13 @@ const CellComplex<D>& GalleryScene<D>::cells(const Settings& settings) {
 
 template <int D>
 View<D> GalleryScene<D>::view(const ViewSpec<D>& spec, const Settings& settings) const {
-    if constexpr (D == 2) {
-        return make_view(spec);
-    } else {
-        const ImageSize size = image_size<3>(settings.reference_size);
-        return make_view(spec, static_cast<double>(size.width) / size.height, scene_->up_axis);
-    }
+    return view_in(spec, *scene_, settings.reference_size);
 }
 
 template <int D>
 Truth GalleryScene<D>::truth(const ViewSpec<D>& spec, const Settings& settings) {
     const CellComplex<D>* of[] = {&cells(settings)};
     return make_truths<D>(*scene_, of, view(spec, settings), settings.reference_size, draw_ids_).front();
-}
-
-template <int D>
-const Method<D>& method_of(const Settings& settings) {
-    return find_method<D>(method_table<D>(), settings.method);
-}
-
-template <int D>
-Ran<D> ran(const std::vector<Primitive<D>>& primitives, const std::vector<std::uint8_t>& two_sided,
-           const CellComplex<D>& cells, const View<D>& view, const Settings& settings) {
-    const Frame<D> frame = make_frame<D>(primitives, cells, view, settings, two_sided);
-    const Method<D>& method = method_of<D>(settings);
-    State<D> state;
-    method.start(frame, state);
-    method.run(frame, state, none);
-    Ran<D> result;
-    result.rendered.resize(primitives.size());
-    result.touched.assign(state.touched.begin(), state.touched.begin() + state.touched_count);
-    for (const std::uint32_t entry : result.touched)
-        if (!(entry & State<D>::culled_bit)) result.rendered[entry] = 1;
-    result.count = state.rendered_count;
-    result.steps = state.step;
-    for (std::uint32_t cell = 0; cell < cells.cell_count(); ++cell)
-        result.bad_keys += !std::isfinite(state.mark(cell).key);
-    return result;
 }
 
 template <int D>
@@ -314,7 +289,8 @@ std::span<const GalleryMeasure<D>> gallery_measures() {
         {"culled", "share", "of the hidden primitives in the view those that the method never renders", culled},
         {"off_budget", "primitives",
          "largest | |T_k| - min(k, |T|) | for k = 0, 1, 2, 3, 5, 17, |S|/2, |S|-1, |S|, |S|+1", off_budget},
-        {"rendered_twice", "primitives", "primitives met more than once in a run without a budget", rendered_twice},
+        {"rendered_twice", "primitives", "primitives rendered more than once in a run without a budget",
+         rendered_twice},
         {"unassigned", "primitives", "those that lie in no cell: never rendered", unassigned},
         {"references", "", "pointers cell -> primitive, over |S|", references},
         {"most_cells", "cells", "the most cells that hold one primitive", most_cells},
@@ -366,12 +342,9 @@ double measured(const Probe<D>& probe, std::string_view id) {
     throw InputError("there is no measure '" + std::string(id) + "' of one scene and view");
 }
 
-#define SIGHTLINE_INSTANTIATE(D)                                                                                      \
-    template class GalleryScene<D>;                                                                                   \
-    template const Method<D>& method_of<D>(const Settings&);                                                          \
-    template Ran<D> ran<D>(const std::vector<Primitive<D>>&, const std::vector<std::uint8_t>&, const CellComplex<D>&, \
-                           const View<D>&, const Settings&);                                                          \
-    template std::span<const GalleryMeasure<D>> gallery_measures<D>();                                                \
+#define SIGHTLINE_INSTANTIATE(D)                                       \
+    template class GalleryScene<D>;                                    \
+    template std::span<const GalleryMeasure<D>> gallery_measures<D>(); \
     template double measured<D>(const Probe<D>&, std::string_view);
 SIGHTLINE_INSTANTIATE(2)
 SIGHTLINE_INSTANTIATE(3)

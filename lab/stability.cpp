@@ -16,18 +16,13 @@
 #include "core/settings/settings_table.h"
 #include "core/space/builders.h"
 #include "core/traversal/methods.h"
+#include "lab/one_run.h"
 
 namespace sightline::lab {
 
 namespace {
 
 using Set = std::vector<std::uint8_t>;
-
-View<2> view_of(const ViewSpec<2>& spec, const Scene<2>&, const Settings&) { return make_view(spec); }
-View<3> view_of(const ViewSpec<3>& spec, const Scene<3>& scene, const Settings& settings) {
-    const ImageSize size = image_size<3>(settings.reference_size);
-    return make_view(spec, static_cast<double>(size.width) / size.height, scene.up_axis);
-}
 
 Set visible_set(const Scene<2>& scene, const View<2>& view, const Settings&, const DrawIds&) {
     return exact_visible_set(scene.primitives, view).visible;
@@ -61,21 +56,14 @@ struct Outcome {
 template <int D>
 Outcome outcome(const Scene<D>& scene, const CellComplex<D>& cells, const Settings& settings, const View<D>& view,
                 std::span<const std::uint32_t> original) {
-    const Method<D>& method = find_method<D>(method_table<D>(), settings.method);
-    Frame<D> frame = make_frame<D>(scene.primitives, cells, view, settings, scene.two_sided);
-    State<D> state;
-    method.start(frame, state);
-    method.run(frame, state, none);
-    Outcome result;
-    result.rendered.resize(scene.primitives.size());
-    for (std::uint32_t i = 0; i < state.touched_count; ++i) {
-        if (state.touched[i] & State<D>::culled_bit) continue;
-        const std::uint32_t id = original.empty() ? state.touched[i] : original[state.touched[i]];
-        result.order.push_back(id);
+    OneRun run = one_run<D>(scene, cells, view, settings);
+    Outcome result{std::move(run.order), std::move(run.rendered), 0, run.not_finite};
+    if (original.empty()) return result;
+    std::fill(result.rendered.begin(), result.rendered.end(), std::uint8_t{0});
+    for (std::uint32_t& id : result.order) {
+        id = original[id];
         result.rendered[id] = 1;
     }
-    for (std::uint32_t cell = 0; cell < cells.cell_count(); ++cell)
-        result.not_finite += !std::isfinite(state.mark(cell).key);
     return result;
 }
 
@@ -193,7 +181,7 @@ private:
                 const Vec<D> by = random_direction() * (amount * size_);
                 spec.eye += by;
                 spec.look_at += by;
-                const View<D> view = view_of(spec, *lab_.scene, lab_.settings);
+                const View<D> view = view_in(spec, *lab_.scene, lab_.settings.reference_size);
                 const Set visible = visible_set(*lab_.scene, view, lab_.settings, draw_ids_);
                 add(Disturbance::eye, amount, base_[frame].of,
                     outcomes(*lab_.scene, lab_.cells, lab_.settings, view, visible),
@@ -213,7 +201,7 @@ private:
             }
         for (std::size_t frame = 0; frame < lab_.specs.size(); ++frame)
             add(disturbance, amount, base_[frame].of,
-                outcomes(scene, cells, settings, view_of(moved(lab_.specs[frame]), scene, settings),
+                outcomes(scene, cells, settings, view_in(moved(lab_.specs[frame]), scene, settings.reference_size),
                          base_[frame].visible, original),
                 1);
     }
@@ -288,7 +276,7 @@ private:
             spec.eye =
                 middle + away / std::sqrt(glm::dot(away, away)) * (distance * angle.cos) + out * (distance * angle.sin);
             spec.look_at = middle;
-            const View<D> view = view_of(spec, *lab_.scene, lab_.settings);
+            const View<D> view = view_in(spec, *lab_.scene, lab_.settings.reference_size);
             const Set now_visible = visible_set(*lab_.scene, view, lab_.settings, draw_ids_);
             std::vector<Outcome> now = outcomes(*lab_.scene, lab_.cells, lab_.settings, view, now_visible);
             if (!before.empty()) add(Disturbance::grazing, 0.1, before, now, jaccard(visible_before, now_visible));

@@ -1,0 +1,29 @@
+// One run of one method in one view, without a recording: what it rendered.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/scene/scene.h"
+#include "core/space/cell_complex.h"
+#include "core/traversal/view.h"
+
+namespace sightline::lab {
+
+/// The view in an image of the asked size: in 3D that gives the aspect.
+template <int D>
+View<D> view_in(const ViewSpec<D>& spec, const Scene<D>& scene, const ImageSize& asked);
+
+struct OneRun {
+    std::vector<std::uint32_t> order;    ///< rendered primitives
+    std::vector<std::uint8_t> rendered;  ///< per primitive, 1 or 0
+    std::uint32_t steps = 0;
+    std::uint32_t not_finite = 0;  ///< cells whose key is NaN or infinite
+};
+
+/// To the budget of the settings.
+template <int D>
+OneRun one_run(const Scene<D>& scene, const CellComplex<D>& cells, const View<D>& view, const Settings& settings);
+
+}  // namespace sightline::lab
