@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -29,7 +30,8 @@ class Examples : public testing::Test {
 protected:
     void SetUp() override {
         const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-        folder_ = fs::path(testing::TempDir()) / (std::string("sightline_examples_") + test->name());
+        folder_ = fs::path(testing::TempDir()) /
+                  (std::string("sightline_examples_") + test->name() + "-" + std::to_string(getpid()));
         fs::remove_all(folder_);
         fs::create_directories(folder_ / "out");
         fs::create_directory_symlink(source / "examples", folder_ / "examples");
@@ -215,10 +217,10 @@ std::vector<Shown> shown_in(const fs::path& page, std::span<const std::string> s
 }
 
 TEST_F(Examples, EveryCommandOfTheDocumentsWorksAndPrintsWhatTheyShow) {
-    const std::map<std::string, std::string> programs{{"./run viewer2d", viewer},
-                                                      {"./run viewer3d", SIGHTLINE_VIEWER3D},
-                                                      {"build/release/examples/viewer2d_crowd",
-                                                       SIGHTLINE_ADDED_HEURISTIC}};
+    const std::map<std::string, std::string> programs{
+        {"./run viewer2d", viewer},
+        {"./run viewer3d", SIGHTLINE_VIEWER3D},
+        {"build/release/examples/viewer2d_crowd", SIGHTLINE_ADDED_HEURISTIC}};
     std::vector<std::string> starts;
     for (const auto& [start, program] : programs) starts.push_back(start);
     auto pages = files_in(source / "docs", ".md");
