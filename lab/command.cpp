@@ -9,6 +9,8 @@ std::span<const Command> commands() {
     static constexpr std::array table{
         Command{"measure", "measures methods on scenes along paths: accuracy, stability and time, with charts",
                 measure_command},
+        Command{"gallery", "measures the scenes in which methods fail: who passes, who fails, who surprises",
+                gallery_command},
         Command{"stability", "measures how much what is rendered changes for what should not matter",
                 stability_command},
         Command{"merge", "puts the parts of a study together that were measured apart", merge_command},

@@ -17,6 +17,7 @@ struct Command {
 std::span<const Command> commands();
 
 int measure_command(int argc, const char* const* argv);
+int gallery_command(int argc, const char* const* argv);
 int merge_command(int argc, const char* const* argv);
 int stability_command(int argc, const char* const* argv);
 

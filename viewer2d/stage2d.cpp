@@ -18,6 +18,8 @@ std::vector<SceneChoice> choices() {
     for (const CatalogueRow<3>& row : catalogue<3>())
         all.push_back({std::string("3D ") + row.id, "3D: " + std::string(row.title), row.lesson,
                        "viewer3d " + std::string(row.id)});
+    for (const CatalogueRow<2>& row : failure_scenes<2>())
+        all.push_back({row.id, "Gallery: " + std::string(row.title), row.lesson});
     for (const std::string& map : installed_maps()) all.push_back({map, map, "A level of Freedoom."});
     return all;
 }

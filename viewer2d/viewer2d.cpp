@@ -19,6 +19,9 @@ void print_catalogue() {
         std::cout << id << row.title << " (" << make_scene(row).primitives.size() << " segments, seed " << row.seed
                   << "). " << row.lesson << "\n";
     }
+    std::cout << "Scenes in which methods fail (./run lab gallery):";
+    for (const CatalogueRow<2>& row : failure_scenes<2>()) std::cout << ' ' << row.id;
+    std::cout << "\n";
     const auto maps = installed_maps();
     if (maps.empty()) {
         std::cout << "No Freedoom levels found: Debian's package freedoom has dozens.\n";

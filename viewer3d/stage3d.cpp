@@ -12,6 +12,8 @@ namespace {
 std::vector<SceneChoice> choices() {
     std::vector<SceneChoice> all;
     for (const CatalogueRow<3>& row : catalogue<3>()) all.push_back({row.id, row.title, row.lesson});
+    for (const CatalogueRow<3>& row : failure_scenes<3>())
+        all.push_back({row.id, "Gallery: " + std::string(row.title), row.lesson});
     return all;
 }
 

@@ -25,6 +25,9 @@ void print_catalogue() {
         for (const char* path : row.paths) std::cout << (path == row.paths.front() ? " Paths: " : ", ") << path;
         std::cout << (row.paths.empty() ? "\n" : ".\n");
     }
+    std::cout << "Scenes in which methods fail (./run lab gallery):";
+    for (const CatalogueRow<3>& row : failure_scenes<3>()) std::cout << ' ' << row.id;
+    std::cout << "\n";
 }
 
 }  // namespace

@@ -166,8 +166,9 @@ std::span<const CatalogueRow<2>> catalogue<2>() {
 template <int D>
 const CatalogueRow<D>* find_in_catalogue(std::string_view id) {
     if (D == 3) id = id.substr(0, id.find(':'));  // "city:500k"
-    for (const CatalogueRow<D>& row : catalogue<D>())
-        if (id == row.id) return &row;
+    for (const auto rows : {catalogue<D>(), failure_scenes<D>()})
+        for (const CatalogueRow<D>& row : rows)
+            if (id == row.id) return &row;
     return nullptr;
 }
 

@@ -65,7 +65,17 @@ std::span<const CatalogueRow<2>> catalogue<2>();
 template <>
 std::span<const CatalogueRow<3>> catalogue<3>();
 
-/// nullptr when no row has this id; in 3D a size may follow it.
+/// Small scenes in which methods fail (field-notes D), by the number of the failure: rows of the catalogue that no
+/// lecture shows and `lab gallery` measures. Their primitives may be what a catalogue should not hold: none, or broken
+/// ones.
+template <int D>
+std::span<const CatalogueRow<D>> failure_scenes();
+template <>
+std::span<const CatalogueRow<2>> failure_scenes<2>();
+template <>
+std::span<const CatalogueRow<3>> failure_scenes<3>();
+
+/// Of both tables; nullptr when no row has this id; in 3D a size may follow it.
 template <int D = 2>
 const CatalogueRow<D>* find_in_catalogue(std::string_view id);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/number.h"
 #include "core/scene/catalogue.h"
+#include "core/scene/clean.h"
 #include "core/scene/generators_3d.h"
 #include "core/scene/text.h"
 
@@ -141,9 +142,10 @@ Scene<3> make_scene(const CatalogueRow<3>& row, std::size_t triangles) {
     scene.lesson = row.lesson;
     scene.source = "generated";
     scene.seed = row.seed;
-    // Clean as made, which is tested: a check here would take longer and more memory than making it.
     scene.primitives = std::move(made.triangles);
     scene.two_sided = std::move(made.two_sided);
+    // Large scenes are clean as made, which is tested: a check here would take longer and more memory than making them.
+    if (row.triangles == 0) clean(scene, Recentre::no, row.id);
     scene.start_view = row.view;
     scene.paths = std::move(made.paths);
     return scene;
