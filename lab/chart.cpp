@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/chart.h"
 
+#include <cctype>
 #include <cmath>
 
 #include "core/file.h"
@@ -41,6 +42,12 @@ std::string style_of(const Series& s) {
 }
 
 }  // namespace
+
+std::string file_stem(std::string text) {
+    for (char& c : text)
+        if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-' && c != '.') c = '_';
+    return text;
+}
 
 std::string series_colour(std::size_t index) {
     // Okabe and Ito's, the yellow left out on white.

@@ -33,6 +33,9 @@ std::string gnuplot_script(const Chart& chart);
 /// stem.gp, stem.svg and stem.png. Throws WorkError when gnuplot is not there or fails.
 void write_chart(const Chart& chart, const std::filesystem::path& stem);
 
+/// `text` as the name of a file.
+std::string file_stem(std::string text);
+
 /// A colour that stays apart from its neighbours for the colour-blind, too; they repeat after eight.
 std::string series_colour(std::size_t index);
 

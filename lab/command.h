@@ -20,5 +20,8 @@ int measure_command(int argc, const char* const* argv);
 int gallery_command(int argc, const char* const* argv);
 int merge_command(int argc, const char* const* argv);
 int stability_command(int argc, const char* const* argv);
+int cells_command(int argc, const char* const* argv);
+int compare_command(int argc, const char* const* argv);
+int reduce_command(int argc, const char* const* argv);
 
 }  // namespace sightline::lab

@@ -83,7 +83,7 @@ LabScene<D> load_lab_scene(const std::string& name, const std::string& path_name
         load_scene<D>(file, {.two_sided = lab.settings.two_sided == Switch::on, .progress = progress}));
 
     const FlightPath<D> path = find_path(*lab.scene, path_name);
-    lab.path = path.id;
+    lab.path = path_name.empty() ? path.id : path_name;
     const std::size_t wanted = study.frames == 0 ? path.frames.size() : study.frames;
     for (const std::size_t frame : spread_frames(path.frames.size(), wanted)) {
         lab.frames.push_back(static_cast<std::uint32_t>(frame));

@@ -183,6 +183,7 @@ private:
                 row.method = methods_[m].choice;
                 row.approximate = methods_[m].method->guarantee == Guarantee::approximate;
                 row.budget = budget.text;
+                row.error_bound = lab_.settings.error_bound;
                 row.primitives = static_cast<std::uint32_t>(lab_.scene->primitives.size());
                 row.cells = cells.cell_count();
                 row.memory_bytes = cells.memory_bytes() + cells.reference_memory_bytes();

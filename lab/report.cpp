@@ -100,12 +100,12 @@ std::string table_of_rows(const Group& group) {
     return html + "</table>";
 }
 
-std::string worst_frames(const std::vector<WorstFrame>& worst) {
+std::string worst_frames(const std::vector<FramePicture>& worst) {
     if (worst.empty()) return {};
     std::string html =
         "<h2>The worst frames</h2><p>What the budget rendered; red is what it should have shown "
         "(TVCG fig. 14).</p><div class=pictures>";
-    for (const WorstFrame& w : worst)
+    for (const FramePicture& w : worst)
         html += picture(w.file, "<b>" + escaped(w.scene + ", " + w.method + " at " + w.budget) + "</b>: frame " +
                                     std::to_string(w.frame) + " of path " + escaped(w.path) + ", " + per_cent(w.wrong) +
                                     " % wrong.<br><code>" + escaped(w.command) + "</code>");
@@ -134,7 +134,7 @@ const Row* best_within(const Group& group, double ms) {
     return best;
 }
 
-void write_report(const Results& results, const std::vector<WorstFrame>& worst, const fs::path& folder) {
+void write_report(const Results& results, const std::vector<FramePicture>& worst, const fs::path& folder) {
     fs::create_directories(folder / "charts");
     const std::vector<Group> all = groups(results);
     const std::vector<NamedChart> charts = study_charts(results);

@@ -14,7 +14,7 @@ namespace sightline::lab {
 
 /// charts/ID.gp, .svg and .png, and report.html, which reads the SVGs and the pictures of the worst frames. Throws
 /// WorkError, also when gnuplot is not there.
-void write_report(const Results& results, const std::vector<WorstFrame>& worst, const std::filesystem::path& folder);
+void write_report(const Results& results, const std::vector<FramePicture>& worst, const std::filesystem::path& folder);
 
 /// Which method and budget has the fewest wrong pixels within so many milliseconds a frame; nullptr: none is that fast.
 const Row* best_within(const Group& group, double ms);

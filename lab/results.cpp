@@ -45,6 +45,7 @@ Json to_json(const Row& row) {
               {"tessellation", words<Tessellation>[static_cast<std::size_t>(row.method.tessellation)]},
               {"approximate", row.approximate},
               {"primitives", row.primitives},
+              {"error_bound", row.error_bound},
               {"cells", row.cells},
               {"memory_bytes", row.memory_bytes},
               {"reference", row.reference},
@@ -72,6 +73,7 @@ Row read_row(const Json& json) {
     row.method.tessellation = json.at("tessellation") == "tree" ? Tessellation::tree : Tessellation::delaunay;
     row.approximate = json.at("approximate");
     row.primitives = json.at("primitives");
+    row.error_bound = json.at("error_bound");
     row.cells = json.at("cells");
     row.memory_bytes = json.at("memory_bytes");
     row.reference = json.at("reference");
@@ -87,7 +89,8 @@ Row read_row(const Json& json) {
 }
 
 bool same_row(const Row& a, const Row& b) {
-    return a.scene == b.scene && a.path == b.path && a.method == b.method && a.budget == b.budget;
+    return a.scene == b.scene && a.path == b.path && a.method == b.method && a.budget == b.budget &&
+           a.error_bound == b.error_bound;
 }
 
 }  // namespace
@@ -169,7 +172,7 @@ Results read_results(std::string_view text, const std::string& name) {
 }
 
 std::string results_csv(const Results& results) {
-    std::string text = "scene,path,frames,method,tessellation,primitives,cells,memory_bytes,budget_share";
+    std::string text = "scene,path,frames,method,tessellation,error_bound,primitives,cells,memory_bytes,budget_share";
     for (const MeasureRow& m : measure_table()) {
         text += ',' + std::string(m.id);
         if (m.has_extreme) text += ',' + extreme_id(m);

@@ -18,7 +18,8 @@ struct Row {
     std::string scene, path;
     MethodChoice method;
     bool approximate = true;
-    std::string budget;  ///< as asked for, e.g. "5%"
+    std::string budget;      ///< as asked for, e.g. "5%"
+    double error_bound = 0;  ///< of the tessellation
     std::uint32_t primitives = 0, cells = 0;
     std::size_t memory_bytes = 0;       ///< tessellation and references
     std::string reference;              ///< "exact, item buffer 8192" or "item buffer 1024x768"

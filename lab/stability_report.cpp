@@ -160,10 +160,9 @@ void write_stability(const Conditions& conditions, const std::vector<StabilityRo
     for (const auto& [key, group] : groups) {
         html += "<h2>" + escaped(key.scene + ", path " + key.path + ", budget " + key.budget) + "</h2>";
         for (const bool coverage : {false, true}) {
-            std::string stem = key.scene + "-" + key.path + "-" + key.budget + (coverage ? "-coverage" : "-rendered");
-            for (char& c : stem)
-                if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-' && c != '.') c = '_';
-            const std::filesystem::path file = folder / "charts" / ("stability-" + stem);
+            const std::string stem = file_stem("stability-" + key.scene + "-" + key.path + "-" + key.budget +
+                                               (coverage ? "-coverage" : "-rendered"));
+            const std::filesystem::path file = folder / "charts" / stem;
             write_chart(eye_chart(key, group, coverage), file);
             html += picture(file.string() + ".svg",
                             coverage ? "How far a small step of the eye changes what is found."

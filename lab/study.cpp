@@ -64,12 +64,36 @@ SceneName parse_scene(const std::string& text) {
 }
 
 std::string study_json(const Study& study) {
+    Settings asked;
+    asked.reference_size = study.size;
     nlohmann::ordered_json json{{"scenes", study.scenes},     {"paths", study.paths},
-                                {"frames", study.frames},     {"size", image_size_text(study.size)},
+                                {"frames", study.frames},     {"size", setting_row("reference_size").get(asked)},
                                 {"settings", study.settings}, {"repeats", study.repeats}};
     for (const MethodChoice& choice : study.methods) json["methods"].push_back(method_text(choice));
     for (const Budget& budget : study.budgets) json["budgets"].push_back(budget_text(budget));
     return json.dump();
+}
+
+Study read_study(std::string_view text) {
+    Study study;
+    try {
+        const auto json = nlohmann::ordered_json::parse(text);
+        study.scenes = json.at("scenes").get<std::vector<std::string>>();
+        study.paths = json.at("paths").get<std::vector<std::string>>();
+        study.frames = json.at("frames");
+        study.settings = json.at("settings").get<std::vector<std::string>>();
+        study.repeats = json.at("repeats");
+        Settings settings;
+        apply_setting(settings, "reference_size=" + json.at("size").get<std::string>());
+        study.size = settings.reference_size;
+        study.methods.clear();
+        study.budgets.clear();
+        for (const auto& method : json.at("methods")) study.methods.push_back(parse_method(method.get<std::string>()));
+        for (const auto& budget : json.at("budgets")) study.budgets.push_back(parse_budget(budget.get<std::string>()));
+    } catch (const nlohmann::json::exception& error) {
+        throw InputError(std::string("not a study: ") + error.what());
+    }
+    return study;
 }
 
 }  // namespace sightline::lab

@@ -48,5 +48,7 @@ SceneName parse_scene(const std::string& text);
 
 /// The study as JSON, one line: equal texts mean equal numbers but for times.
 std::string study_json(const Study& study);
+/// The other way round. Throws InputError for what study_json does not write.
+Study read_study(std::string_view json);
 
 }  // namespace sightline::lab

@@ -196,9 +196,7 @@ Chart frontier(const Group& group, Measure measure) {
 std::vector<NamedChart> study_charts(const Results& results) {
     std::vector<NamedChart> charts;
     for (const Group& group : groups(results)) {
-        std::string stem = group.scene + "-" + group.path;
-        for (char& c : stem)
-            if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-' && c != '.') c = '_';
+        const std::string stem = file_stem(group.scene + "-" + group.path);
         const auto add = [&](const std::string& id, const std::string& text, Chart chart) {
             charts.push_back({group.scene, group.path, id, text, std::move(chart)});
         };

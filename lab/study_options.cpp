@@ -4,6 +4,8 @@
 #include <iostream>
 
 #include "core/error.h"
+#include "core/file.h"
+#include "core/settings/settings_file.h"
 #include "core/settings/settings_table.h"
 
 namespace sightline::lab {
@@ -12,6 +14,23 @@ namespace {
 
 /// The five generated scenes of the papers' kind, at a size that a study of minutes can bear.
 const std::vector<std::string> default_scenes{"city", "cars", "room", "jungle", "plant"};
+
+/// What a settings file says where the command line says nothing.
+void add_file(StudyOptions& o, const std::vector<std::string>& assignments) {
+    Settings settings;
+    bool has_method = false, has_budget = false;
+    std::vector<std::string> others;
+    for (const std::string& assignment : assignments) {
+        apply_setting(settings, assignment);
+        const bool method = assignment.starts_with("method="), budget = assignment.starts_with("budget=");
+        has_method |= method;
+        has_budget |= budget;
+        if (!method && !budget && !assignment.starts_with("tessellation=")) others.push_back(assignment);
+    }
+    if (o.methods.empty() && has_method) o.methods = {method_text({settings.method, settings.tessellation})};
+    if (o.budgets.empty() && has_budget) o.budgets = {budget_text(settings.budget)};
+    o.settings.insert(o.settings.begin(), others.begin(), others.end());
+}
 
 }  // namespace
 
@@ -30,11 +49,16 @@ void add_study_options(CLI::App& app, StudyOptions& o) {
     app.add_option("--size", o.size, "of the reference: 1024x768, in 2D 8192");
     app.add_option("--set", o.settings, "FIELD=VALUE as in the viewers; may be given several times")
         ->allow_extra_args(false);
+    app.add_option("--settings", o.settings_file,
+                   "a settings file such as lab cells writes: its method, budget and tessellation where no other is "
+                   "asked for, and its other settings");
     app.add_option("--repeats", o.repeats, "timed runs a frame, of which the median counts; 0: nothing is timed")
         ->check(CLI::Range(0, 1000));
 }
 
-Study study_of(const StudyOptions& o) {
+Study study_of(const StudyOptions& options) {
+    StudyOptions o = options;
+    if (!o.settings_file.empty()) add_file(o, read_settings(read_file(o.settings_file), o.settings_file));
     Study study;
     study.scenes = o.scenes.empty() ? default_scenes : o.scenes;
     if (!o.paths.empty()) study.paths = o.paths;

@@ -14,10 +14,10 @@ namespace sightline::lab {
 struct StudyOptions {
     std::vector<std::string> scenes, paths, settings, methods, budgets;
     std::uint32_t frames = 0, repeats = 3;
-    std::string size;
+    std::string size, settings_file;
 };
 
-/// Adds SCENE…, --path, --frames, --methods, --budgets, --size, --set and --repeats to a command line.
+/// Adds SCENE…, --path, --frames, --methods, --budgets, --size, --set, --settings and --repeats to a command line.
 void add_study_options(CLI::App& app, StudyOptions& options);
 
 /// Throws InputError that names the option.

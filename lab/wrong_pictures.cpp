@@ -7,6 +7,7 @@
 #include "core/measure/wrong_region.h"
 #include "core/number.h"
 #include "core/settings/settings_table.h"
+#include "lab/chart.h"
 #include "lab/lab_scene.h"
 #include "lab/study_charts.h"
 #include "shell/figure/cairo_surface.h"
@@ -67,36 +68,33 @@ Pixels picture(const LabScene<3>& lab, const Row& row, std::size_t frame, LabGra
 
 }  // namespace
 
-std::vector<WorstFrame> draw_worst_frames(const Results& results, const Study& study,
-                                          const std::filesystem::path& folder, LabGraphics& graphics) {
-    std::vector<WorstFrame> drawn;
+FramePicture draw_frame(const LabScene<3>& lab, const Study& study, const Row& row, std::size_t frame,
+                        const std::filesystem::path& file, LabGraphics& graphics) {
+    const ViewSpec<3>& view = lab.specs[frame];
+    FramePicture drawn{
+        row.scene, row.path, method_text(row.method), row.budget, row.frames[frame], row.values[frame][Measure::wrong],
+        file,      {}};
+    write_file(file, encode_png(image_of(picture(lab, row, frame, graphics)).get(), screen_dpi));
+    drawn.command = "./run viewer3d " + parse_scene(row.scene).name + " --eye " +
+                    point_text(view.eye, lab.scene->origin) + " --look-at " +
+                    point_text(view.look_at, lab.scene->origin) + " --fov " + number_text(view.fov) + " --method " +
+                    row.method.id + " --budget " + row.budget;
+    if (row.method.tessellation == Tessellation::tree) drawn.command += " --set tessellation=tree";
+    for (const std::string& setting : study.settings) drawn.command += " --set " + setting;
+    return drawn;
+}
+
+std::vector<FramePicture> draw_worst_frames(const Results& results, const Study& study,
+                                            const std::filesystem::path& folder, LabGraphics& graphics) {
+    std::vector<FramePicture> drawn;
     std::filesystem::create_directories(folder);
     for (const Group& group : groups(results)) {
-        const SceneName name = parse_scene(group.scene);
-        if (name.dimension != 3) continue;
+        if (parse_scene(group.scene).dimension != 3) continue;
         const LabScene<3> lab = load_lab_scene<3>(group.scene, group.path, study);
         for (const Row* row : middle_rows(group)) {
-            const std::size_t frame = worst_frame(*row, Measure::wrong);
-            const ViewSpec<3>& view = lab.specs[frame];
-            WorstFrame worst{group.scene,
-                             group.path,
-                             method_text(row->method),
-                             row->budget,
-                             row->frames[frame],
-                             row->values[frame][Measure::wrong],
-                             {},
-                             {}};
-            std::string file = group.scene + "-" + group.path + "-" + worst.method;
-            for (char& c : file)
-                if (c == '/' || c == ':' || c == '@') c = '-';
-            worst.file = folder / (file + ".png");
-            write_file(worst.file, encode_png(image_of(picture(lab, *row, frame, graphics)).get(), screen_dpi));
-            worst.command = "./run viewer3d " + name.name + " --eye " + point_text(view.eye, lab.scene->origin) +
-                            " --look-at " + point_text(view.look_at, lab.scene->origin) + " --fov " +
-                            number_text(view.fov) + " --method " + row->method.id + " --budget " + row->budget;
-            if (row->method.tessellation == Tessellation::tree) worst.command += " --set tessellation=tree";
-            for (const std::string& setting : study.settings) worst.command += " --set " + setting;
-            drawn.push_back(std::move(worst));
+            const std::string stem = file_stem(group.scene + "-" + group.path + "-" + method_text(row->method));
+            drawn.push_back(
+                draw_frame(lab, study, *row, worst_frame(*row, Measure::wrong), folder / (stem + ".png"), graphics));
         }
     }
     return drawn;

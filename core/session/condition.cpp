@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/condition.h"
 
-#include <muParser.h>
-
 #include <limits>
-
-#include "core/error.h"
-#include "core/scene/text.h"
 
 namespace sightline {
 
@@ -103,72 +98,30 @@ std::span<const RecordField<D>> record_fields() {
     return fields<D>();
 }
 
-template <int D>
-struct Condition<D>::Expression {
-    mu::Parser parser;
-    std::vector<double> values;     // one per field, filled before an evaluation
-    std::vector<std::size_t> used;  // the fields that the text mentions: the others are not computed
-};
-
 namespace {
 
-/// muParser would take "step = 5" for an assignment, which holds at once.
-bool assigns(std::string_view formula) {
-    for (std::size_t at = formula.find('='); at != std::string_view::npos; at = formula.find('=', at + 1)) {
-        if (formula.substr(at, 2) == "==")
-            ++at;
-        else if (at == 0 || std::string_view("<>!").find(formula[at - 1]) == std::string_view::npos)
-            return true;
-    }
-    return false;
+template <int D>
+Formula formula_of(const std::string& text) {
+    std::string formula = text;
+    for (const std::string_view word : {"step", "cell"})
+        if (text.starts_with(std::string(word) + ":"))
+            formula = std::string(word) + " == " + text.substr(word.size() + 1);
+    std::vector<std::string> names;
+    for (const RecordField<D>& field : fields<D>()) names.emplace_back(field.name);
+    return {formula, std::move(names), text};
 }
 
 }  // namespace
 
 template <int D>
-Condition<D>::Condition(std::string_view text) : text_(text), expression_(std::make_unique<Expression>()) {
-    std::string formula(text);
-    for (const std::string_view word : {"step", "cell"})
-        if (text.starts_with(std::string(word) + ":"))
-            formula = std::string(word) + " == " + std::string(text.substr(word.size() + 1));
-    const auto fail = [&](const std::string& why) {
-        return InputError(one_line("condition '" + text_ + "': " + why, 4096));
-    };
-    if (assigns(formula)) throw fail("write == to compare");
-    mu::Parser& parser = expression_->parser;
-    const auto table = fields<D>();
-    expression_->values.resize(table.size());
-    try {
-        parser.DefineInfixOprt("!", [](double v) -> double { return v == 0; });
-        for (std::size_t i = 0; i < table.size(); ++i)
-            parser.DefineVar(std::string(table[i].name), &expression_->values[i]);
-        parser.SetExpr(formula);
-        for (const auto& [name, variable] : parser.GetUsedVar())
-            expression_->used.push_back(static_cast<std::size_t>(variable - expression_->values.data()));
-        parser.Eval();
-        if (parser.GetNumResults() != 1) throw fail("write one expression, not several");
-    } catch (const mu::Parser::exception_type& error) {
-        std::string known;
-        for (const RecordField<D>& field : table) known += (known.empty() ? "" : ", ") + std::string(field.name);
-        std::string why = error.GetMsg();
-        while (!why.empty() && (why.back() == '\n' || why.back() == '.')) why.pop_back();
-        throw fail(why + " (fields: " + known + ")");
-    }
-}
-
-template <int D>
-Condition<D>::Condition(Condition&&) noexcept = default;
-template <int D>
-Condition<D>& Condition<D>::operator=(Condition&&) noexcept = default;
-template <int D>
-Condition<D>::~Condition() = default;
+Condition<D>::Condition(std::string_view text) : text_(text), formula_(formula_of<D>(text_)) {}
 
 template <int D>
 bool Condition<D>::holds(const Session<D>& session) const {
     if (session.position() == 0) return false;
-    for (const std::size_t i : expression_->used) expression_->values[i] = fields<D>()[i].value(session);
-    const double result = expression_->parser.Eval();
-    return result == result && result != 0;
+    std::vector<double> values(fields<D>().size());
+    for (const std::size_t i : formula_.used()) values[i] = fields<D>()[i].value(session);
+    return formula_.holds(values);
 }
 
 template <int D>

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "core/session/formula.h"
 #include "core/session/session.h"
 
 namespace sightline {
@@ -23,24 +23,20 @@ struct RecordField {
 template <int D>
 std::span<const RecordField<D>> record_fields();
 
-/// Operators are those of muParser: + - * / ^ < <= > >= == != && || ?: and !.
+/// Operators are those of Formula.
 template <int D>
 class Condition {
 public:
     /// Throws InputError that says what is wrong and where in the text.
     explicit Condition(std::string_view text);
-    Condition(Condition&&) noexcept;
-    Condition& operator=(Condition&&) noexcept;
-    ~Condition();
 
     /// Whether it holds for the session's last step. False at step 0. NaN compares false.
     bool holds(const Session<D>& session) const;
     const std::string& text() const { return text_; }
 
 private:
-    struct Expression;
     std::string text_;
-    std::unique_ptr<Expression> expression_;
+    Formula formula_;
 };
 
 extern template class Condition<2>;

@@ -1,0 +1,46 @@
+// Two studies, or two methods of one, frame by frame: what changed, and whether it is more than the noise.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lab/results.h"
+
+namespace sightline::lab {
+
+/// Paired over frames: b - a.
+struct Change {
+    Measure measure = Measure::wrong;
+    double a = 0, b = 0;     ///< means over the frames that both have a value for
+    double mean = 0;         ///< of the differences
+    double half_width = 0;   ///< of the 95 % confidence interval of that mean (Student's t); 0 with identical frames
+    std::size_t frames = 0;  ///< pairs
+    std::size_t lost = 0, gained = 0;  ///< indices into the frames where b is worst and best against a
+
+    /// The interval leaves out 0.
+    bool significant() const { return frames > 1 ? std::abs(mean) > half_width : mean != 0; }
+};
+
+/// Rows that belong together: the same scene, path and budget.
+struct Pair {
+    const Row *a, *b;
+    std::vector<Change> changes;  ///< of each measure that can be better and that both have
+};
+
+/// Studies that hold the same methods are matched by method; where each holds one method, that one. Frames are matched
+/// by their number. Throws InputError when nothing matches.
+std::vector<Pair> compare_results(const Results& a, const Results& b);
+
+/// Rows of one study, by two of its methods. Throws InputError when one of them is not in it.
+std::vector<Pair> compare_methods(const Results& results, const MethodChoice& a, const MethodChoice& b);
+
+/// Half of the width of the 95 % interval of a mean: t(n - 1) s / sqrt(n); 0 for fewer than two values.
+double confidence_half_width(const std::vector<double>& values);
+
+/// Nothing where the frames have no such measure in common.
+std::optional<Change> change_of(const Row& a, const Row& b, Measure measure);
+
+}  // namespace sightline::lab

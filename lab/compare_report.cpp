@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lab/compare_report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "core/file.h"
+#include "core/number.h"
+#include "lab/chart.h"
+#include "lab/page.h"
+
+namespace sightline::lab {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+bool better(const Change& change) {
+    return (change.mean > 0) == (measure_row(change.measure).better == Better::higher);
+}
+
+const char* verdict(const Change& change) {
+    if (change.mean == 0 && change.half_width == 0) return "same";
+    if (!change.significant()) return "within the noise";
+    return better(change) ? "better" : "worse";
+}
+
+const Change* of(const Pair& pair, Measure measure) {
+    for (const Change& change : pair.changes)
+        if (change.measure == measure) return &change;
+    return nullptr;
+}
+
+/// Shares in per cent.
+std::string value_text(Measure measure, double value) {
+    return measure_row(measure).unit == "share" ? short_number(100 * value) : short_number(value);
+}
+
+std::string signed_text(Measure measure, double value) { return (value > 0 ? "+" : "") + value_text(measure, value); }
+
+std::string title_of(const Pair& pair) {
+    const std::string a = method_text(pair.a->method), b = method_text(pair.b->method);
+    return pair.a->scene + ", path " + pair.a->path + ", " + (a == b ? a : a + " and " + b) + " at " + pair.a->budget;
+}
+
+}  // namespace
+
+std::string change_text(const Change& change) {
+    const MeasureRow& row = measure_row(change.measure);
+    return std::string(row.title) + " " + value_text(change.measure, change.a) + " -> " +
+           value_text(change.measure, change.b) + (row.unit == "share" ? " %" : "") + " (" +
+           signed_text(change.measure, change.mean) + " ± " + value_text(change.measure, change.half_width) +
+           "): " + verdict(change);
+}
+
+std::vector<SideBySide> draw_side_by_side(const std::vector<Pair>& pairs, const Side& a, const Side& b,
+                                          const std::filesystem::path& folder, LabGraphics& graphics) {
+    std::map<std::pair<std::string, std::string>, const Pair*> chosen;
+    const auto amount = [](const Pair& pair) {
+        const Change* change = of(pair, Measure::wrong);
+        return change ? std::abs(change->mean) : 0;
+    };
+    for (const Pair& pair : pairs) {
+        const Pair*& best = chosen[{pair.a->scene, pair.a->path}];
+        if (!best || amount(pair) > amount(*best)) best = &pair;
+    }
+    std::vector<SideBySide> drawn;
+    std::filesystem::create_directories(folder);
+    for (const auto& [place, pair] : chosen) {
+        const Change* change = of(*pair, Measure::wrong);
+        if (parse_scene(place.first).dimension != 3 || !change || amount(*pair) == 0) continue;
+        const LabScene<3> lab_a = load_lab_scene<3>(place.first, place.second, a.study);
+        const LabScene<3> lab_b = load_lab_scene<3>(place.first, place.second, b.study);
+        for (const bool lost : {true, false}) {
+            const std::size_t frame = lost ? change->lost : change->gained;
+            const auto in_b = std::find(pair->b->frames.begin(), pair->b->frames.end(), pair->a->frames[frame]);
+            const std::string stem = file_stem(place.first + "-" + place.second + (lost ? "-lost" : "-gained"));
+            drawn.push_back(
+                {title_of(*pair) + ": the frame that " + (lost ? "lost" : "gained") + " most",
+                 draw_frame(lab_a, a.study, *pair->a, frame, folder / (stem + "-a.png"), graphics),
+                 draw_frame(lab_b, b.study, *pair->b, static_cast<std::size_t>(in_b - pair->b->frames.begin()),
+                            folder / (stem + "-b.png"), graphics)});
+        }
+    }
+    return drawn;
+}
+
+void write_comparison(const std::vector<Pair>& pairs, const std::vector<SideBySide>& pictures, const Side& a,
+                      const Side& b, const std::filesystem::path& folder) {
+    std::filesystem::create_directories(folder);
+    Json json{
+        {"format", "sightline-comparison"}, {"version", 1}, {"a", a.name}, {"b", b.name}, {"pairs", Json::array()}};
+    std::string html =
+        "<p>A is <b>" + escaped(a.name) + "</b>, B is <b>" + escaped(b.name) +
+        "</b>. Differences are paired frame by frame; ± is half of the 95 % confidence interval of their "
+        "mean. Within the noise means that the interval holds 0.</p>";
+    for (const Pair& pair : pairs) {
+        Json one{{"scene", pair.a->scene},
+                 {"path", pair.a->path},
+                 {"method_a", method_text(pair.a->method)},
+                 {"method_b", method_text(pair.b->method)},
+                 {"budget", pair.a->budget}};
+        html += "<h3>" + escaped(title_of(pair)) +
+                "</h3><table><tr><th class=t>measure</th><th>A</th><th>B</th><th>B - A</th><th>±</th><th class=t></th>"
+                "<th>lost most in frame</th><th>gained most in frame</th></tr>";
+        for (const Change& c : pair.changes) {
+            const MeasureRow& m = measure_row(c.measure);
+            const std::string says = verdict(c);
+            html += "<tr>" +
+                    cell(std::string(m.title) + (m.unit == "share" ? ", %" : ", " + std::string(m.unit)), true) +
+                    cell(value_text(c.measure, c.a)) + cell(value_text(c.measure, c.b)) +
+                    cell(signed_text(c.measure, c.mean)) + cell(value_text(c.measure, c.half_width)) + "<td class='t " +
+                    (says == "better"  ? "holds"
+                     : says == "worse" ? "not"
+                                       : "") +
+                    "'>" + says + "</td>" + cell(std::to_string(pair.a->frames[c.lost])) +
+                    cell(std::to_string(pair.a->frames[c.gained])) + "</tr>";
+            one["changes"].push_back({{"measure", m.id},
+                                      {"a", c.a},
+                                      {"b", c.b},
+                                      {"mean", c.mean},
+                                      {"half_width", c.half_width},
+                                      {"frames", c.frames},
+                                      {"verdict", says},
+                                      {"lost_frame", pair.a->frames[c.lost]},
+                                      {"gained_frame", pair.a->frames[c.gained]}});
+        }
+        html += "</table>";
+        json["pairs"].push_back(std::move(one));
+    }
+    if (!pictures.empty()) html += "<h2>The frames that changed most</h2>";
+    for (const SideBySide& two : pictures) {
+        html += "<h3>" + escaped(two.title) + "</h3><div class=pictures>";
+        for (const auto& [name, p] : {std::pair("A", &two.a), std::pair("B", &two.b)})
+            html += picture(p->file, "<b>" + std::string(name) + "</b>: " + escaped(p->method) + ", frame " +
+                                         std::to_string(p->frame) + ", " + per_cent(p->wrong) + " % wrong.<br><code>" +
+                                         escaped(p->command) + "</code>");
+        html += "</div>";
+    }
+    write_file(folder / "compare.json", json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+    write_file(folder / "compare.html", page("What changed", html));
+}
+
+}  // namespace sightline::lab

@@ -1,0 +1,268 @@
+// The lab's other instruments: comparing, choosing cells, reducing, and the files between them.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <set>
+
+#include "core/error.h"
+#include "core/file.h"
+#include "core/session/formula.h"
+#include "core/geometry/random.h"
+#include "core/session/condition.h"
+#include "core/settings/settings_file.h"
+#include "core/settings/settings_table.h"
+#include "lab/cells_report.h"
+#include "lab/command.h"
+#include "lab/compare_report.h"
+#include "lab/reduce.h"
+#include "lab/run_study.h"
+
+namespace sightline::lab {
+namespace {
+
+namespace fs = std::filesystem;
+using M = Measure;
+
+Row row_of(const std::string& method, std::uint32_t cells, std::vector<double> wrong, double ms = 1,
+           const std::string& budget = "5%") {
+    Row row;
+    row.scene = "city";
+    row.path = "test";
+    row.method = parse_method(method);
+    row.budget = budget;
+    row.cells = cells;
+    for (std::size_t i = 0; i < wrong.size(); ++i) {
+        row.frames.push_back(static_cast<std::uint32_t>(10 * i));
+        row.values.emplace_back();
+        row.values.back()[M::wrong] = wrong[i];
+        row.values.back()[M::coverage] = 1 - wrong[i];
+        row.values.back()[M::total_ms] = ms;
+    }
+    return row;
+}
+
+TEST(LabCompare, PairsFrames) {
+    const Row a = row_of("layers", 1, {0.1, 0.2, 0.3, 0.4}), b = row_of("layers", 1, {0.2, 0.2, 0.5, 0.5});
+    const Change change = *change_of(a, b, M::wrong);
+    EXPECT_EQ(change.frames, 4u);
+    EXPECT_DOUBLE_EQ(change.a, 0.25);
+    EXPECT_DOUBLE_EQ(change.b, 0.35);
+    EXPECT_DOUBLE_EQ(change.mean, 0.1);
+    // Differences 0.1, 0, 0.2, 0.1: s = sqrt(0.02 / 3), t(3) = 3.182.
+    EXPECT_NEAR(change.half_width, 3.182 * std::sqrt(0.02 / 3) / 2, 1e-12);
+    EXPECT_FALSE(change.significant());
+    EXPECT_EQ(change.lost, 2u);
+    EXPECT_EQ(change.gained, 1u);
+    const Change coverage = *change_of(a, b, M::coverage);
+    EXPECT_EQ(coverage.lost, 2u) << "less coverage is a loss";
+    const Change clear = *change_of(a, row_of("layers", 1, {0.2, 0.3, 0.4, 0.51}), M::wrong);
+    EXPECT_TRUE(clear.significant());
+    EXPECT_NE(change_text(clear).find(": worse"), std::string::npos) << change_text(clear);
+    EXPECT_NE(change_text(change).find("within the noise"), std::string::npos);
+    EXPECT_NE(change_text(*change_of(a, a, M::wrong)).find("same"), std::string::npos);
+
+    Row later = row_of("layers", 1, {0.9, 0.1});
+    later.frames = {30, 20};  // other frames, in another order
+    const Change matched = *change_of(a, later, M::wrong);
+    EXPECT_EQ(matched.frames, 2u);
+    EXPECT_DOUBLE_EQ(matched.mean, (0.9 - 0.4 + 0.1 - 0.3) / 2);
+    EXPECT_EQ(matched.lost, 3u);
+    later.frames = {7, 8};
+    EXPECT_FALSE(change_of(a, later, M::wrong));
+    EXPECT_FALSE(change_of(a, a, M::pop)) << "neither has it";
+}
+
+/// How often the interval holds the mean that the values were drawn from.
+TEST(LabCompare, IntervalsHoldTheMeanNineteenTimesInTwenty) {
+    Random random(81);
+    for (const std::size_t n : {2u, 5u, 40u}) {
+        int held = 0;
+        constexpr int rounds = 4000;
+        for (int i = 0; i < rounds; ++i) {
+            std::vector<double> values(n);
+            double mean = 0;
+            for (double& v : values) {
+                for (int k = 0; k < 12; ++k) v += random.unit() / 1.0;  // about normal, around 6
+                mean += v / static_cast<double>(n);
+            }
+            held += std::abs(mean - 6) <= confidence_half_width(values);
+        }
+        EXPECT_NEAR(held / double(rounds), 0.95, 0.02) << n;
+    }
+    EXPECT_EQ(confidence_half_width({3}), 0);
+}
+
+TEST(LabCompare, MatchesRows) {
+    const Results a{{}, {row_of("layers", 1, {0.1}), row_of("published", 1, {0.2})}};
+    const Results b{{}, {row_of("published", 2, {0.3}), row_of("layers", 2, {0.1})}};
+    const auto by_method = compare_results(a, b);
+    ASSERT_EQ(by_method.size(), 2u);
+    EXPECT_EQ(by_method[0].b, &b.rows[1]);
+    const Results only{{}, {row_of("published", 2, {0.3})}};
+    EXPECT_EQ(compare_results(Results{{}, {a.rows[0]}}, only).size(), 1u) << "one method each";
+    EXPECT_EQ(compare_methods(a, parse_method("layers"), parse_method("published")).size(), 1u);
+    EXPECT_THROW(compare_methods(a, parse_method("layers"), parse_method("centroid")), InputError);
+    Results elsewhere = b;
+    for (Row& row : elsewhere.rows) row.scene = "room";
+    EXPECT_THROW(compare_results(a, elsewhere), InputError);
+    Results whole = a;
+    whole.rows.push_back(row_of("view", 1, {0}, 5, "unlimited"));
+    whole.rows.back().approximate = false;
+    EXPECT_EQ(compare_methods(whole, parse_method("layers"), parse_method("view")).size(), 1u)
+        << "no budget stands beside every budget";
+}
+
+TEST(LabCells, TheKneeIsTheCoarsestThatWillDo) {
+    CellsCurve curve{"city", "test", parse_method("layers"), "5%", {}};
+    const double wrong[] = {0.30, 0.115, 0.13, 0.105, 0.1};
+    const std::uint32_t cells[] = {10, 50, 100, 500, 900};
+    for (std::size_t i = 0; i < 5; ++i)
+        curve.points.push_back({0.5 / double(i + 1), row_of("layers", cells[i], {wrong[i]})});
+    EXPECT_EQ(knee(curve, M::wrong, 0), 4u);
+    EXPECT_EQ(knee(curve, M::wrong, 0.006), 3u);
+    EXPECT_EQ(knee(curve, M::wrong, 0.02), 1u) << "although the next finer one is worse";
+    EXPECT_EQ(knee(curve, M::coverage, 0.02), 1u);
+    EXPECT_EQ(knee(curve, M::wrong, 1), 0u);
+    const auto settings = read_settings(knee_settings(curve, M::wrong, 0.02), "knee");
+    EXPECT_EQ(settings,
+              (std::vector<std::string>{"method=layers", "budget=5%", "tessellation=delaunay", "error_bound=0.25"}));
+}
+
+TEST(LabCells, TheSimplestMethodThatWillDo) {
+    const std::vector<Row> rows{row_of("published", 1, {0.01}, 1), row_of("layers", 1, {0.05}, 2),
+                                row_of("layers@tree", 1, {0.04}, 1.5), row_of("centroid", 1, {0.2}, 1)};
+    std::vector<const Row*> all;
+    for (const Row& row : rows) all.push_back(&row);
+    EXPECT_EQ(simplest(all, M::wrong, 0.3), &rows[3]);
+    EXPECT_EQ(simplest(all, M::wrong, 0.1), &rows[2]) << "as simple as the other, and faster";
+    EXPECT_EQ(simplest(all, M::wrong, 0.02), &rows[0]);
+    EXPECT_EQ(simplest(all, M::wrong, 0.001), nullptr);
+    EXPECT_EQ(simplest(all, M::coverage, 0.955), &rows[2]);
+    std::set<std::size_t> places;
+    for (const Method<3>& method : method_table<3>()) places.insert(complexity({std::string(method.id), {}}));
+    EXPECT_EQ(places.size(), method_table<3>().size()) << "two methods are equally simple";
+}
+
+TEST(LabReduce, FindsWhatCannotBeTakenAway) {
+    Random random(82);
+    for (int round = 0; round < 100; ++round) {
+        const auto count = static_cast<std::uint32_t>(1 + random.below(60));
+        std::set<std::uint32_t> needed;
+        for (std::size_t i = random.below(5); i-- > 0;) needed.insert(static_cast<std::uint32_t>(random.below(count)));
+        if (needed.empty()) needed.insert(0);
+        int asked = 0;
+        const auto kept = reduce(count, [&](std::span<const std::uint32_t> set) {
+            ++asked;
+            EXPECT_TRUE(std::is_sorted(set.begin(), set.end()));
+            return std::includes(set.begin(), set.end(), needed.begin(), needed.end());
+        });
+        EXPECT_EQ(std::set<std::uint32_t>(kept.begin(), kept.end()), needed);
+        EXPECT_LT(asked, 10 * 64);
+    }
+    EXPECT_THROW(reduce(5, [](auto) { return false; }), InputError);
+    // Something that any three primitives show.
+    EXPECT_EQ(reduce(50, [](std::span<const std::uint32_t> set) { return set.size() >= 3; }).size(), 3u);
+    // Stopped, it keeps what it has.
+    EXPECT_EQ(reduce(
+                  64, [](auto set) { return !set.empty(); }, [](std::size_t left) { return left > 16; })
+                  .size(),
+              16u);
+}
+
+TEST(LabReduce, ShrinksAScene) {
+    Study study;
+    study.scenes = {"2d:rooms"};
+    const LabScene<2> lab = load_lab_scene<2>("2d:rooms", "start", study);
+    const MethodChoice method = parse_method("published");
+    const Budget budget = parse_budget("400");
+    const auto count = static_cast<std::uint32_t>(lab.scene->primitives.size());
+    const auto holds = holds_in<2>(lab, method, budget, {"inversion == 1 && hidden_now > 2", ""}, {});
+    const auto kept = reduce(count, holds);
+    EXPECT_LT(kept.size(), count / 20);
+    EXPECT_TRUE(holds(kept));
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+        auto without = kept;
+        without.erase(without.begin() + static_cast<std::ptrdiff_t>(i));
+        EXPECT_FALSE(holds(without)) << "primitive " << i << " could go";
+    }
+    const auto covered = holds_in<2>(lab, method, parse_budget("3"), {"", "coverage < 0.5 && visible > 6"}, {});
+    const auto few = reduce(count, covered);
+    EXPECT_EQ(few.size(), 7u) << "seven visible ones, of which three are rendered";
+    EXPECT_THROW(holds_in<2>(lab, method, budget, {"", ""}, {}), InputError);
+    EXPECT_THROW(holds_in<2>(lab, method, budget, {"", "total_ms > 1"}, {}), InputError);
+    EXPECT_THROW(holds_in<2>(lab, method, budget, {"", "covrage > 1"}, {}), InputError);
+}
+
+TEST(SettingsFile, ReadsWhatItWrites) {
+    const std::vector<std::string> assignments{"method=layers", "error_bound=0.07", "budget=2%"};
+    EXPECT_EQ(read_settings(write_settings(assignments, "because \"so\""), "f"), assignments);
+    for (const char* bad : {"", "[]", "{}", R"({"format": "sightline-settings", "version": 2, "settings": {}})",
+                            R"({"format": "sightline-settings", "version": 1})",
+                            R"({"format": "sightline-settings", "version": 1, "settings": {"error_bound": "7"}})",
+                            R"({"format": "sightline-settings", "version": 1, "settings": {"no_such": "7"}})",
+                            R"({"format": "sightline-settings", "version": 1, "settings": {"error_bound": [1]}})"})
+        EXPECT_THROW(read_settings(bad, "bad.json"), InputError) << bad;
+}
+
+TEST(StudyJson, ReadsWhatItWrites) {
+    Study study;
+    study.scenes = {"city:50k", "2d:rooms"};
+    study.paths = {"street", "a path.json"};
+    study.frames = 7;
+    study.methods = {parse_method("layers@tree")};
+    study.budgets = {parse_budget("3%"), parse_budget("500")};
+    study.size = {640, 480};
+    study.settings = {"seeds=hull"};
+    EXPECT_EQ(study_json(read_study(study_json(study))), study_json(study));
+    EXPECT_EQ(study_json(read_study(study_json({}))), study_json({}));
+    EXPECT_THROW(read_study("{}"), InputError);
+}
+
+/// Every command of the lab, with small arguments, as a person would type it.
+TEST(LabCommands, Run) {
+    const fs::path folder = fs::temp_directory_path() / ("sightline-commands-" + std::to_string(getpid()));
+    const auto run = [&](const std::string& arguments, int expected) {
+        const std::string line = std::string(SIGHTLINE_LAB) + " " + arguments + " > /dev/null 2>&1";
+        const int status = std::system(line.c_str());
+        EXPECT_EQ(WEXITSTATUS(status), expected) << arguments;
+    };
+    const std::string small = " --frames 2 --size 160x120 --out " + folder.string();
+    run("measure 3d:bottleneck 2d:rooms --repeats 1" + small + "/m", 0);
+    run("measure 3d:bottleneck 2d:rooms --repeats 1" + small + "/m", 0);
+    run("merge " + folder.string() + "/m/results.json --out " + folder.string() + "/merged", 0);
+    run("stability 2d:rooms --samples 1 --methods layers" + small + "/s", 0);
+    run("cells 3d:bottleneck --error-bounds 0.4,0.2 --repeats 0" + small + "/c", 0);
+    run("measure 3d:bottleneck --repeats 0 --settings " + folder.string() + "/c/3d_bottleneck-layers-5_.settings.json" +
+            small + "/m2",
+        0);
+    run("compare published layers 3d:bottleneck --budgets 5% --repeats 0" + small + "/d", 0);
+    run("compare " + folder.string() + "/m/results.json " + folder.string() + "/m/results.json --out " +
+            folder.string() + "/d2",
+        0);
+    run("reduce 3d:bottleneck --until 'inversion == 1' --out " + folder.string() + "/r", 0);
+    for (const char* file : {"m/report.html", "m/results.csv", "merged/report.html", "s/stability.html", "c/cells.html",
+                             "d/compare.html", "d2/compare.json", "r/reduced.json", "r/reduced.obj"})
+        EXPECT_TRUE(fs::exists(folder / file)) << file;
+    const auto results = read_results(read_file(folder / "m2/results.json"), "m2");
+    ASSERT_EQ(results.rows.size(), 1u) << "method and budget are those of the settings file";
+    EXPECT_EQ(results.rows[0].method.id, "layers");
+
+    run("", 2);
+    run("--help", 0);
+    for (const Command& command : commands()) run(std::string(command.id) + " --help", 0);
+    for (const char* wrong :
+         {"measure nosuchscene", "measure city --methods nosuch", "measure city --budgets 16ms --frames 1",
+          "measure city --size 0x0", "measure city --path nosuch", "measure city --set nosuch=1", "mesure city",
+          "compare published", "compare published nosuch city", "compare a.json b.json", "merge nosuch.json",
+          "cells city --measure nosuch", "cells city --error-bounds 7", "reduce city",
+          "reduce city --until 'nosuch > 1'", "measure city --settings nosuch.json", "measure city --shard 3/2",
+          "stability nosuchscene"})
+        run(wrong + std::string(" --out ") + folder.string() + "/wrong", 2);
+    fs::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace sightline::lab
