@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cstdlib>
 #include <filesystem>
 #include <map>
@@ -30,8 +31,9 @@ class Examples : public testing::Test {
 protected:
     void SetUp() override {
         const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-        folder_ = fs::path(testing::TempDir()) /
-                  (std::string("sightline_examples_") + test->name() + "-" + std::to_string(getpid()));
+        std::string name = std::string(test->name()) + "-" + std::to_string(getpid());
+        std::replace(name.begin(), name.end(), '/', '_');
+        folder_ = fs::path(testing::TempDir()) / ("sightline_examples_" + name);
         fs::remove_all(folder_);
         fs::create_directories(folder_ / "out");
         fs::create_directory_symlink(source / "examples", folder_ / "examples");
@@ -216,43 +218,68 @@ std::vector<Shown> shown_in(const fs::path& page, std::span<const std::string> s
     return shown;
 }
 
-TEST_F(Examples, EveryCommandOfTheDocumentsWorksAndPrintsWhatTheyShow) {
-    const std::map<std::string, std::string> programs{
-        {"./run viewer2d", viewer},
-        {"./run viewer3d", SIGHTLINE_VIEWER3D},
-        {"build/release/examples/viewer2d_crowd", SIGHTLINE_ADDED_HEURISTIC}};
-    std::vector<std::string> starts;
-    for (const auto& [start, program] : programs) starts.push_back(start);
+std::vector<fs::path> pages() {
     auto pages = files_in(source / "docs", ".md");
     pages.push_back(source / "README.md");
     pages.push_back(source / "examples/added_heuristic/README.md");
+    return pages;
+}
+
+const std::map<std::string, std::string> programs{{"./run viewer2d", viewer},
+                                                  {"./run viewer3d", SIGHTLINE_VIEWER3D},
+                                                  {"build/release/examples/viewer2d_crowd", SIGHTLINE_ADDED_HEURISTIC}};
+
+std::vector<Shown> shown_in(const fs::path& page) {
+    std::vector<std::string> starts;
+    for (const auto& [start, program] : programs) starts.push_back(start);
+    return shown_in(page, starts);
+}
+
+/// A page each, so that they run beside each other.
+class Documents : public Examples, public testing::WithParamInterface<fs::path> {};
+
+TEST_P(Documents, EveryCommandWorksAndPrintsWhatThePageShows) {
+    const fs::path& page = GetParam();
     const bool freedoom = !installed_maps().empty();
-    std::size_t ran = 0, compared = 0;
     bool skipped = false;
-    for (const fs::path& page : pages)
-        for (const Shown& shown : shown_in(page, starts)) {
-            if (!shown.is_command) {
-                if (skipped) continue;
-                EXPECT_NE(said_.find(shown.text), std::string::npos) << page << ": not printed: " << shown.text;
-                ++compared;
-                continue;
-            }
-            skipped = !freedoom && shown.text.find("freedoom") != std::string::npos;
+    for (const Shown& shown : shown_in(page)) {
+        if (!shown.is_command) {
             if (skipped) continue;
-            std::string command;
-            for (const auto& [start, program] : programs)
-                if (shown.text.starts_with(start)) command = program + shown.text.substr(start.size());
-            // What opens a window is opened without one.
-            if (command.find("--headless") == std::string::npos && command.find("--list") == std::string::npos)
-                command += " --headless";
-            EXPECT_EQ(run(command), 0) << page << ":\n" << shown.text << "\n" << said_;
-            if (command.find("--state") != std::string::npos) {
-                EXPECT_EQ(said_.find("warning"), std::string::npos) << page << ":\n" << shown.text << "\n" << said_;
-            }
-            ++ran;
+            EXPECT_NE(said_.find(shown.text), std::string::npos) << page << ": not printed: " << shown.text;
+            continue;
         }
-    EXPECT_GE(ran, 30u);
-    EXPECT_GE(compared, 10u);
+        skipped = !freedoom && shown.text.find("freedoom") != std::string::npos;
+        if (skipped) continue;
+        std::string command;
+        for (const auto& [start, program] : programs)
+            if (shown.text.starts_with(start)) command = program + shown.text.substr(start.size());
+        // What opens a window is opened without one.
+        if (command.find("--headless") == std::string::npos && command.find("--list") == std::string::npos)
+            command += " --headless";
+        EXPECT_EQ(run(command), 0) << page << ":\n" << shown.text << "\n" << said_;
+        if (command.find("--state") != std::string::npos) {
+            EXPECT_EQ(said_.find("warning"), std::string::npos) << page << ":\n" << shown.text << "\n" << said_;
+        }
+    }
+}
+
+/// Letters and digits alone.
+std::string name_of(const fs::path& page) {
+    std::string name = fs::relative(page, source).replace_extension().string();
+    std::replace_if(
+        name.begin(), name.end(), [](unsigned char c) { return !std::isalnum(c); }, '_');
+    return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Pages, Documents, testing::ValuesIn(pages()),
+                         [](const auto& page) { return name_of(page.param); });
+
+TEST(DocumentPages, HoldCommandsAndWhatTheyPrint) {
+    std::ptrdiff_t commands = 0, lines = 0;
+    for (const fs::path& page : pages())
+        for (const Shown& shown : shown_in(page)) ++(shown.is_command ? commands : lines);
+    EXPECT_GE(commands, 30);
+    EXPECT_GE(lines, 10);
 }
 
 }  // namespace

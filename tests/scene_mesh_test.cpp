@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <signal.h>
+#include <unistd.h>
+
 #include <cstdio>
 #include <cstring>
 #include <functional>
@@ -221,6 +224,45 @@ TEST(SceneMesh, AFolderIsOneSoup) {
     EXPECT_EQ(read_meshes(both, "both").primitives.size(), 24u);
     const std::string named[] = {folder.path() + "/b.obj", folder.path() + "/broken.stl"};
     expect_input_error([&] { read_meshes(named, "named"); }, "named: " + named[1] + ": *");
+}
+
+/// Ends what this process started; the number of processes that were there.
+int kill_children() {
+    int killed = 0;
+    for (const fs::directory_entry& entry : fs::directory_iterator("/proc")) {
+        std::ifstream in(entry.path() / "stat");
+        int process = 0, parent = 0;
+        std::string name;
+        char state;
+        if (in >> process >> name >> state >> parent && parent == getpid()) killed += kill(process, SIGKILL) == 0;
+    }
+    return killed;
+}
+
+TEST(SceneMesh, AFileWhoseReaderEndsInTheMiddleLeavesNoTriangle) {
+    const Folder folder("half");
+    folder.write("a.obj", test::obj_of(test::cube()));
+    folder.write("c.gltf", test::gltf_of(test::cube(), R"([{"mesh": 1, "translation": [3, 0, 0]}])"));
+    test::Mesh large;
+    for (std::uint32_t i = 0; i < 300000; ++i) {
+        large.points.push_back(Vec<3>(i % 100, i / 100, i % 7));
+        if (i >= 2) large.faces.push_back({i - 2, i - 1, i});
+    }
+    folder.write("b.stl", test::stl_of(large, true));
+    int killed = 0;
+    double last = 0;
+    const MeshOptions options{false, [&](std::string_view what, double share) {
+                                  // The first of three parts has come, and its sender waits to send more.
+                                  if (what == "reading b.stl" && share - last > 0.2) killed += kill_children();
+                                  last = share;
+                              }};
+    const Scene<3> scene = read_mesh(folder.path(), "half", options);
+    EXPECT_EQ(killed, 1);
+    ASSERT_EQ(scene.primitives.size(), 24u);
+    ASSERT_EQ(scene.two_sided.size(), 24u);
+    for (std::size_t i = 0; i < 24; ++i) EXPECT_EQ(scene.two_sided[i], i >= 12) << i;
+    ASSERT_EQ(scene.warnings.size(), 1u);
+    EXPECT_EQ(scene.warnings[0], "left out: b.stl: the reader (Assimp) was killed (too little memory?)");
 }
 
 TEST(SceneMesh, AFolderWithoutScenesSaysSo) {

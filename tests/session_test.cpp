@@ -8,6 +8,7 @@
 #include "core/session/explain.h"
 #include "core/space/builders.h"
 #include "tests/scene_support.h"
+#include "tests/session_3d_support.h"
 #include "tests/session_support.h"
 
 namespace sightline {
@@ -190,6 +191,37 @@ TEST(Session, WhatCannotBeLeavesItAsItWas) {
     test::expect_input_error(
         [&] { Session<2>(start.scene, start.view, settings); },
         "method 'nothing' does not exist; there are published, layers, centroid, view, everything");
+}
+
+TEST(Session, CellsThatCannotBeMadeLeaveItAsItWas) {
+    Random random(29);
+    const auto large = std::make_shared<Scene<3>>(), small = std::make_shared<Scene<3>>();
+    for (int i = 0; i < 400000; ++i)  // all as large as the scene
+        large->primitives.push_back({Vec<3>(0), Vec<3>(1), test::random_point_3d(random, 0, 1)});
+    small->primitives.assign(large->primitives.begin(), large->primitives.begin() + 20);
+    const ViewSpec<3> view{{0.5, 0.5, 0.5}, {1, 0.5, 0.5}, 60};
+    Settings coarse, fine;
+    coarse.error_bound = 1;
+    coarse.tessellation = Tessellation::tree;
+    const auto expect_refused = [](Session<3>& session, const auto& change) {
+        session.seek(3);
+        const std::uint64_t hash = session.hash();
+        const Settings settings = session.settings();
+        const auto scene = session.shared_scene();
+        const CellComplex<3>* const cells = &session.cells();
+        EXPECT_THROW(change(), InputError);
+        EXPECT_EQ(session.settings(), settings);
+        EXPECT_EQ(session.shared_scene(), scene);
+        EXPECT_EQ(&session.cells(), cells);
+        EXPECT_EQ(session.hash(), hash);
+        session.run(5);
+        session.seek(3);
+        EXPECT_EQ(session.hash(), hash);
+    };
+    Session<3> of_large(large, view, coarse);
+    expect_refused(of_large, [&] { of_large.change(fine); });
+    Session<3> of_small(small, view, fine);
+    expect_refused(of_small, [&] { of_small.set_scene(large); });
 }
 
 TEST(Session, WhileFrozenOnlyTheDisplayViewMoves) {

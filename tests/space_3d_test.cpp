@@ -305,5 +305,32 @@ TEST(Space3, MoreReferencesThanAllowedAreRefused) {
     }
 }
 
+TEST(Space3, FarTooManyReferencesAreForeseenAndNoOtherRefused) {
+    Random random(43);
+    const auto point = [&] { return Vec<3>(random.unit(), random.unit(), random.unit()); };
+    for (const int large : {100, 90, 60, 30, 10, 1})  // per cent; the others are points, all but
+        for (const Tessellation kind : {Tessellation::delaunay, Tessellation::tree}) {
+            SCOPED_TRACE(large);
+            Scene<3> scene;
+            for (int i = 0; i < 3000; ++i) {
+                const Vec<3> p = point();
+                const bool tiny = random.below(100) >= static_cast<std::uint64_t>(large);
+                scene.primitives.push_back(
+                    {p, tiny ? p + Vec<3>(1e-6, 0, 0) : point(), tiny ? p + Vec<3>(0, 1e-6, 0) : point()});
+            }
+            Settings settings;
+            settings.tessellation = kind;
+            settings.error_bound = 0.3;
+            CellComplex<3> cells = build_cells(scene, settings);
+            const std::size_t references = cells.cell_primitives.size();
+            assign_primitives(cells, scene.primitives, {}, references);
+            ASSERT_EQ(cells.cell_primitives.size(), references);
+            if (large < 60) continue;
+            cells.unassigned = 77;  // who tries begins with 0
+            EXPECT_THROW(assign_primitives(cells, scene.primitives, {}, references / 3), InputError);
+            EXPECT_EQ(cells.unassigned, 77u);
+        }
+}
+
 }  // namespace
 }  // namespace sightline

@@ -288,6 +288,17 @@ TEST_F(Window3OffScreen, NothingFails) {
     EXPECT_EQ(fresh.hash(), bench->session.hash());
 }
 
+TEST_F(Window3OffScreen, ReferencesOfAlmostNoWidthAreNoFailure) {
+    act("run; set inset=both; set split=exact");
+    for (const char* const size : {"1x8192", "8192x1", "1x1"}) {
+        act(std::string("set reference_size=") + size);
+        driver->frames(2);
+        check();
+        act("set inset=exact; set split=missed; step; set inset=both; set split=exact");
+        check();
+    }
+}
+
 TEST_F(Window3OffScreen, WindowsOfAlmostNoSizeAreNoFailure) {
     act("run; freeze; orbit 40,30; zoom 0.4; set inset=both; compare layers");
     for (const auto& [w, h] : {std::pair(1, 1), std::pair(1, 600), std::pair(900, 1), std::pair(9, 9),

@@ -1,9 +1,11 @@
 // Which cells a triangle meets. Tetrahedra: from the cell of a corner across facets; most triangles lie inside one
 // cell and are done with it, the others cost what they cross. Leaves: down the tree.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <string>
 
 #include "core/error.h"
+#include "core/geometry/random.h"
 #include "core/space/builders.h"
 #include "core/space/triangle_test.h"
 
@@ -102,18 +104,40 @@ private:
     std::vector<std::uint32_t> found_;
 };
 
+[[noreturn]] void refuse_so_many(std::size_t most) {
+    throw InputError("the triangles are too large for cells that fine: together they lie in more than " +
+                     std::to_string(most) + " cells; take a larger error_bound");
+}
+
+/// References that all triangles will make, from a sample of them and on the low side: what its largest eighth adds is
+/// left out, so that a few large triangles among many small ones, which a sample may hit or miss, weigh nothing.
+template <typename Search>
+double few_references(const CellComplex<3>& cells, const std::vector<Primitive<3>>& primitives) {
+    constexpr std::size_t sampled = 256;
+    if (primitives.size() <= sampled) return 0;
+    Search search(cells);
+    Random random(1);
+    std::vector<std::size_t> counts;
+    for (std::uint32_t i = 0; i < sampled; ++i)
+        counts.push_back(search.cells_of(i, primitives[random.below(primitives.size())]).size());
+    std::sort(counts.begin(), counts.end());
+    double sum = 0;
+    for (std::size_t i = 0; i < sampled - sampled / 8; ++i) sum += static_cast<double>(counts[i]);
+    return sum / sampled * static_cast<double>(primitives.size());
+}
+
 template <typename Search>
 void assign(CellComplex<3>& cells, const std::vector<Primitive<3>>& primitives, const Progress& progress,
             std::size_t most) {
+    // Making that many takes minutes, guessing takes none.
+    if (few_references<Search>(cells, primitives) > static_cast<double>(most)) refuse_so_many(most);
     std::vector<CellPrimitive> pairs;
     Search search(cells);
     cells.unassigned = 0;
     for (std::uint32_t primitive = 0; primitive < primitives.size(); ++primitive) {
         report_assigned(progress, primitive, primitives.size());
         const std::vector<std::uint32_t>& found = search.cells_of(primitive, primitives[primitive]);
-        if (pairs.size() + found.size() > most)
-            throw InputError("the triangles are too large for cells that fine: together they lie in more than " +
-                             std::to_string(most) + " cells; take a larger error_bound");
+        if (pairs.size() + found.size() > most) refuse_so_many(most);
         for (const std::uint32_t cell : found) pairs.push_back({cell, primitive});
         cells.unassigned += found.empty();
     }
