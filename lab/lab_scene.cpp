@@ -11,6 +11,7 @@
 #include "core/session/start_settings.h"
 #include "core/settings/settings_table.h"
 #include "core/space/builders.h"
+#include "core/traversal/scene_view.h"
 
 namespace sightline::lab {
 
@@ -28,12 +29,6 @@ Vec<3> turned(const Vec<3>& d, const SinCos& by, const Scene<3>& scene) {
     result[a] = by.cos * d[a] - by.sin * d[b];
     result[b] = by.sin * d[a] + by.cos * d[b];
     return result;
-}
-
-View<2> view_of(const ViewSpec<2>& spec, const Scene<2>&, const ImageSize&) { return make_view(spec); }
-View<3> view_of(const ViewSpec<3>& spec, const Scene<3>& scene, const ImageSize& asked) {
-    const ImageSize size = image_size<3>(asked);
-    return make_view(spec, static_cast<double>(size.width) / size.height, scene.up_axis);
 }
 
 }  // namespace
@@ -88,7 +83,7 @@ LabScene<D> load_lab_scene(const std::string& name, const std::string& path_name
     for (const std::size_t frame : spread_frames(path.frames.size(), wanted)) {
         lab.frames.push_back(static_cast<std::uint32_t>(frame));
         lab.specs.push_back(path.frames[frame]);
-        lab.views.push_back(view_of(path.frames[frame], *lab.scene, study.size));
+        lab.views.push_back(scene_view(path.frames[frame], *lab.scene, study.size));
     }
     for (const MethodChoice& choice : study.methods) {
         auto& cells = lab.cells[static_cast<std::size_t>(choice.tessellation)];

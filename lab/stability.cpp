@@ -16,18 +16,13 @@
 #include "core/settings/settings_table.h"
 #include "core/space/builders.h"
 #include "core/traversal/methods.h"
+#include "core/traversal/scene_view.h"
 
 namespace sightline::lab {
 
 namespace {
 
 using Set = std::vector<std::uint8_t>;
-
-View<2> view_of(const ViewSpec<2>& spec, const Scene<2>&, const Settings&) { return make_view(spec); }
-View<3> view_of(const ViewSpec<3>& spec, const Scene<3>& scene, const Settings& settings) {
-    const ImageSize size = image_size<3>(settings.reference_size);
-    return make_view(spec, static_cast<double>(size.width) / size.height, scene.up_axis);
-}
 
 Set visible_set(const Scene<2>& scene, const View<2>& view, const Settings&, const DrawIds&) {
     return exact_visible_set(scene.primitives, view).visible;
@@ -193,7 +188,7 @@ private:
                 const Vec<D> by = random_direction() * (amount * size_);
                 spec.eye += by;
                 spec.look_at += by;
-                const View<D> view = view_of(spec, *lab_.scene, lab_.settings);
+                const View<D> view = scene_view(spec, *lab_.scene, lab_.settings.reference_size);
                 const Set visible = visible_set(*lab_.scene, view, lab_.settings, draw_ids_);
                 add(Disturbance::eye, amount, base_[frame].of,
                     outcomes(*lab_.scene, lab_.cells, lab_.settings, view, visible),
@@ -213,7 +208,7 @@ private:
             }
         for (std::size_t frame = 0; frame < lab_.specs.size(); ++frame)
             add(disturbance, amount, base_[frame].of,
-                outcomes(scene, cells, settings, view_of(moved(lab_.specs[frame]), scene, settings),
+                outcomes(scene, cells, settings, scene_view(moved(lab_.specs[frame]), scene, settings.reference_size),
                          base_[frame].visible, original),
                 1);
     }
@@ -288,7 +283,7 @@ private:
             spec.eye =
                 middle + away / std::sqrt(glm::dot(away, away)) * (distance * angle.cos) + out * (distance * angle.sin);
             spec.look_at = middle;
-            const View<D> view = view_of(spec, *lab_.scene, lab_.settings);
+            const View<D> view = scene_view(spec, *lab_.scene, lab_.settings.reference_size);
             const Set now_visible = visible_set(*lab_.scene, view, lab_.settings, draw_ids_);
             std::vector<Outcome> now = outcomes(*lab_.scene, lab_.cells, lab_.settings, view, now_visible);
             if (!before.empty()) add(Disturbance::grazing, 0.1, before, now, jaccard(visible_before, now_visible));
