@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "core/measure/first_wrong.h"
 #include "core/number.h"
 #include "core/space/builders.h"
 #include "core/stopwatch.h"
@@ -336,6 +337,10 @@ std::vector<Marker> Session<D>::markers() const {
             {inversion.step,
              inversion.kind == Inversion::Kind::mis_ranked ? Marker::Kind::mis_ranked : Marker::Kind::unreached,
              std::to_string(inversion.wasted) + " wasted"});
+    if (const auto lost = first_wrong<D>(reference(), state_.touched, timeline_, frame_.budget))
+        markers.push_back({lost->step, Marker::Kind::first_wrong,
+                           std::to_string(lost->missing) + " visible still missing, budget for " +
+                               std::to_string(lost->left) + " left"});
     for (const double share : {0.01, 0.02, 0.05, 0.10}) {
         const std::uint32_t wanted = Budget{Budget::Kind::share, share}.primitives(scene_->primitives.size());
         const auto reached = std::find_if(timeline_.steps.begin(), timeline_.steps.end(),
