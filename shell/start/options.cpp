@@ -85,6 +85,7 @@ std::optional<Options> parse_options(int argc, const char* const* argv, std::spa
                           : "opening of the view in degrees, from top to bottom");
     app.add_option("--method", o.method, "method id, see below");
     app.add_option("--preset", o.preset, "preset id, see below");
+    app.add_option("--settings", o.settings_file, "FILE with settings, such as lab cells writes; --set goes before it");
     app.add_option("--set", o.settings, "FIELD=VALUE, see below; may be given several times")->allow_extra_args(false);
     app.add_option("--budget", o.budget, "500 | 5% | 16ms | unlimited");
     app.add_option("--steps", steps, "start at step 0 and go to step N");
