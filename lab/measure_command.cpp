@@ -6,6 +6,7 @@
 #include "core/file.h"
 #include "core/number.h"
 #include "lab/command.h"
+#include "lab/markdown.h"
 #include "lab/page.h"
 #include "lab/report.h"
 #include "lab/run_study.h"
@@ -18,6 +19,13 @@ namespace {
 
 std::string padded(std::string text, std::size_t width, bool left = false) {
     if (text.size() < width) text.insert(left ? text.size() : 0, width - text.size(), ' ');
+    return text;
+}
+
+/// The command as it was given, to the start script.
+std::string typed(int argc, const char* const* argv) {
+    std::string text = "./run lab";
+    for (int i = 0; i < argc; ++i) text += std::string(" ") + argv[i];
     return text;
 }
 
@@ -43,10 +51,12 @@ int measure_command(int argc, const char* const* argv) {
     CLI::App app{"Measures methods on scenes along paths: accuracy, stability and time.", "lab measure"};
     StudyOptions options;
     add_study_options(app, options);
-    std::string out = "out/lab", shard;
+    std::string out = "out/lab", shard, markdown;
     app.add_option("--out", out, "folder of the results; a study that was stopped goes on there")
         ->capture_default_str();
     app.add_option("--shard", shard, "I/N: only every N-th pair of scene and path, from the I-th on");
+    app.add_option("--markdown", markdown,
+                   "also a page of documentation, FILE.md, with its charts in images/ beside it");
     if (!parse(app, argc, argv)) return 0;
     const Study study = study_of(options);
     StudyRun run;
@@ -62,6 +72,7 @@ int measure_command(int argc, const char* const* argv) {
         say("drawing the worst frames and the charts");
         write_report(results, draw_worst_frames(results, study, std::filesystem::path(out) / "pictures", graphics),
                      out);
+        if (!markdown.empty()) write_markdown(results, typed(argc, argv), markdown);
         say("");
     }
     print_table(results);

@@ -12,6 +12,7 @@
 #include "core/geometry/random.h"
 #include "core/run_program.h"
 #include "lab/claims.h"
+#include "lab/markdown.h"
 
 namespace sightline::lab {
 namespace {
@@ -142,6 +143,22 @@ TEST_F(LabFiles, TheReportNeedsNoOtherFile) {
     EXPECT_NE(html.find("at 10 times the speed"), std::string::npos);
     for (const MeasureRow& m : measure_table())
         EXPECT_NE(html.find(std::string(m.title)), std::string::npos) << m.title << " is not explained";
+}
+
+TEST_F(LabFiles, TheDocumentationExplainsEveryMeasure) {
+    const std::string docs = read_file(fs::path(SIGHTLINE_SOURCE_DIR) / "docs/measuring.md");
+    for (const MeasureRow& m : measure_table()) {
+        std::string formula;  // as a table of Markdown writes it
+        for (const char c : m.formula) formula += c == '|' ? std::string("\\|") : std::string(1, c);
+        const std::string row = "| " + std::string(m.id) + " | " + std::string(m.unit) + " | " + formula + " | ";
+        EXPECT_NE(docs.find(row), std::string::npos) << row;
+    }
+    write_markdown(results_of({row_of("city", "published", "5%", 5, 0.2, 0.8)}), "./run lab measure city",
+                   folder_ / "results.md");
+    const std::string page = read_file(folder_ / "results.md");
+    EXPECT_NE(page.find("| published | 50 | 5% | 80 | 80 |"), std::string::npos) << page;
+    EXPECT_NE(page.find("](images/results-city-wrong.svg)"), std::string::npos);
+    EXPECT_TRUE(fs::exists(folder_ / "images/results-city-wrong.svg"));
 }
 
 TEST(LabClaims, HoldAndFail) {
