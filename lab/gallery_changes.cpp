@@ -7,6 +7,7 @@
 #include "core/geometry/trig.h"
 #include "core/measure/frame_change.h"
 #include "core/scene/clean.h"
+#include "core/traversal/scene_view.h"
 #include "lab/gallery_functions.h"
 #include "lab/one_run.h"
 
@@ -45,7 +46,7 @@ OneRun ran_elsewhere(const Probe<D>& p, double scale, const Vec<D>& offset, bool
     view.eye -= scene.origin;
     view.look_at -= scene.origin;
     const CellComplex<D> cells = build_cells(scene, p.settings);
-    return one_run(scene, cells, view_in(view, scene, p.settings.reference_size), p.settings);
+    return one_run(scene, cells, scene_view(view, scene, p.settings.reference_size), p.settings);
 }
 
 /// 0 where the other run has lost primitives: two of them fell together.

@@ -10,6 +10,7 @@
 #include "core/session/condition.h"
 #include "core/settings/settings_table.h"
 #include "core/space/cell_complex.h"
+#include "core/traversal/scene_view.h"
 #include "lab/gallery_functions.h"
 #include "lab/one_run.h"
 
@@ -265,7 +266,7 @@ const CellComplex<D>& GalleryScene<D>::cells(const Settings& settings) {
 
 template <int D>
 View<D> GalleryScene<D>::view(const ViewSpec<D>& spec, const Settings& settings) const {
-    return view_in(spec, *scene_, settings.reference_size);
+    return scene_view(spec, *scene_, settings.reference_size);
 }
 
 template <int D>

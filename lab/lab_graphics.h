@@ -6,9 +6,9 @@
 #include <string>
 
 #include "core/draw/solid_list.h"
+#include "core/measure/frame_clock.h"
 #include "core/measure/id_image.h"
 #include "core/settings/settings.h"
-#include "lab/frame_clock.h"
 
 namespace sightline::lab {
 

@@ -11,7 +11,7 @@
 #include "core/session/start_settings.h"
 #include "core/settings/settings_table.h"
 #include "core/space/builders.h"
-#include "lab/one_run.h"
+#include "core/traversal/scene_view.h"
 
 namespace sightline::lab {
 
@@ -83,7 +83,7 @@ LabScene<D> load_lab_scene(const std::string& name, const std::string& path_name
     for (const std::size_t frame : spread_frames(path.frames.size(), wanted)) {
         lab.frames.push_back(static_cast<std::uint32_t>(frame));
         lab.specs.push_back(path.frames[frame]);
-        lab.views.push_back(view_in(path.frames[frame], *lab.scene, study.size));
+        lab.views.push_back(scene_view(path.frames[frame], *lab.scene, study.size));
     }
     for (const MethodChoice& choice : study.methods) {
         auto& cells = lab.cells[static_cast<std::size_t>(choice.tessellation)];

@@ -160,9 +160,7 @@ private:
                 values[Measure::total_ms] = values[Measure::traverse_ms];
                 if constexpr (D == 3) {
                     if (!instruments_.time_drawing) continue;
-                    ids.clear();
-                    for (std::uint32_t t = 0; t < state.touched_count; ++t)
-                        if (!(state.touched[t] & State<D>::culled_bit)) ids.push_back(state.touched[t]);
+                    rendered_ids(state, ids);
                     const DrawTimes times = instruments_.time_drawing(lab_.scene, lab_.views[i], ids, study_.repeats);
                     values[Measure::upload_ms] = times.upload;
                     values[Measure::draw_ms] = times.draw;

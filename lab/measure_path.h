@@ -5,8 +5,8 @@
 #include <functional>
 #include <vector>
 
+#include "core/measure/frame_clock.h"
 #include "core/measure/id_image.h"
-#include "lab/frame_clock.h"
 #include "lab/lab_scene.h"
 #include "lab/results.h"
 

@@ -3,20 +3,9 @@
 
 #include <cmath>
 
-#include "core/settings/settings_table.h"
 #include "core/traversal/methods.h"
 
 namespace sightline::lab {
-
-template <int D>
-View<D> view_in(const ViewSpec<D>& spec, const Scene<D>& scene, const ImageSize& asked) {
-    if constexpr (D == 2) {
-        return make_view(spec);
-    } else {
-        const ImageSize size = image_size<3>(asked);
-        return make_view(spec, static_cast<double>(size.width) / size.height, scene.up_axis);
-    }
-}
 
 template <int D>
 OneRun one_run(const Scene<D>& scene, const CellComplex<D>& cells, const View<D>& view, const Settings& settings) {
@@ -38,8 +27,7 @@ OneRun one_run(const Scene<D>& scene, const CellComplex<D>& cells, const View<D>
     return run;
 }
 
-#define SIGHTLINE_INSTANTIATE(D)                                                        \
-    template View<D> view_in<D>(const ViewSpec<D>&, const Scene<D>&, const ImageSize&); \
+#define SIGHTLINE_INSTANTIATE(D) \
     template OneRun one_run<D>(const Scene<D>&, const CellComplex<D>&, const View<D>&, const Settings&);
 SIGHTLINE_INSTANTIATE(2)
 SIGHTLINE_INSTANTIATE(3)

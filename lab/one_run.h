@@ -11,10 +11,6 @@
 
 namespace sightline::lab {
 
-/// The view in an image of the asked size: in 3D that gives the aspect.
-template <int D>
-View<D> view_in(const ViewSpec<D>& spec, const Scene<D>& scene, const ImageSize& asked);
-
 struct OneRun {
     std::vector<std::uint32_t> order;    ///< rendered primitives
     std::vector<std::uint8_t> rendered;  ///< per primitive, 1 or 0

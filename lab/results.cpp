@@ -10,8 +10,8 @@
 
 #include "core/error.h"
 #include "core/file.h"
+#include "core/measure/summary.h"
 #include "core/number.h"
-#include "lab/frame_clock.h"
 
 namespace sightline::lab {
 
@@ -20,13 +20,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
-std::vector<double> known(const Row& row, Measure measure) {
-    std::vector<double> values;
-    for (const Values& v : row.values)
-        if (!std::isnan(v[measure])) values.push_back(v[measure]);
-    return values;
-}
 
 std::string extreme_id(const MeasureRow& m) {
     return std::string(m.id) + (m.better == Better::higher ? "_min" : "_max");
@@ -95,13 +88,7 @@ bool same_row(const Row& a, const Row& b) {
 
 }  // namespace
 
-double summary(const Row& row, Measure measure) {
-    const std::vector<double> values = known(row, measure);
-    if (measure_row(measure).is_time || values.empty()) return median(values);
-    double sum = 0;
-    for (const double value : values) sum += value;
-    return sum / static_cast<double>(values.size());
-}
+double summary(const Row& row, Measure measure) { return sightline::summary(row.values, measure); }
 
 std::size_t worst_frame(const Row& row, Measure measure) {
     const bool least = measure_row(measure).better == Better::higher;

@@ -41,7 +41,7 @@ struct Results {
     std::vector<Row> rows;
 };
 
-/// The mean over frames, the median for times; frames without a value are left out. NaN where none has one.
+/// sightline::summary of the frames.
 double summary(const Row& row, Measure measure);
 /// That of the worst frame: the least for what is better when higher, else the largest.
 double worst(const Row& row, Measure measure);

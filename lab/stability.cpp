@@ -16,6 +16,7 @@
 #include "core/settings/settings_table.h"
 #include "core/space/builders.h"
 #include "core/traversal/methods.h"
+#include "core/traversal/scene_view.h"
 #include "lab/one_run.h"
 
 namespace sightline::lab {
@@ -181,7 +182,7 @@ private:
                 const Vec<D> by = random_direction() * (amount * size_);
                 spec.eye += by;
                 spec.look_at += by;
-                const View<D> view = view_in(spec, *lab_.scene, lab_.settings.reference_size);
+                const View<D> view = scene_view(spec, *lab_.scene, lab_.settings.reference_size);
                 const Set visible = visible_set(*lab_.scene, view, lab_.settings, draw_ids_);
                 add(Disturbance::eye, amount, base_[frame].of,
                     outcomes(*lab_.scene, lab_.cells, lab_.settings, view, visible),
@@ -201,7 +202,7 @@ private:
             }
         for (std::size_t frame = 0; frame < lab_.specs.size(); ++frame)
             add(disturbance, amount, base_[frame].of,
-                outcomes(scene, cells, settings, view_in(moved(lab_.specs[frame]), scene, settings.reference_size),
+                outcomes(scene, cells, settings, scene_view(moved(lab_.specs[frame]), scene, settings.reference_size),
                          base_[frame].visible, original),
                 1);
     }
@@ -276,7 +277,7 @@ private:
             spec.eye =
                 middle + away / std::sqrt(glm::dot(away, away)) * (distance * angle.cos) + out * (distance * angle.sin);
             spec.look_at = middle;
-            const View<D> view = view_in(spec, *lab_.scene, lab_.settings.reference_size);
+            const View<D> view = scene_view(spec, *lab_.scene, lab_.settings.reference_size);
             const Set now_visible = visible_set(*lab_.scene, view, lab_.settings, draw_ids_);
             std::vector<Outcome> now = outcomes(*lab_.scene, lab_.cells, lab_.settings, view, now_visible);
             if (!before.empty()) add(Disturbance::grazing, 0.1, before, now, jaccard(visible_before, now_visible));

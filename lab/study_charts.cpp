@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/measure/summary.h"
 #include "core/number.h"
 
 namespace sightline::lab {
@@ -119,21 +120,11 @@ std::vector<Group> groups(const Results& results) {
 }
 
 std::vector<FrontierPoint> pareto_front(const std::vector<const Row*>& rows, Measure measure) {
-    std::vector<FrontierPoint> all, front;
-    for (const Row* row : rows) {
-        const FrontierPoint point{row, summary(*row, Measure::total_ms), summary(*row, measure)};
-        if (std::isfinite(point.ms) && std::isfinite(point.value)) all.push_back(point);
-    }
-    const bool higher = measure_row(measure).better == Better::higher;
-    const auto beats = [&](const FrontierPoint& a, const FrontierPoint& b) {
-        const bool as_good = higher ? a.value >= b.value : a.value <= b.value;
-        return a.ms <= b.ms && as_good && (a.ms < b.ms || a.value != b.value);
-    };
-    for (const FrontierPoint& point : all)
-        if (std::none_of(all.begin(), all.end(), [&](const FrontierPoint& other) { return beats(other, point); }))
-            front.push_back(point);
-    std::stable_sort(front.begin(), front.end(),
-                     [](const FrontierPoint& a, const FrontierPoint& b) { return a.ms < b.ms; });
+    std::vector<Trade> trades;
+    for (const Row* row : rows) trades.push_back({summary(*row, Measure::total_ms), summary(*row, measure)});
+    std::vector<FrontierPoint> front;
+    for (const std::size_t i : sightline::pareto_front(trades, measure_row(measure).better))
+        front.push_back({rows[i], trades[i].ms, trades[i].value});
     return front;
 }
 

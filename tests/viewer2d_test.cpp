@@ -30,9 +30,9 @@ TEST_F(Viewer2d, HelpIsComplete) {
     const Result result = run({"--help"});
     EXPECT_EQ(result.status, 0);
     EXPECT_EQ(result.err, "");
-    for (const char* option : {"SCENE",    "--list", "--headless", "--eye",   "--look-at", "--fov",  "--method",
-                               "--preset", "--set",  "--budget",   "--steps", "--until",   "--do",   "--shot",
-                               "--panels", "--size", "--font",     "--state", "--trace",   "--stats"})
+    for (const char* option : {"SCENE",    "--list",   "--headless", "--eye",    "--look-at", "--fov",   "--method",
+                               "--preset", "--set",    "--settings", "--budget", "--steps",   "--until", "--do",
+                               "--shot",   "--panels", "--size",     "--font",   "--state",   "--trace", "--stats"})
         EXPECT_NE(result.out.find(option), std::string::npos) << option;
     for (const Method<2>& method : method_table<2>()) {
         EXPECT_NE(result.out.find(method.sentence), std::string::npos) << method.id;

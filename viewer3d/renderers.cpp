@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "viewer3d/renderers.h"
 
+#include "core/settings/settings_table.h"
+
 namespace sightline {
 
 Renderers::Made& Renderers::made() {
@@ -19,6 +21,13 @@ Graphics graphics_of(const std::shared_ptr<Renderers>& renderers) {
     };
     graphics.draw_solid = [renderers](const SolidList& list, int width, int height, double px_per_pt) {
         return renderers->solids().picture(list, width, height, px_per_pt);
+    };
+    graphics.time_drawing = [renderers](const ImageSize& asked) -> TimeDrawing {
+        return
+            [renderers, size = image_size<3>(asked)](const std::shared_ptr<const Scene<3>>& scene, const View<3>& view,
+                                                     std::span<const std::uint32_t> triangles, std::uint32_t repeats) {
+                return renderers->clock().time(size, scene, view, triangles, repeats);
+            };
     };
     return graphics;
 }

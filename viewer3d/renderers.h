@@ -7,6 +7,7 @@
 
 #include "shell/bench/graphics.h"
 #include "shell/gl/context.h"
+#include "shell/gl/draw_clock.h"
 #include "shell/gl/id_renderer.h"
 #include "shell/gl/solid_renderer.h"
 
@@ -17,6 +18,7 @@ class Renderers {
 public:
     IdRenderer& ids() { return made().ids; }
     SolidRenderer& solids() { return made().solids; }
+    DrawClock& clock() { return made().clock; }
     /// Before the context that is current goes away; the next use makes them again.
     void drop() { made_.reset(); }
 
@@ -24,6 +26,7 @@ private:
     struct Made {
         IdRenderer ids;
         SolidRenderer solids;
+        DrawClock clock;
     };
     Made& made();
 

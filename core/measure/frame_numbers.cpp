@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "core/measure/wrong_region.h"
 
@@ -21,27 +22,34 @@ double ratio(double part, double whole) { return whole > 0 ? part / whole : std:
 }  // namespace
 
 template <int D>
-WholeRun whole_run(const Method<D>& method, Frame<D> frame, const Reference& reference, bool with_inversions) {
-    frame.budget = none;
-    State<D> state;
-    Timeline timeline;
-    method.start(frame, state);
-    timeline.seed_count = state.front_size;
-    WholeRun run;
-    run.culled_costs = frame.settings.culled_cost == CulledCost::charged;
-    std::uint32_t largest = state.front_size;
-    while (method.record(frame, state, timeline) == Stop::none) {
-        largest = std::max(largest, state.front_size);
-        run.touched_after.push_back(state.touched_count);
-        run.largest_front.push_back(largest);
+WholeRunner<D>::WholeRunner(const Method<D>& method, Frame<D> frame) : method_(method), frame_(std::move(frame)) {
+    frame_.budget = none;
+    method_.start(frame_, state_);
+    timeline_.seed_count = largest_front_ = state_.front_size;
+    run_.culled_costs = frame_.settings.culled_cost == CulledCost::charged;
+}
+
+template <int D>
+bool WholeRunner<D>::advance(std::uint32_t steps) {
+    for (; steps > 0; --steps) {
+        if (method_.record(frame_, state_, timeline_) != Stop::none) return false;
+        largest_front_ = std::max(largest_front_, state_.front_size);
+        run_.touched_after.push_back(state_.touched_count);
+        run_.largest_front.push_back(largest_front_);
     }
+    return true;
+}
+
+template <int D>
+WholeRun WholeRunner<D>::finish(const Reference& reference, bool with_inversions) {
+    WholeRun run = std::move(run_);
     if (with_inversions) {
-        run.inversions = inversions(reference, frame, state, timeline);
+        run.inversions = inversions(reference, frame_, state_, timeline_);
         std::sort(run.inversions.begin(), run.inversions.end(),
                   [](const Inversion& a, const Inversion& b) { return a.step < b.step; });
     }
-    state.touched.resize(state.touched_count);
-    run.touched = std::move(state.touched);
+    state_.touched.resize(state_.touched_count);
+    run.touched = std::move(state_.touched);
     std::uint32_t rendered = 0;
     std::size_t found = 0;
     for (const std::uint32_t entry : run.touched) {
@@ -54,6 +62,13 @@ WholeRun whole_run(const Method<D>& method, Frame<D> frame, const Reference& ref
         }
     }
     return run;
+}
+
+template <int D>
+WholeRun whole_run(const Method<D>& method, Frame<D> frame, const Reference& reference, bool with_inversions) {
+    WholeRunner<D> runner(method, std::move(frame));
+    runner.advance(none);
+    return runner.finish(reference, with_inversions);
 }
 
 Cut cut_at(const WholeRun& run, std::uint32_t budget) {
@@ -119,6 +134,8 @@ Values frame_numbers(const WholeRun& run, const Truth& truth, std::uint32_t budg
     return v;
 }
 
+template class WholeRunner<2>;
+template class WholeRunner<3>;
 template WholeRun whole_run<2>(const Method<2>&, Frame<2>, const Reference&, bool);
 template WholeRun whole_run<3>(const Method<3>&, Frame<3>, const Reference&, bool);
 

@@ -23,7 +23,27 @@ struct WholeRun {
     bool culled_costs = false;                 ///< Settings::culled_cost
 };
 
-/// `frame` with its budget lifted. `with_inversions`: they take as long as the run itself.
+/// The same in pieces, for whoever must not be away for long.
+template <int D>
+class WholeRunner {
+public:
+    /// `frame` with its budget lifted; what it points to must live longer.
+    WholeRunner(const Method<D>& method, Frame<D> frame);
+    /// At most `steps` steps; false when the run is at its end.
+    bool advance(std::uint32_t steps);
+    /// When it is. `with_inversions`: they take as long as the run itself.
+    WholeRun finish(const Reference& reference, bool with_inversions);
+
+private:
+    Method<D> method_;
+    Frame<D> frame_;
+    State<D> state_;
+    Timeline timeline_;
+    WholeRun run_;
+    std::uint32_t largest_front_ = 0;
+};
+
+/// A WholeRunner from its start to its end.
 template <int D>
 WholeRun whole_run(const Method<D>& method, Frame<D> frame, const Reference& reference, bool with_inversions = true);
 

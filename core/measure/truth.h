@@ -19,9 +19,11 @@ struct Truth {
 };
 
 /// One per tessellation; what does not depend on cells is made once. 3D: `draw_ids` draws the images and `up_axis` of
-/// the scene is that of the view. Throws WorkError where there is no OpenGL.
+/// the scene is that of the view. `with_zeta`: false leaves the layering numbers out, all 0, which is quicker. Throws
+/// WorkError where there is no OpenGL.
 template <int D>
 std::vector<Truth> make_truths(const Scene<D>& scene, std::span<const CellComplex<D>* const> tessellations,
-                               const View<D>& view, const ImageSize& size, const DrawIds& draw_ids);
+                               const View<D>& view, const ImageSize& size, const DrawIds& draw_ids,
+                               bool with_zeta = true);
 
 }  // namespace sightline

@@ -5,9 +5,11 @@
 #include <utility>
 
 #include "core/error.h"
+#include "core/measure/first_wrong.h"
 #include "core/number.h"
 #include "core/space/builders.h"
 #include "core/stopwatch.h"
+#include "core/traversal/scene_view.h"
 
 namespace sightline {
 
@@ -22,14 +24,6 @@ auto timed(double& milliseconds, Work work) {
         ~Clock() { sum += stopwatch.milliseconds(); }
     } clock{milliseconds, {}};
     return work();
-}
-
-View<2> view_of(const ViewSpec<2>& spec, const Scene<2>&, const Settings&) { return make_view(spec); }
-
-/// The reference's size gives the aspect: a window's never does.
-View<3> view_of(const ViewSpec<3>& spec, const Scene<3>& scene, const Settings& settings) {
-    const ImageSize size = image_size<3>(settings.reference_size);
-    return make_view(spec, static_cast<double>(size.width) / size.height, scene.up_axis);
 }
 
 Reference make_reference(const Scene<2>& scene, const CellComplex<2>& cells, const View<2>& view, const Settings&,
@@ -69,7 +63,7 @@ Session<D>::Session(std::shared_ptr<const Scene<D>> scene, const ViewSpec<D>& vi
       draw_ids_(std::move(draw_ids)),
       culling_view_(view),
       display_view_(view),
-      view_(view_of(view, *scene_, settings)) {
+      view_(scene_view(view, *scene_, settings.reference_size)) {
     if (!cells_) tessellate(progress);
     restart();
 }
@@ -180,7 +174,7 @@ template <int D>
 Invalidates Session<D>::change(const Settings& settings) {
     const Invalidates what = difference(settings_, settings);
     const Method<D>& method = find_method<D>(methods_, settings.method);
-    const View<D> view = view_of(culling_view_, *scene_, settings);
+    const View<D> view = scene_view(culling_view_, *scene_, settings.reference_size);
     land();
     const std::uint32_t step = state_.step;
     const Settings before = std::exchange(settings_, settings);
@@ -207,14 +201,14 @@ Invalidates Session<D>::change(const Settings& settings) {
 /// Makes this the culling view; throws where it cannot be one, then nothing has changed.
 template <int D>
 void Session<D>::aim(const ViewSpec<D>& view) {
-    view_ = view_of(view, *scene_, settings_);
+    view_ = scene_view(view, *scene_, settings_.reference_size);
     culling_view_ = view;
     forget_measures();
 }
 
 template <int D>
 void Session<D>::check(const ViewSpec<D>& view) const {
-    view_of(view, *scene_, settings_);
+    scene_view(view, *scene_, settings_.reference_size);
 }
 
 template <int D>
@@ -347,6 +341,10 @@ std::vector<Marker> Session<D>::markers() const {
             {inversion.step,
              inversion.kind == Inversion::Kind::mis_ranked ? Marker::Kind::mis_ranked : Marker::Kind::unreached,
              std::to_string(inversion.wasted) + " wasted"});
+    if (const auto lost = first_wrong<D>(reference(), state_.touched, timeline_, frame_.budget))
+        markers.push_back({lost->step, Marker::Kind::first_wrong,
+                           std::to_string(lost->missing) + " visible still missing, budget for " +
+                               std::to_string(lost->left) + " left"});
     for (const double share : {0.01, 0.02, 0.05, 0.10}) {
         const std::uint32_t wanted = Budget{Budget::Kind::share, share}.primitives(scene_->primitives.size());
         const auto reached = std::find_if(timeline_.steps.begin(), timeline_.steps.end(),

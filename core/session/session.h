@@ -4,9 +4,11 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/measure/metrics.h"
@@ -33,11 +35,13 @@ struct Breakpoint {
 
 /// Something worth a mark on the timeline, found by looking at the recording.
 struct Marker {
-    enum class Kind : std::uint8_t { penalty, mis_ranked, unreached, budget };
+    enum class Kind : std::uint8_t { penalty, mis_ranked, unreached, budget, first_wrong, pop };
     std::uint32_t step = 0;
     Kind kind = Kind::penalty;
     std::string label;
 };
+inline constexpr auto marker_words =
+    std::to_array<std::string_view>({"penalty", "mis-ranked", "unreached", "budget", "first wrong pixel", "pop"});
 
 /// What of the culling view stays where it is when the display view moves.
 enum class Frozen : std::uint8_t { nothing, eye, direction, all };
@@ -112,6 +116,7 @@ public:
     /// or a cell that no longer exists is dropped.
     void set_scene(std::shared_ptr<const Scene<D>> scene);
     const std::shared_ptr<const Scene<D>>& shared_scene() const { return scene_; }
+    const std::shared_ptr<const CellComplex<D>>& shared_cells() const { return cells_; }
     void freeze(Frozen part = Frozen::all);
     void unfreeze() { frozen_ = Frozen::nothing; }
 
@@ -141,7 +146,7 @@ public:
     const std::vector<std::uint32_t>& layering() const;
     std::size_t visible_rendered() const;
     std::vector<Inversion> inversions() const;
-    /// Penalties, inversions and the ticks of 1, 2, 5 and 10 % budget, by step.
+    /// Penalties, inversions, the first wrong pixel (first_wrong.h) and the ticks of 1, 2, 5 and 10 % budget, by step.
     std::vector<Marker> markers() const;
 
 private:

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "core/session/pops.h"
 #include "shell/bench/change.h"
 #include "shell/bench/moves.h"
 #include "shell/bench/workbench.h"
@@ -120,6 +121,15 @@ void stop_path(Workbench<D>& bench) {
 }
 
 template <int D>
+std::vector<Marker> frame_pops(const Workbench<D>& bench) {
+    const auto& frames = bench.flight.path.frames;
+    const std::uint32_t frame = bench.flight.frame;
+    if (bench.session.flying() || frame == 0 || frame >= frames.size() || frames[frame] != bench.session.culling_view())
+        return {};
+    return pop_markers(bench.session, frames[frame - 1]);
+}
+
+template <int D>
 bool advance_flight(Workbench<D>& bench, double seconds) {
     Flight<D>& flight = bench.flight;
     if (!flight.recording && !flight.replaying) return false;
@@ -152,6 +162,7 @@ bool advance_flight(Workbench<D>& bench, double seconds) {
     template void replay<D>(Workbench<D>&);                                         \
     template void record_path<D>(Workbench<D>&);                                    \
     template void stop_path<D>(Workbench<D>&);                                      \
+    template std::vector<Marker> frame_pops<D>(const Workbench<D>&);                \
     template bool advance_flight<D>(Workbench<D>&, double);
 SIGHTLINE_INSTANTIATE(2)
 SIGHTLINE_INSTANTIATE(3)

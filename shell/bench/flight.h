@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "core/scene/flight_path.h"
 #include "core/session/session.h"
@@ -74,6 +75,11 @@ void record_path(Workbench<D>& bench);
 /// Ends recording and replaying; the frame that is shown is recorded.
 template <int D>
 void stop_path(Workbench<D>& bench);
+
+/// Marks of the pops (core/session/pops.h) between the frame of the path before and this one; none where the culling
+/// view is not that of the path's frame, in its first frame, and in flight.
+template <int D>
+std::vector<Marker> frame_pops(const Workbench<D>& bench);
 
 /// Replays the frame that is due, or records the place that the eye has reached. True when the view has moved.
 template <int D>

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/draw/solid_list.h"
+#include "core/measure/frame_clock.h"
 #include "core/measure/id_image.h"
 #include "core/progress.h"
 
@@ -12,6 +13,7 @@ namespace sightline {
 struct Graphics {
     DrawIds draw_ids{};
     DrawSolid draw_solid{};
+    std::function<TimeDrawing(const ImageSize& size)> time_drawing{};
     Progress progress{};  ///< of reading scenes
 };
 

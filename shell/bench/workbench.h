@@ -15,6 +15,7 @@
 #include "shell/bench/comparison.h"
 #include "shell/bench/desk.h"
 #include "shell/bench/flight.h"
+#include "shell/bench/frontier.h"
 #include "shell/bench/graphics.h"
 #include "shell/bench/history.h"
 #include "shell/bench/transport.h"
@@ -57,6 +58,7 @@ struct Workbench {
     std::vector<std::string> recent{};  ///< what `open` took, newest first
     std::vector<Place> places{};        ///< written anew by each frame of the window
     Graphics graphics{};                ///< 3D
+    Frontier<D> frontier{};
 
     /// Counts the traversals: what was derived from the recording is made again when this has changed.
     std::uint64_t run = 0;

@@ -84,8 +84,10 @@ template <int D>
 std::span<const Command<D>> desk_commands() {
     static constexpr std::array table{
         Command<D>{"scenes", "", "choose a scene", "O", flip<&Desk::chooser, D>},
-        Command<D>{"show", "PANEL", "show or hide a panel, the timeline or the legend",
-                   "1=why 2=code 3=front 4=inversions 5=breakpoints 6=notes 7=settings Tab=timeline E=legend", show<D>},
+        Command<D>{
+            "show", "PANEL", "show or hide a panel, the timeline or the legend",
+            "1=why 2=code 3=front 4=inversions 5=breakpoints 6=notes 7=settings 8=frontier Tab=timeline E=legend",
+            show<D>},
         Command<D>{
             "tool",
             D == 2 ? "select | segment | text | arrow | ring | callout" : "select | text | arrow | ring | callout",

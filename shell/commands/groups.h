@@ -23,6 +23,8 @@ std::span<const Command<D>> change_commands();
 template <int D>
 std::span<const Command<D>> compare_commands();
 template <int D>
+std::span<const Command<D>> frontier_commands();
+template <int D>
 std::span<const Command<D>> edit_commands();
 template <int D>
 std::span<const Command<D>> mark_commands();

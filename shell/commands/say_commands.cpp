@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "core/session/explain.h"
 #include "shell/bench/export.h"
+#include "shell/bench/flight.h"
 #include "shell/commands/arguments.h"
 #include "shell/commands/groups.h"
 #include "shell/panels/panel_table.h"
@@ -52,10 +53,13 @@ void inversions(Workbench<D>& bench, Text) {
 
 template <int D>
 void markers(Workbench<D>& bench, Text) {
-    constexpr std::array kinds{"penalty", "mis-ranked", "unreached", "budget"};
-    for (const Marker& marker : bench.session.markers())
-        bench.say("  step " + std::to_string(marker.step) + ": " + kinds[static_cast<std::size_t>(marker.kind)] + ", " +
-                  marker.label);
+    const auto say = [&](const std::vector<Marker>& markers) {
+        for (const Marker& marker : markers)
+            bench.say("  step " + std::to_string(marker.step) + ": " +
+                      std::string(marker_words[static_cast<std::size_t>(marker.kind)]) + ", " + marker.label);
+    };
+    say(bench.session.markers());
+    say(frame_pops(bench));
     for (const Bookmark& bookmark : bench.session.bookmarks)
         bench.say("  step " + std::to_string(bookmark.step) + ": bookmark '" + bookmark.label + "'");
 }
@@ -76,7 +80,8 @@ std::span<const Command<D>> say_commands() {
                    "", explain<D>},
         Command<D>{"front", "", "list the front", "", front<D>},
         Command<D>{"inversions", "", "list hidden cells projected before visible ones", "", inversions<D>},
-        Command<D>{"markers", "", "list penalties, inversions, budget ticks and bookmarks", "", markers<D>},
+        Command<D>{"markers", "", "list penalties, inversions, the first wrong pixel, budget ticks, pops and bookmarks",
+                   "", markers<D>},
         Command<D>{"panels", "[FILE]", "what all panels of the window say, as text", "F12=panels.txt", panels<D>},
     };
     return table;

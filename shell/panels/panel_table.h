@@ -23,6 +23,8 @@ std::vector<Row> note_rows(const Workbench<D>& bench);
 template <int D>
 std::vector<Row> compare_rows(const Workbench<D>& bench);
 template <int D>
+std::vector<Row> frontier_rows(const Workbench<D>& bench);
+template <int D>
 std::vector<Row> settings_rows(const Workbench<D>& bench);
 
 }  // namespace sightline

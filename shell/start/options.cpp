@@ -87,6 +87,7 @@ std::optional<Options> parse_options(int argc, const char* const* argv, std::spa
     app.add_option("--preset", o.preset, "preset id, see below");
     app.add_option("--cells", o.cells,
                    "file of the scene's cells: read where it exists and fits, else made and written");
+    app.add_option("--settings", o.settings_file, "FILE with settings, such as lab cells writes; --set goes before it");
     app.add_option("--set", o.settings, "FIELD=VALUE, see below; may be given several times")->allow_extra_args(false);
     app.add_option("--budget", o.budget, "500 | 5% | 16ms | unlimited");
     app.add_option("--steps", steps, "start at step 0 and go to step N");

@@ -19,6 +19,7 @@ struct Options {
     std::string eye, look_at;
     std::optional<double> fov;
     std::string method, preset, budget;
+    std::string settings_file;
     std::vector<std::string> settings;
     std::optional<std::uint32_t> steps;
     std::string until, commands;

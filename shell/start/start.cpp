@@ -15,6 +15,7 @@
 #include "core/session/condition.h"
 #include "core/session/report.h"
 #include "core/session/state_file.h"
+#include "core/settings/settings_file.h"
 #include "core/stopwatch.h"
 #include "shell/bench/export.h"
 #include "shell/bench/flight.h"
@@ -35,6 +36,9 @@ namespace {
 
 void apply_options(Settings& settings, const Options& o) {
     if (!o.preset.empty()) apply_preset(settings, o.preset);
+    if (!o.settings_file.empty())
+        for (const std::string& assignment : read_settings(read_file(o.settings_file), o.settings_file))
+            apply_setting(settings, assignment);
     if (!o.method.empty()) settings.method = o.method;
     if (!o.budget.empty()) settings.budget = parse_budget(o.budget);
     for (const std::string& assignment : o.settings) apply_setting(settings, assignment);

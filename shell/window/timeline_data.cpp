@@ -7,6 +7,7 @@
 
 #include "core/session/lanes.h"
 #include "shell/bench/comparison.h"
+#include "shell/bench/flight.h"
 
 namespace sightline {
 
@@ -43,6 +44,8 @@ void update_run(TimelineData& data, const Workbench<D>& bench) {
     data.by_primitives.assign(1, 0);
     data.by_primitives.insert(data.by_primitives.end(), lanes.rendered.begin(), lanes.rendered.end());
     data.found = session.markers();
+    const std::vector<Marker> pops = frame_pops(bench);
+    data.found.insert(data.found.end(), pops.begin(), pops.end());
     data.budgets.clear();
     for (const Marker& marker : data.found)
         if (marker.kind == Marker::Kind::budget) data.budgets.push_back({marker.step, marker.label});

@@ -269,7 +269,7 @@ void draw_marks(ImDrawList& list, const Ui& ui, const TimelineLayout& layout, co
     }
     const float x = layout.header.x, second = 5.6f * layout.text;
     const auto key = [&](MarkKind kind, const char* word, int column, int line) {
-        const float h = layout.marks.h / 2, left = x + (column == 0 ? 0 : second);
+        const float h = layout.marks.h / 3, left = x + (column == 0 ? 0 : second);
         const float y = layout.marks.y + static_cast<float>(line) * h;
         draw_mark(list, look(kind).shape, {left + 5 * ui.unit, y + h / 2}, side, colour(look(kind).colour));
         small_text(list, ui, left + 13 * ui.unit, y + (h - layout.text) / 2, word, theme::ink);
@@ -277,7 +277,9 @@ void draw_marks(ImDrawList& list, const Ui& ui, const TimelineLayout& layout, co
     key(MarkKind::penalty, "penalty", 0, 0);
     key(MarkKind::mis_ranked, "mis-ranked", 1, 0);
     key(MarkKind::unreached, "unreached", 1, 1);
-    key(MarkKind::bookmark, "yours", 0, 1);
+    key(MarkKind::first_wrong, "wrong", 0, 1);
+    key(MarkKind::pop, "pop", 1, 2);
+    key(MarkKind::bookmark, "yours", 0, 2);
 }
 
 void draw_position(ImDrawList& list, const Ui& ui, const TimelineLayout& layout, const TimelineData& data,

@@ -18,6 +18,9 @@ std::vector<TimelineMark> timeline_marks(const Workbench<D>& bench, const std::v
         if (marker.kind == Marker::Kind::penalty) marks.push_back({marker.step, MarkKind::penalty, marker.label});
         if (marker.kind == Marker::Kind::mis_ranked) marks.push_back({marker.step, MarkKind::mis_ranked, marker.label});
         if (marker.kind == Marker::Kind::unreached) marks.push_back({marker.step, MarkKind::unreached, marker.label});
+        if (marker.kind == Marker::Kind::first_wrong)
+            marks.push_back({marker.step, MarkKind::first_wrong, marker.label});
+        if (marker.kind == Marker::Kind::pop) marks.push_back({marker.step, MarkKind::pop, marker.label});
     }
     for (const std::uint32_t step : bench.marked) marks.push_back({step, MarkKind::matched, ""});
     for (const Breakpoint& breakpoint : bench.session.breakpoints) {

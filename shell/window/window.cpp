@@ -9,6 +9,7 @@
 #include "core/stopwatch.h"
 #include "shell/bench/change.h"
 #include "shell/bench/flight.h"
+#include "shell/bench/frontier.h"
 #include "shell/commands/command_table.h"
 #include "shell/commands/prompt.h"
 #include "shell/window/imgui_backend.h"
@@ -26,6 +27,8 @@ constexpr std::size_t most_messages = 500;
 /// Pixels at scale 1.
 constexpr float least_timeline = 150, least_column = 180, least_timeline_em = 36;
 constexpr float least_side = 32;
+/// Of a frame, for the frontier.
+constexpr double measuring_ms = 8;
 constexpr float text_pixels = 15, label_pixels = 12;
 /// Of the projector mode, in a window 1080 pixels high.
 constexpr float projector_text_pixels = 24, projector_label_pixels = 22;
@@ -231,6 +234,7 @@ void Window<D>::take_events() {
 template <int D>
 void Window<D>::handle(const SDL_Event& event) {
     lively_frames_ = 3;
+    was_touched_ = true;
     if (event.type == SDL_MOUSEMOTION || event.type == SDL_MOUSEBUTTONDOWN || event.type == SDL_MOUSEWHEEL)
         ui_.mouse_awake = true;
     if (event.type == SDL_KEYDOWN) ui_.mouse_awake = false;
@@ -343,8 +347,18 @@ void Window<D>::lay_out() {
     if (stage.draw && middle.w > 8 && middle.h > 8) stage.draw(ui_, middle);
 }
 
+/// A little of the frontier, where a person looks at it and does nothing else.
+template <int D>
+void Window<D>::measure() {
+    const bool watched = bench_.desk.right == "frontier" && !bench_.desk.projector;
+    if (!watched || was_touched_ || ImGui::IsAnyMouseDown() || after_frame_ || !stands_still(bench_)) return;
+    glFinish();  // what still draws would be in the times
+    if (advance_frontier(bench_, measuring_ms)) lively_frames_ = std::max(lively_frames_, 1);
+}
+
 template <int D>
 void Window<D>::frame(double seconds) {
+    was_touched_ = false;
     take_events();
     const std::optional<std::string> slow = after_frame_;
     if (bench_.transport.playing) {
@@ -353,6 +367,7 @@ void Window<D>::frame(double seconds) {
         ui_.revision += bench_.session.position() != before;
     }
     ui_.revision += advance_flight(bench_, seconds);
+    measure();
     if (fullscreen_ != bench_.desk.fullscreen) {
         fullscreen_ = bench_.desk.fullscreen;
         SDL_SetWindowFullscreen(context_.window(), fullscreen_ ? SDL_WINDOW_FULLSCREEN_DESKTOP : 0);

@@ -60,6 +60,7 @@ private:
     void escape();
     void fit_theme();
     void lay_out();
+    void measure();
     void wait_for_something();
 
     Workbench<D>& bench_;
@@ -76,6 +77,7 @@ private:
     std::optional<std::string> after_frame_;  ///< a command that takes seconds, until its word has been drawn
     bool expected_text_ = false;              ///< in the frame before
     int frames_in_between_ = 0;  ///< since a text field was opened or closed and the keyboard has not followed
+    bool was_touched_ = false;   ///< by keys or mouse, in this frame
     int lively_frames_ = 0;      ///< ImGui needs a few frames after an event
 };
 

@@ -1,0 +1,55 @@
+// Times of one frame. Nothing else may run meanwhile: whoever calls these stops other threads first.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/measure/summary.h"
+#include "core/scene/scene.h"
+#include "core/stopwatch.h"
+#include "core/traversal/methods.h"
+
+namespace sightline {
+
+/// Milliseconds.
+struct DrawTimes {
+    double upload = 0, draw = 0;
+};
+
+/// Draws triangles of the scene as `view` sees them, `repeats` times after once to warm up; medians. 3D only.
+using TimeDrawing = std::function<DrawTimes(const std::shared_ptr<const Scene<3>>& scene, const View<3>& view,
+                                            std::span<const std::uint32_t> triangles, std::uint32_t repeats)>;
+
+/// Milliseconds of starting and running the method to the frame's budget, unrecorded. `state` is reused from frame to
+/// frame, as a flight does; it ends as the run leaves it.
+template <int D>
+double run_milliseconds(const Method<D>& method, const Frame<D>& frame, State<D>& state) {
+    const Stopwatch stopwatch;
+    method.start(frame, state);
+    method.run(frame, state, none);
+    return stopwatch.milliseconds();
+}
+
+/// Median of `repeats` such runs after one to warm up.
+template <int D>
+double time_traversal(const Method<D>& method, const Frame<D>& frame, State<D>& state, std::uint32_t repeats) {
+    std::vector<double> times;
+    for (std::uint32_t i = 0; i <= repeats; ++i) {
+        const double time = run_milliseconds(method, frame, state);
+        if (i > 0) times.push_back(time);
+    }
+    return median(std::move(times));
+}
+
+/// The primitives that a state's run has rendered, in their order.
+template <int D>
+void rendered_ids(const State<D>& state, std::vector<std::uint32_t>& ids) {
+    ids.clear();
+    for (std::uint32_t i = 0; i < state.touched_count; ++i)
+        if (!(state.touched[i] & State<D>::culled_bit)) ids.push_back(state.touched[i]);
+}
+
+}  // namespace sightline

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/measure/frontier.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "core/measure/wrong_region.h"
+
+namespace sightline {
+
+namespace {
+
+constexpr std::array usual_shares{0.01, 0.02, 0.05, 0.10};
+/// Steps of one piece of a run: well under a millisecond where steps are small.
+constexpr std::uint32_t steps_a_slice = 128;
+/// Times taken of each frame, after one to warm up.
+constexpr std::uint32_t repeats = 3;
+
+}  // namespace
+
+template <int D>
+FrontierStudy<D>::FrontierStudy(FrontierTask<D> task) : task_(std::move(task)) {
+    for (std::size_t m = 0; m < task_.methods.size(); ++m) {
+        if (task_.methods[m].guarantee == Guarantee::conservative) {
+            dots_.push_back({m, {}});
+            continue;
+        }
+        for (const double share : usual_shares) dots_.push_back({m, {Budget::Kind::share, share}});
+    }
+}
+
+template <int D>
+void FrontierStudy<D>::ask(const std::string& id, const Budget& budget) {
+    const auto& methods = task_.methods;
+    const auto method = std::find_if(methods.begin(), methods.end(), [&](const Method<D>& m) { return m.id == id; });
+    const auto same = [&](const FrontierDot& dot) {
+        return methods[dot.method].id == id && dot.budget == budget;
+    };
+    if (std::any_of(dots_.begin(), dots_.end(), same)) return;
+    std::erase_if(dots_, [](const FrontierDot& dot) { return dot.asked; });
+    if (method == methods.end() || method->guarantee == Guarantee::conservative ||
+        budget.kind == Budget::Kind::milliseconds)
+        return;
+    dots_.push_back({static_cast<std::size_t>(method - methods.begin()), budget, {}, true});
+}
+
+template <int D>
+std::uint32_t FrontierStudy<D>::primitives(const Budget& budget) const {
+    const std::size_t all = task_.scene->primitives.size();
+    return std::min(static_cast<std::uint32_t>(all), budget.primitives(all));
+}
+
+template <int D>
+std::size_t FrontierStudy<D>::done() const {
+    std::size_t count = 0;
+    for (const FrontierDot& dot : dots_) count += dot.frames.size();
+    return count;
+}
+
+template <int D>
+std::size_t FrontierStudy<D>::common_views() const {
+    std::size_t count = task_.views.size();
+    for (const FrontierDot& dot : dots_)
+        if (!dot.asked) count = std::min(count, dot.frames.size());
+    return count;
+}
+
+template <int D>
+double FrontierStudy<D>::value(const FrontierDot& dot, Measure measure) const {
+    const std::size_t count = std::max<std::size_t>(common_views(), 1);
+    if (dot.frames.size() < count) return std::numeric_limits<double>::quiet_NaN();
+    return summary(std::span(dot.frames).first(count), measure);
+}
+
+/// Of the view and the method at work, if there is one, so that their run serves all budgets.
+template <int D>
+FrontierDot* FrontierStudy<D>::next_dot() {
+    FrontierDot* next = nullptr;
+    for (FrontierDot& dot : dots_) {
+        if (dot.frames.size() == task_.views.size()) continue;
+        if (work_ && dot.frames.size() == work_->view && dot.method == work_->method) return &dot;
+        if (!next || dot.frames.size() < next->frames.size()) next = &dot;
+    }
+    return next;
+}
+
+template <int D>
+bool FrontierStudy<D>::advance() {
+    FrontierDot* const dot = next_dot();
+    if (!dot) return false;
+    const std::size_t view = dot->frames.size();
+    if (truth_view_ != view) {
+        make_truth(view);
+        return true;
+    }
+    if (!work_ || work_->view != view || work_->method != dot->method) {
+        Settings settings = task_.settings;
+        const Method<D>& method = task_.methods[dot->method];
+        settings.method = method.id;
+        work_.emplace();
+        work_->view = view;
+        work_->method = dot->method;
+        work_->frame =
+            make_frame<D>(task_.scene->primitives, *task_.cells, task_.views[view], settings, task_.scene->two_sided);
+        work_->runner.emplace(method, work_->frame);
+    } else if (!work_->run) {
+        if (work_->runner->advance(steps_a_slice)) return true;
+        work_->run = work_->runner->finish(truth_.reference, false);
+        work_->runner.reset();
+    } else if (work_->budget != dot->budget) {
+        measure(*dot);
+    } else {
+        take_time(*dot);
+    }
+    return true;
+}
+
+template <int D>
+void FrontierStudy<D>::make_truth(std::size_t view) {
+    work_.reset();  // its run is judged by the truth of its view
+    truth_view_.reset();
+    const CellComplex<D>* const cells = task_.cells.get();
+    truth_ = std::move(make_truths<D>(*task_.scene, {&cells, 1}, task_.views[view], task_.settings.reference_size,
+                                      task_.draw_ids, false)
+                           .front());
+    truth_view_ = view;
+}
+
+template <int D>
+void FrontierStudy<D>::measure(const FrontierDot& dot) {
+    const std::uint32_t budget = primitives(dot.budget);
+    const auto rendered = rendered_by(*work_->run, cut_at(*work_->run, budget).touched, task_.scene->primitives.size());
+    const auto wrong = wrong_mask(truth_.reference.image, rendered);
+    work_->values = frame_numbers(*work_->run, truth_, budget, rendered, wrong, std::nullopt);
+    work_->budget = dot.budget;
+    work_->samples = 0;
+    for (auto* times : {&work_->traverse, &work_->upload, &work_->draw}) times->clear();
+}
+
+/// One sample; the last one completes the dot.
+template <int D>
+void FrontierStudy<D>::take_time(FrontierDot& dot) {
+    Work& work = *work_;
+    work.frame.budget = primitives(dot.budget);
+    const double traverse = run_milliseconds(task_.methods[dot.method], work.frame, state_);
+    if (work.samples++ == 0) return;
+    work.traverse.push_back(traverse);
+    if constexpr (D == 3) {
+        if (task_.time_drawing) {
+            rendered_ids(state_, ids_);
+            const DrawTimes times = task_.time_drawing(task_.scene, task_.views[work.view], ids_, 1);
+            work.upload.push_back(times.upload);
+            work.draw.push_back(times.draw);
+        }
+    }
+    if (work.samples <= repeats) return;
+    double total = work.values[Measure::traverse_ms] = median(work.traverse);
+    if (!work.draw.empty()) {
+        total += work.values[Measure::upload_ms] = median(work.upload);
+        total += work.values[Measure::draw_ms] = median(work.draw);
+    }
+    work.values[Measure::total_ms] = total;
+    dot.frames.push_back(work.values);
+    work.budget.reset();
+}
+
+template class FrontierStudy<2>;
+template class FrontierStudy<3>;
+
+}  // namespace sightline

@@ -1,0 +1,91 @@
+// The frontier of speed and accuracy of one scene and its cells, measured a little at a time: for whoever watches, and
+// must not be held up.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/measure/frame_clock.h"
+#include "core/measure/frame_numbers.h"
+#include "core/space/cell_complex.h"
+
+namespace sightline {
+
+/// What is measured.
+template <int D>
+struct FrontierTask {
+    std::shared_ptr<const Scene<D>> scene{};
+    std::shared_ptr<const CellComplex<D>> cells{};
+    Settings settings{};  ///< method and budget aside
+    std::vector<View<D>> views{};
+    std::vector<Method<D>> methods{};
+    DrawIds draw_ids{};          ///< 3D
+    TimeDrawing time_drawing{};  ///< 3D; empty: drawing is not timed
+};
+
+/// A method at a budget; what it makes of the views so far, in their order.
+struct FrontierDot {
+    std::size_t method = 0;  ///< index into FrontierTask::methods
+    Budget budget;
+    std::vector<Values> frames{};
+    bool asked = false;  ///< one of the usual budgets is not
+};
+
+/// Approximate methods at 1, 2, 5 and 10 % of the scene, conservative ones without a budget; view by view.
+template <int D>
+class FrontierStudy {
+public:
+    FrontierStudy() = default;  ///< nothing to measure
+    explicit FrontierStudy(FrontierTask<D> task);
+
+    /// Measures this pair too, where it is none of the usual ones; what was asked for before is dropped. A budget in
+    /// milliseconds, and one of a conservative method, is not measured.
+    void ask(const std::string& method, const Budget& budget);
+
+    /// One slice: the exact image of a view, a piece of a run, the numbers of one budget, or one time. False when there
+    /// is nothing left to do. Throws WorkError where there is no OpenGL.
+    bool advance();
+
+    const FrontierTask<D>& task() const { return task_; }
+    const std::vector<FrontierDot>& dots() const { return dots_; }
+    bool finished() const { return done() == total(); }
+    /// Views x methods x budgets measured, and there are.
+    std::size_t done() const;
+    std::size_t total() const { return dots_.size() * task_.views.size(); }
+    /// Views that all usual dots have measured.
+    std::size_t common_views() const;
+    /// The mean (times: the median) over the views that all have, or over the first one until they do, so that dots
+    /// compare. NaN before.
+    double value(const FrontierDot& dot, Measure measure) const;
+
+private:
+    struct Work {
+        std::size_t view = 0, method = 0;
+        Frame<D> frame{};
+        std::optional<WholeRunner<D>> runner{};
+        std::optional<WholeRun> run{};
+        // Of the dot that is being measured.
+        std::optional<Budget> budget{};
+        Values values{};
+        std::uint32_t samples = 0;  ///< taken, the one to warm up included
+        std::vector<double> traverse{}, upload{}, draw{};
+    };
+    FrontierDot* next_dot();
+    void make_truth(std::size_t view);
+    void measure(const FrontierDot& dot);
+    void take_time(FrontierDot& dot);
+    std::uint32_t primitives(const Budget& budget) const;
+
+    FrontierTask<D> task_;
+    std::vector<FrontierDot> dots_;
+    std::optional<std::size_t> truth_view_;
+    Truth truth_;
+    std::optional<Work> work_;
+    State<D> state_;
+    std::vector<std::uint32_t> ids_;
+};
+
+}  // namespace sightline

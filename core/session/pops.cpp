@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/pops.h"
+
+namespace sightline {
+
+namespace {
+
+/// Per primitive, 1 where the state's run has rendered it.
+template <int D>
+std::vector<std::uint8_t> rendered(const State<D>& state, std::size_t primitive_count) {
+    std::vector<std::uint8_t> mask(primitive_count);
+    for (std::uint32_t i = 0; i < state.touched_count; ++i)
+        if (!(state.touched[i] & State<D>::culled_bit)) mask[state.touched[i]] = 1;
+    return mask;
+}
+
+}  // namespace
+
+template <int D>
+std::vector<Marker> pop_markers(const Session<D>& session, const ViewSpec<D>& before) {
+    Session<D> earlier = session, now = session;
+    earlier.unfreeze();
+    earlier.fly(before);
+    now.run();
+    const std::size_t count = session.scene().primitives.size();
+    const std::vector<std::uint8_t> then = rendered(earlier.state(), count), here = rendered(now.state(), count);
+    const auto &visible_then = earlier.reference().visible, &visible_here = now.reference().visible;
+
+    std::vector<Marker> markers;
+    const auto mark = [&](std::uint32_t step, std::size_t pops, const char* what) {
+        if (pops > 0) markers.push_back({step, Marker::Kind::pop, std::to_string(pops) + what});
+    };
+    for (std::uint32_t step = 1; step <= now.position(); ++step) {
+        std::size_t appear = 0;
+        for (std::uint32_t i = now.timeline().touched_before(step); i < now.timeline().steps[step - 1].touched_count;
+             ++i) {
+            const std::uint32_t p = now.state().touched[i];
+            if (!(p & State<D>::culled_bit)) appear += visible_here[p] && visible_then[p] && !then[p];
+        }
+        mark(step, appear, " appear that the frame before, too, should have shown");
+    }
+    std::size_t vanish = 0;
+    for (std::size_t p = 0; p < count; ++p) vanish += visible_here[p] && visible_then[p] && then[p] && !here[p];
+    if (now.position() > 0) mark(now.position(), vanish, " vanish that the frame before has shown");
+    return markers;
+}
+
+template std::vector<Marker> pop_markers<2>(const Session<2>&, const ViewSpec<2>&);
+template std::vector<Marker> pop_markers<3>(const Session<3>&, const ViewSpec<3>&);
+
+}  // namespace sightline

@@ -1,0 +1,76 @@
+// Speed against accuracy of every method at every budget; the window draws the chart over these lines.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+
+#include "core/number.h"
+#include "core/settings/settings_table.h"
+#include "shell/panels/panel_table.h"
+
+namespace sightline {
+
+namespace {
+
+std::string per_cent(double share) { return std::isnan(share) ? "none" : short_number(100 * share) + "%"; }
+
+template <int D>
+std::string progress_text(const Workbench<D>& bench) {
+    const FrontierStudy<D>& study = bench.frontier.study;
+    if (study.finished()) return "measured, all " + std::to_string(study.total());
+    const std::string count = std::to_string(study.done()) + " of " + std::to_string(study.total()) + " measured";
+    if (bench.frontier.stopped) return count + ", stopped";
+    return count + (stands_still(bench) ? "" : ", waiting until nothing moves");
+}
+
+}  // namespace
+
+template <int D>
+std::vector<Row> frontier_rows(const Workbench<D>& bench) {
+    const Frontier<D>& frontier = bench.frontier;
+    const FrontierStudy<D>& study = frontier.study;
+    if (!study.task().scene)
+        return {{"Speed against accuracy of this scene: shown, the panel fills itself; frontier finish does it at once",
+                 Tone::faint}};
+    std::vector<Row> rows{{bench.session.scene().id + ", " + frontier.path, Tone::heading}};
+    Row progress{progress_text(bench)};
+    if (!study.finished()) {
+        progress.command = frontier.stopped ? "frontier go" : "frontier stop";
+        progress.text += frontier.stopped ? " (click: go on)" : " (click: stop)";
+    }
+    rows.push_back(std::move(progress));
+    if (!frontier.word.empty()) rows.push_back({frontier.word, Tone::lit});
+    const std::vector<std::size_t> front = frontier_front(bench);
+    for (std::size_t i = 0; i < study.dots().size(); ++i) {
+        const FrontierDot& dot = study.dots()[i];
+        const double ms = study.value(dot, Measure::total_ms);
+        const Method<D>& method = study.task().methods[dot.method];
+        const bool is_best = std::find(front.begin(), front.end(), i) != front.end();
+        Row row{std::string(method.id) + " " + budget_text(dot.budget) + ": "};
+        row.text += std::isnan(ms) ? "…"
+                                   : short_number(ms) + " ms, wrong " + per_cent(study.value(dot, Measure::wrong)) +
+                                         ", coverage " + per_cent(study.value(dot, Measure::coverage));
+        if (is_best) row.text += ", front";
+        const bool now = is_current(bench, dot);
+        row.tone = now ? Tone::lit : is_best ? Tone::good : Tone::plain;
+        if (now) row.text += " (now)";
+        row.command = frontier_command(bench, dot);
+        row.tip = std::string(method.sentence) +
+                  (method.guarantee == Guarantee::conservative ? " [conservative]" : " [approximate]") +
+                  ". A click sets this method and this budget.";
+        rows.push_back(std::move(row));
+    }
+    const ImageSize reference = image_size<D>(study.task().settings.reference_size);
+    const std::string size = D == 2 ? std::to_string(reference.width) + " pixels" : image_size_text(reference);
+    rows.push_back({"Time: " + frontier_time_text(bench) +
+                        (study.task().time_drawing ? ", off screen at " + size : "") +
+                        ", median of 3 in this window's program; it differs from run to run. Accuracy: mean over " +
+                        "frames against " + (D == 2 ? "an item buffer of " : "the item buffer ") + size + ".",
+                    Tone::faint});
+    rows.push_back({"measure anew", Tone::faint, "frontier anew"});
+    return rows;
+}
+
+template std::vector<Row> frontier_rows<2>(const Workbench<2>&);
+template std::vector<Row> frontier_rows<3>(const Workbench<3>&);
+
+}  // namespace sightline

@@ -1,0 +1,178 @@
+// The chart of the frontier panel: a line per method, a dot per budget, the Pareto front under them.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <array>
+
+#include "core/number.h"
+#include "core/settings/budget.h"
+#include "shell/window/frontier_plot.h"
+#include "shell/window/parts.h"
+#include "shell/window/theme.h"
+#include "shell/window/timeline_lanes.h"
+
+namespace sightline {
+
+namespace {
+
+/// Okabe and Ito's, the yellow left out on white; in the order of the lab's charts.
+constexpr std::array method_colours{Colour{0, 114, 178},   Colour{213, 94, 0},   Colour{0, 158, 115},
+                                    Colour{204, 121, 167}, Colour{0, 0, 0},      Colour{230, 159, 0},
+                                    Colour{86, 180, 233},  Colour{127, 127, 127}};
+constexpr Colour front_colour{200, 200, 200};
+
+ImU32 method_colour(std::size_t method) { return colour(method_colours[method % method_colours.size()]); }
+
+template <int D>
+void bar(Ui& ui, Workbench<D>& bench) {
+    const Frontier<D>& frontier = bench.frontier;
+    const bool wrong = frontier.shown == Measure::wrong;
+    std::string wanted;
+    if (ImGui::Button(wrong ? "wrong pixels" : "coverage")) wanted = wrong ? "frontier coverage" : "frontier wrong";
+    note_place(bench, "frontier measure");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("what is up: a click shows the other one");
+    ImGui::SameLine();
+    if (!frontier.study.finished()) {
+        if (ImGui::Button(frontier.stopped ? "go on" : "stop"))
+            wanted = frontier.stopped ? "frontier go" : "frontier stop";
+        note_place(bench, frontier.stopped ? "frontier go" : "frontier stop");
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("what is measured stays");
+        ImGui::SameLine();
+        const std::size_t done = frontier.study.done(), total = frontier.study.total();
+        const std::string count = std::to_string(done) + " of " + std::to_string(total);
+        ImGui::ProgressBar(total > 0 ? static_cast<float>(done) / static_cast<float>(total) : 0, {-1, 0},
+                           count.c_str());
+    } else {
+        if (ImGui::Button("anew")) wanted = "frontier anew";
+        note_place(bench, "frontier anew");
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("measure all again");
+    }
+    if (!wanted.empty()) ui.act(wanted);
+}
+
+void draw_axes(ImDrawList& list, const Ui& ui, const FrontierPlot& plot) {
+    const Area& a = plot.area;
+    list.AddRectFilled(a.min(), a.max(), colour(theme::paper));
+    const float text = ImGui::GetFontSize() * 0.87f;
+    for (const FrontierPlot::Tick& tick : plot.shares) {
+        list.AddLine({a.x, tick.at}, {a.x + a.w, tick.at}, colour(theme::line));
+        small_text(list, ui, a.x - 4 * ui.unit, tick.at - text / 2, tick.text, theme::faint, 1);
+    }
+    float free_from = a.x - text;
+    for (const FrontierPlot::Tick& tick : plot.times) {
+        list.AddLine({tick.at, a.y}, {tick.at, a.y + a.h}, colour(theme::line));
+        const float half = small_width(ui, tick.text) / 2;
+        if (tick.at - half < free_from) continue;
+        small_text(list, ui, tick.at, a.y + a.h + 2 * ui.unit, tick.text, theme::faint, 0.5f);
+        free_from = tick.at + half + text / 2;
+    }
+    list.AddRect(a.min(), a.max(), colour(theme::line));
+}
+
+/// Front, lines and dots; the method of the session is drawn thicker, its dot ringed.
+template <int D>
+void draw_dots(ImDrawList& list, const Ui& ui, const Workbench<D>& bench, const FrontierPlot& plot) {
+    const FrontierStudy<D>& study = bench.frontier.study;
+    const auto at = [&](std::size_t index) {
+        return std::find_if(plot.dots.begin(), plot.dots.end(), [&](const auto& dot) { return dot.index == index; });
+    };
+    std::vector<ImVec2> front;
+    for (const std::size_t index : frontier_front(bench))
+        if (const auto found = at(index); found != plot.dots.end()) front.push_back(found->at);
+    list.AddPolyline(front.data(), static_cast<int>(front.size()), colour(front_colour), 0, 7 * ui.unit);
+    for (const ImVec2& p : front) list.AddCircleFilled(p, 7 * ui.unit, colour(front_colour));
+    for (std::size_t m = 0; m < study.task().methods.size(); ++m) {
+        std::vector<FrontierPlot::Dot> dots;
+        for (const FrontierPlot::Dot& dot : plot.dots)
+            if (study.dots()[dot.index].method == m) dots.push_back(dot);
+        std::stable_sort(dots.begin(), dots.end(), [&](const auto& a, const auto& b) {
+            const std::size_t all = study.task().scene->primitives.size();
+            return study.dots()[a.index].budget.primitives(all) < study.dots()[b.index].budget.primitives(all);
+        });
+        const bool current = study.task().methods[m].id == bench.session.settings().method;
+        for (std::size_t i = 0; i + 1 < dots.size(); ++i)
+            list.AddLine(dots[i].at, dots[i + 1].at, method_colour(m), (current ? 3.0f : 1.5f) * ui.unit);
+        for (const FrontierPlot::Dot& dot : dots) {
+            list.AddCircleFilled(dot.at, 4 * ui.unit, method_colour(m));
+            if (is_current(bench, study.dots()[dot.index]))
+                list.AddCircle(dot.at, 8 * ui.unit, colour(theme::ink), 0, 2 * ui.unit);
+        }
+    }
+}
+
+/// Dots of the chart under the mouse: what they are, and a click.
+template <int D>
+void mouse(Ui& ui, const Workbench<D>& bench, const FrontierPlot& plot) {
+    if (!ImGui::IsItemHovered()) return;
+    const FrontierPlot::Dot* const hit = dot_at(plot, ImGui::GetIO().MousePos, 9 * ui.unit);
+    if (!hit) return;
+    const FrontierStudy<D>& study = bench.frontier.study;
+    const FrontierDot& dot = study.dots()[hit->index];
+    const Method<D>& method = study.task().methods[dot.method];
+    ImGui::GetWindowDrawList()->AddCircle(hit->at, 7 * ui.unit, colour(theme::accent), 0, 2 * ui.unit);
+    const auto share = [&](Measure measure) { return short_number(100 * study.value(dot, measure)) + " %"; };
+    ImGui::SetTooltip("%s at %s (%s)\n%s ms, wrong pixels %s, coverage %s\na click sets this method and budget",
+                      std::string(method.id).c_str(), budget_text(dot.budget).c_str(),
+                      method.guarantee == Guarantee::conservative ? "conservative" : "approximate",
+                      short_number(study.value(dot, Measure::total_ms)).c_str(), share(Measure::wrong).c_str(),
+                      share(Measure::coverage).c_str());
+    if (ImGui::IsItemDeactivated()) ui.act(frontier_command(bench, dot));
+}
+
+/// A swatch and a name per method, wrapped.
+template <int D>
+void key(const Ui& ui, const Workbench<D>& bench) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const auto& methods = bench.frontier.study.task().methods;
+    const float text = ImGui::GetFontSize(), swatch = 1.2f * text, gap = 0.8f * text;
+    const ImVec2 from = ImGui::GetCursorScreenPos();
+    const float right = from.x + ImGui::GetContentRegionAvail().x;
+    ImVec2 at = from;
+    const auto entry = [&](const std::string& name, ImU32 c, float width) {
+        const float w = swatch + 4 * ui.unit + ImGui::CalcTextSize(name.c_str()).x;
+        if (at.x > from.x && at.x + w > right) at = {from.x, at.y + 1.2f * text};
+        list.AddLine({at.x, at.y + text / 2}, {at.x + swatch, at.y + text / 2}, c, width);
+        list.AddText({at.x + swatch + 4 * ui.unit, at.y}, colour(theme::ink), name.c_str());
+        at.x += w + gap;
+    };
+    for (std::size_t m = 0; m < methods.size(); ++m)
+        entry(std::string(methods[m].id), method_colour(m),
+              (methods[m].id == bench.session.settings().method ? 3.0f : 1.5f) * ui.unit);
+    entry("Pareto front", colour(front_colour), 7 * ui.unit);
+    ImGui::Dummy({1, at.y + 1.3f * text - from.y});
+}
+
+}  // namespace
+
+template <int D>
+void frontier_chart(Ui& ui, Workbench<D>& bench) {
+    if (!bench.frontier.study.task().scene) return;
+    bar(ui, bench);
+    const float text = ImGui::GetFontSize(), left = 2.6f * text, under = 2.5f * text;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float w = std::max(ImGui::GetContentRegionAvail().x, 8 * text),
+                h = std::max(std::min(0.62f * w, 0.5f * ImGui::GetContentRegionAvail().y), 8 * text);
+    ImGui::InvisibleButton("frontier", {w, h});
+    note_place(bench, "frontier chart");
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const FrontierPlot plot =
+        frontier_plot(bench, {at.x + left, at.y + 1.3f * text, w - left - 6 * ui.unit, h - under - 1.3f * text});
+    draw_axes(list, ui, plot);
+    small_text(list, ui, at.x, at.y, bench.frontier.shown == Measure::wrong ? "wrong pixels, %" : "coverage, %",
+               theme::ink);
+    small_text(list, ui, at.x + w, at.y + h - 1.1f * text, frontier_time_text(bench), theme::ink, 1);
+    if (plot.dots.empty())
+        small_text(list, ui, plot.area.x + plot.area.w / 2, plot.area.y + plot.area.h / 2, "nothing measured yet",
+                   theme::faint, 0.5f);
+    draw_dots(list, ui, bench, plot);
+    mouse(ui, bench, plot);
+    const float dot = 8 * ui.unit;
+    for (const FrontierPlot::Dot& d : plot.dots)
+        bench.places.push_back({"dot " + frontier_command(bench, bench.frontier.study.dots()[d.index]).substr(9),
+                                d.at.x - dot / 2, d.at.y - dot / 2, dot, dot});
+    key(ui, bench);
+}
+
+template void frontier_chart<2>(Ui&, Workbench<2>&);
+template void frontier_chart<3>(Ui&, Workbench<3>&);
+
+}  // namespace sightline
