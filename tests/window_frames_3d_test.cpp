@@ -275,7 +275,7 @@ TEST_F(Window3OffScreen, NothingFails) {
         ASSERT_FALSE(HasFailure()) << "after: " << last;
     }
     bench->desk = {};
-    while (driver->drawn() < 500) {
+    while (driver->drawn() < 300) {
         anything();
         bench->desk.console = false;
         check();
