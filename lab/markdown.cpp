@@ -34,14 +34,16 @@ void write_markdown(const Results& results, const std::string& command, const st
     std::string text = "# Results\n\nMade by\n\n```sh\n" + command + "\n```\n\non " + c.date + ": " + c.machine + "; " +
                        c.build + "; " + c.renderer +
                        ". Times hold for this machine only; everything else is the same everywhere but for single "
-                       "pixels. [Measuring](measuring.md) says what each number is and how to read the charts.\n\n"
-                       "## What the papers say, and what we find\n\n| they | we | |\n|---|---|---|\n";
-    for (const Claim& claim : judge_claims(results))
-        text += "| " + claim.text + " (" + claim.source + ") | " + claim.ours + " | " +
-                (claim.holds ? "holds" : "**does not hold here**") + " |\n";
-    text +=
-        "\nThe papers' data are not to be had: generated scenes stand for them, so shapes can be compared, not "
-        "figures.\n";
+                       "pixels. [Measuring](measuring.md) says what each number is and how to read the charts.\n";
+    if (const std::vector<Claim> claims = judge_claims(results); !claims.empty()) {
+        text += "\n## What the papers say, and what we find\n\n| they | we | |\n|---|---|---|\n";
+        for (const Claim& claim : claims)
+            text += "| " + claim.text + " (" + claim.source + ") | " + claim.ours + " | " +
+                    (claim.holds ? "holds" : "**does not hold here**") + " |\n";
+        text +=
+            "\nThe papers' data are not to be had: generated scenes stand for them, so shapes can be compared, not "
+            "figures.\n";
+    }
     const std::filesystem::path images = file.parent_path() / "images";
     std::filesystem::create_directories(images);
     for (const Group& group : groups(results)) {
