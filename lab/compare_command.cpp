@@ -45,9 +45,10 @@ int compare_command(int argc, const char* const* argv) {
     } else {
         options.methods = {a, b};
         const Study study = study_of(options);
-        StudyRun run;
-        run.say = say;
-        results_a = run_study(study, std::filesystem::path(out) / "study", graphics, run);
+        note_interrupts();
+        results_a =
+            run_study(study, std::filesystem::path(out) / "study", graphics, {.say = say, .stopped = interrupted});
+        if (interrupted()) return stopped();
         side_a.study = side_b.study = study;
         pairs = compare_methods(results_a, parse_method(a), parse_method(b));
     }

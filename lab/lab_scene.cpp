@@ -6,7 +6,9 @@
 
 #include "core/error.h"
 #include "core/file.h"
+#include "core/geometry/hash.h"
 #include "core/geometry/trig.h"
+#include "core/number.h"
 #include "core/scene/load.h"
 #include "core/session/start_settings.h"
 #include "core/settings/settings_table.h"
@@ -92,8 +94,25 @@ LabScene<D> load_lab_scene(const std::string& name, const std::string& path_name
     return lab;
 }
 
+template <int D>
+std::string checkpoint_key(const LabScene<D>& lab) {
+    Hash hash;
+    hash.add(scene_hash(*lab.scene));
+    for (const std::uint8_t two_sided : lab.scene->two_sided) hash.add(two_sided);
+    for (const ViewSpec<D>& view : lab.specs) {
+        for (int i = 0; i < D; ++i) {
+            hash.add(view.eye[i]);
+            hash.add(view.look_at[i]);
+        }
+        hash.add(view.fov);
+    }
+    return lab.name + ", path " + lab.path + ", error bound " + number_text(lab.settings.error_bound) + ", " +
+           hash_text(hash.value());
+}
+
 #define SIGHTLINE_INSTANTIATE(D)                                              \
     template FlightPath<D> find_path<D>(const Scene<D>&, const std::string&); \
+    template std::string checkpoint_key<D>(const LabScene<D>&);               \
     template LabScene<D> load_lab_scene<D>(const std::string&, const std::string&, const Study&, const Progress&);
 SIGHTLINE_INSTANTIATE(2)
 SIGHTLINE_INSTANTIATE(3)

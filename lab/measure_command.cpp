@@ -52,15 +52,22 @@ int measure_command(int argc, const char* const* argv) {
     StudyOptions options;
     add_study_options(app, options);
     std::string out = "out/lab", shard, markdown;
-    app.add_option("--out", out, "folder of the results; a study that was stopped goes on there")
-        ->capture_default_str();
-    app.add_option("--shard", shard, "I/N: only every N-th pair of scene and path, from the I-th on");
+    const CLI::Option* out_option =
+        app.add_option("--out", out, "folder of the results; a study that was stopped goes on there")
+            ->capture_default_str();
+    app.add_option("--shard", shard,
+                   "I/N: only every N-th pair of scene and path, from the I-th on; in out/lab-I-of-N");
     app.add_option("--markdown", markdown,
                    "also a page of documentation, FILE.md, with its charts in images/ beside it");
     if (!parse(app, argc, argv)) return 0;
     const Study study = study_of(options);
     StudyRun run;
-    if (!shard.empty()) run.shard = parse_shard(shard);
+    if (!shard.empty()) {
+        run.shard = parse_shard(shard);
+        // Parts that run at once must not write to one folder.
+        if (out_option->empty())
+            out += "-" + std::to_string(run.shard.index + 1) + "-of-" + std::to_string(run.shard.count);
+    }
     run.say = say;
     note_interrupts();
     run.stopped = interrupted;
@@ -77,8 +84,7 @@ int measure_command(int argc, const char* const* argv) {
     }
     print_table(results);
     std::cout << "Written: " << out << "/report.html, results.json, results.csv, charts/, pictures/\n";
-    if (interrupted()) std::cerr << "lab: stopped; the same command goes on where it was\n";
-    return interrupted() ? 1 : 0;
+    return interrupted() ? stopped() : 0;
 }
 
 int merge_command(int argc, const char* const* argv) {

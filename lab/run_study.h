@@ -11,7 +11,7 @@
 
 namespace sightline::lab {
 
-/// Every n-th pair of scene and path, from `index` on; the parts of a study on several machines or processes.
+/// Every n-th scene, path and error bound, from `index` on; the parts of a study on several machines or processes.
 struct Shard {
     std::uint32_t index = 0, count = 1;
 };
