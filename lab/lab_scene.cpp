@@ -33,6 +33,20 @@ Vec<3> turned(const Vec<3>& d, const SinCos& by, const Scene<3>& scene) {
     return result;
 }
 
+template <int D>
+Settings settings_of(const std::string& file, const Study& study) {
+    Settings settings = catalogue_settings<D>(file);
+    settings.budget = {};
+    for (const std::string& assignment : study.settings) apply_setting(settings, assignment);
+    settings.reference_size = study.size;
+    return settings;
+}
+
+template <int D>
+Scene<D> load(const std::string& file, const Settings& settings, const Progress& progress) {
+    return load_scene<D>(file, {.two_sided = settings.two_sided == Switch::on, .progress = progress});
+}
+
 }  // namespace
 
 template <int D>
@@ -67,17 +81,20 @@ FlightPath<D> find_path(const Scene<D>& scene, const std::string& name) {
 }
 
 template <int D>
+void check_scene(const std::string& name, const std::vector<std::string>& paths, const Study& study) {
+    const std::string file = parse_scene(name).name;
+    const Scene<D> scene = load<D>(file, settings_of<D>(file, study), {});
+    for (const std::string& path : paths) find_path(scene, path);
+}
+
+template <int D>
 LabScene<D> load_lab_scene(const std::string& name, const std::string& path_name, const Study& study,
                            const Progress& progress) {
     LabScene<D> lab;
     lab.name = name;
     const std::string file = parse_scene(name).name;
-    lab.settings = catalogue_settings<D>(file);
-    lab.settings.budget = {};
-    for (const std::string& assignment : study.settings) apply_setting(lab.settings, assignment);
-    lab.settings.reference_size = study.size;
-    lab.scene = std::make_shared<const Scene<D>>(
-        load_scene<D>(file, {.two_sided = lab.settings.two_sided == Switch::on, .progress = progress}));
+    lab.settings = settings_of<D>(file, study);
+    lab.scene = std::make_shared<const Scene<D>>(load<D>(file, lab.settings, progress));
 
     const FlightPath<D> path = find_path(*lab.scene, path_name);
     lab.path = path_name.empty() ? path.id : path_name;
@@ -110,9 +127,10 @@ std::string checkpoint_key(const LabScene<D>& lab) {
            hash_text(hash.value());
 }
 
-#define SIGHTLINE_INSTANTIATE(D)                                              \
-    template FlightPath<D> find_path<D>(const Scene<D>&, const std::string&); \
-    template std::string checkpoint_key<D>(const LabScene<D>&);               \
+#define SIGHTLINE_INSTANTIATE(D)                                                                     \
+    template FlightPath<D> find_path<D>(const Scene<D>&, const std::string&);                        \
+    template void check_scene<D>(const std::string&, const std::vector<std::string>&, const Study&); \
+    template std::string checkpoint_key<D>(const LabScene<D>&);                                      \
     template LabScene<D> load_lab_scene<D>(const std::string&, const std::string&, const Study&, const Progress&);
 SIGHTLINE_INSTANTIATE(2)
 SIGHTLINE_INSTANTIATE(3)

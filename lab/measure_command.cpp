@@ -91,11 +91,11 @@ int merge_command(int argc, const char* const* argv) {
     CLI::App app{"Puts the parts of a study together that were measured apart.", "lab merge"};
     std::vector<std::string> parts;
     std::string out = "out/lab";
-    app.add_option("RESULTS", parts, "results.json of each part")->required();
+    app.add_option("RESULTS", parts, "folder or results.json of each part")->required();
     app.add_option("--out", out, "folder of the results")->capture_default_str();
     if (!parse(app, argc, argv)) return 0;
     std::vector<Results> read;
-    for (const std::string& part : parts) read.push_back(read_results(read_file(part), part));
+    for (const std::string& part : parts) read.push_back(load_results(part));
     std::filesystem::create_directories(out);
     const Results all = merge(read);
     write_results(all, out);

@@ -78,6 +78,12 @@ Row read_row(const Json& json) {
     return row;
 }
 
+std::filesystem::path results_file(const std::string& name) {
+    std::error_code error;
+    const std::filesystem::path path = name;
+    return std::filesystem::is_directory(path, error) ? path / "results.json" : path;
+}
+
 bool same_row(const Row& a, const Row& b) {
     return a.scene == b.scene && a.path == b.path && a.method == b.method && a.budget == b.budget &&
            a.error_bound == b.error_bound;
@@ -155,6 +161,16 @@ Results read_results(std::string_view text, const std::string& name) {
         throw InputError(name + ": not results of a study: " + error.what());
     }
     return results;
+}
+
+Results load_results(const std::string& name) {
+    const std::string file = results_file(name).string();
+    return read_results(read_file(file), file);
+}
+
+bool has_results(const std::string& name) {
+    std::error_code error;
+    return std::filesystem::is_regular_file(results_file(name), error);
 }
 
 std::string results_csv(const Results& results) {

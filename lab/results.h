@@ -49,6 +49,11 @@ std::string results_json(const Results& results);
 /// Throws InputError "name: place: reason".
 Results read_results(std::string_view text, const std::string& name);
 
+/// Those of a file, or of the results.json in a folder.
+Results load_results(const std::string& name);
+/// Whether load_results would find something to read.
+bool has_results(const std::string& name);
+
 /// A line per row, the summaries; numbers as they are in results.json.
 std::string results_csv(const Results& results);
 

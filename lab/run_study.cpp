@@ -109,7 +109,18 @@ Shard parse_shard(const std::string& text) {
     return {*index - 1, *count};
 }
 
+void check_scenes(const Study& study, const std::function<void(const std::string& line)>& say) {
+    for (const std::string& scene : study.scenes) {
+        if (say) say(scene + ": checking");
+        if (parse_scene(scene).dimension == 2)
+            check_scene<2>(scene, study.paths, study);
+        else
+            check_scene<3>(scene, study.paths, study);
+    }
+}
+
 Results run_study(const Study& study, const std::filesystem::path& folder, LabGraphics& graphics, const StudyRun& run) {
+    if (study.scenes.size() > 1) check_scenes(study, run.say);
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     if (error) throw WorkError(folder.string() + ": " + error.message());

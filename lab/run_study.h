@@ -24,6 +24,9 @@ struct StudyRun {
     std::function<bool()> stopped{};                     ///< asked after each frame
 };
 
+/// Reads every scene and looks for its paths, so that what does not exist is said at once, not after hours.
+void check_scenes(const Study& study, const std::function<void(const std::string& line)>& say);
+
 /// Frames go to folder/frames.jsonl as they are finished; those found there are not measured again. Where it is stopped
 /// the rows of unfinished paths are left out. Throws InputError for a scene or setting that does not exist or a folder
 /// that holds another study.

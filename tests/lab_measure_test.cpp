@@ -109,6 +109,19 @@ TEST_F(LabStudy, DoesNotMixWithAnother) {
     EXPECT_THROW(run_study(study, folder("a"), graphics_), InputError);
 }
 
+TEST_F(LabStudy, NamesWhatDoesNotExistBeforeItMeasures) {
+    Study study = small_study();
+    for (const char* wrong : {"2d:nosuch", "3d:nosuch"}) {
+        study.scenes = {"2d:rooms", wrong};
+        EXPECT_THROW(run_study(study, folder("a"), graphics_), InputError);
+        EXPECT_FALSE(fs::exists(folder("a"))) << wrong;
+    }
+    study.scenes = {"city:1k", "2d:rooms"};
+    study.paths = {"street"};  // of the city only
+    EXPECT_THROW(run_study(study, folder("a"), graphics_), InputError);
+    EXPECT_FALSE(fs::exists(folder("a")));
+}
+
 /// What changes under a study that was stopped must not be mixed with what it measured before.
 TEST_F(LabStudy, TakesNoFramesOfAnotherBuildMachineOrScene) {
     Study study = small_study();

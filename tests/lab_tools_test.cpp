@@ -267,16 +267,14 @@ TEST(LabCommands, Run) {
     const std::string small = " --frames 2 --size 160x120 --out " + folder.string();
     run("measure 3d:bottleneck 2d:rooms --repeats 1" + small + "/m", 0);
     run("measure 3d:bottleneck 2d:rooms --repeats 1" + small + "/m", 0);
-    run("merge " + folder.string() + "/m/results.json --out " + folder.string() + "/merged", 0);
+    run("merge " + folder.string() + "/m --out " + folder.string() + "/merged", 0);
     run("stability 2d:rooms --samples 1 --methods layers" + small + "/s", 0);
     run("cells 3d:bottleneck --error-bounds 0.4,0.2 --repeats 0" + small + "/c", 0);
     run("measure 3d:bottleneck --repeats 0 --settings " + folder.string() + "/c/3d_bottleneck-layers-5_.settings.json" +
             small + "/m2",
         0);
     run("compare published layers 3d:bottleneck --budgets 5% --repeats 0" + small + "/d", 0);
-    run("compare " + folder.string() + "/m/results.json " + folder.string() + "/m/results.json --out " +
-            folder.string() + "/d2",
-        0);
+    run("compare " + folder.string() + "/m " + folder.string() + "/m/results.json --out " + folder.string() + "/d2", 0);
     run("reduce 3d:bottleneck --until 'inversion == 1' --out " + folder.string() + "/r", 0);
     for (const char* file : {"m/report.html", "m/results.csv", "merged/report.html", "s/stability.html", "c/cells.html",
                              "d/compare.html", "d2/compare.json", "r/reduced.json", "r/reduced.obj"})
