@@ -127,9 +127,11 @@ TEST_F(LabStudy, TakesNoFramesOfAnotherBuildMachineOrScene) {
     Study study = small_study();
     const fs::path scene = folder("scene.json"), file = folder("a") / "frames.jsonl";
     const auto segments = [&](const char* end) {
-        write_file(scene,
-                   std::string(R"({"format":"sightline-scene","version":1,"dimension":2,"segments":[[0,0,1,0],[0,1,)") +
-                       end + R"(,1],[0,2,1,2]]})");
+        write_file(
+            scene,
+            std::string(
+                R"({"format":"sightline-scene","version":1,"dimension":2,"view":{"eye":[0.5,0.5],"look_at":[0.5,2]},"segments":[[0,0,1,0],[0,1,)") +
+                end + R"(,1],[0,2,1,2]]})");
     };
     fs::create_directories(folder("."));
     segments("1");
