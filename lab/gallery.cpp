@@ -119,7 +119,7 @@ template <int D>
 std::vector<Verdict> measure_row(const GalleryRow<D>& row, const DrawIds& draw_ids) {
     const auto scene = scene_of(row);
     const ViewSpec<D> view = view_of(row, *scene);
-    GalleryScene<D> at(scene, draw_ids);
+    GalleryScene<D> at(scene, draw_ids, row.parts ? row.parts(*scene) : std::vector<CarPart>{});
     std::vector<Verdict> verdicts;
     for (const Expectation& expectation : row.expectations) {
         const Subject subject = parse_subject(expectation.subject);

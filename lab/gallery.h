@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/measure/id_image.h"
+#include "core/scene/car_parts.h"
 #include "core/scene/scene.h"
 
 namespace sightline::lab {
@@ -39,8 +40,9 @@ struct GalleryRow {
     const char* look;                   ///< caption: what to look at, one line
     const char* until;                  ///< condition (session/condition.h) of the step that shows it; empty: the end
     std::vector<Expectation> expectations;
-    std::optional<ViewSpec<D>> view{};  ///< unless the scene's own
-    std::optional<ViewSpec<D>> to{};    ///< where a walk from the view ends
+    std::optional<ViewSpec<D>> view{};                               ///< unless the scene's own
+    std::optional<ViewSpec<D>> to{};                                 ///< where a walk from the view ends
+    std::vector<CarPart> (*parts)(const Scene<D>& scene) = nullptr;  ///< where measures split by part
 };
 
 /// All rows by number.
