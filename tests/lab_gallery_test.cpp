@@ -142,7 +142,7 @@ void expect_states_reopen(const DrawIds& draw_ids, std::span<const std::string_v
     for (const GalleryRow<D>& row : gallery<D>()) {
         if (std::find(ids.begin(), ids.end(), row.id) == ids.end()) continue;
         SCOPED_TRACE(std::to_string(D) + "d:" + row.id);
-        const std::string text = gallery_state(row, draw_ids);
+        const std::string text = state_json(gallery_session(row, draw_ids));
         const OpenedState<D> opened = open_state<D>(text, row.id, method_table<D>(), draw_ids);
         EXPECT_TRUE(opened.warnings.empty());
         ASSERT_EQ(opened.session.bookmarks.size(), 1u);
