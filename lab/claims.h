@@ -14,10 +14,11 @@ struct Claim {
     std::string text;    ///< what the papers say
     std::string ours;    ///< what the study finds, with the scene that stands for theirs
     bool holds = false;
+    const Row* row = nullptr;  ///< whose picture shows why not; nullptr for a claim about time
 };
 
 /// Those that the study can judge: it needs their scenes (city for CITY, cars for 5CBEM, room for ROOM), methods and
-/// budgets. The papers' data are not to be had: shapes are compared, not figures.
+/// budgets. The papers' data are not to be had: shapes are compared, not figures. Rows are those of `results`.
 std::vector<Claim> judge_claims(const Results& results);
 
 /// TVCG table 1: coverage of `published` by budget, the papers' figures beside ours.

@@ -35,6 +35,16 @@ std::set<std::string> methods_of(const Results& results) {
     return methods;
 }
 
+/// Whether one scene, path, method and budget is there with several error bounds.
+bool sweeps(const Results& results) {
+    for (const Row& row : results.rows)
+        for (const Row& other : results.rows)
+            if (row.scene == other.scene && row.path == other.path && row.method == other.method &&
+                row.budget == other.budget && row.error_bound != other.error_bound)
+                return true;
+    return false;
+}
+
 }  // namespace
 
 double confidence_half_width(const std::vector<double>& values) {
@@ -88,10 +98,12 @@ std::optional<Change> change_of(const Row& a, const Row& b, Measure measure) {
 std::vector<Pair> compare_results(const Results& a, const Results& b) {
     const auto methods_a = methods_of(a), methods_b = methods_of(b);
     const bool one_each = methods_a.size() == 1 && methods_b.size() == 1;
+    const bool sweep_a = sweeps(a), sweep_b = sweeps(b);
     std::vector<Pair> pairs;
     for (const Row& x : a.rows)
         for (const Row& y : b.rows) {
             if (x.scene != y.scene || x.path != y.path || x.budget != y.budget) continue;
+            if ((sweep_a || sweep_b) && x.error_bound != y.error_bound) continue;
             if (!one_each && x.method != y.method) continue;
             pairs.push_back(pair_of(x, y));
             break;
@@ -106,7 +118,7 @@ std::vector<Pair> compare_methods(const Results& results, const MethodChoice& a,
         for (const Row& y : results.rows) {
             // A conservative method has no budget: it stands beside each of the other's.
             const bool budgets = x.budget == y.budget || !x.approximate || !y.approximate;
-            const bool same = x.scene == y.scene && x.path == y.path && budgets;
+            const bool same = x.scene == y.scene && x.path == y.path && x.error_bound == y.error_bound && budgets;
             if (same && x.method == a && y.method == b) pairs.push_back(pair_of(x, y));
         }
     if (pairs.empty())

@@ -45,6 +45,25 @@ std::string title_of(const Pair& pair) {
     return pair.a->scene + ", path " + pair.a->path + ", " + (a == b ? a : a + " and " + b) + " at " + pair.a->budget;
 }
 
+/// The two frames of a pair that changed most, on both sides.
+template <int D>
+void draw(const Pair& pair, const Change& change, const Side& a, const Side& b, const std::filesystem::path& folder,
+          LabGraphics& graphics, std::vector<SideBySide>& drawn) {
+    const std::string &scene = pair.a->scene, &path = pair.a->path;
+    const Study study_a = at_error_bound(a.study, pair.a->error_bound),
+                study_b = at_error_bound(b.study, pair.b->error_bound);
+    const LabScene<D> lab_a = load_lab_scene<D>(scene, path, study_a), lab_b = load_lab_scene<D>(scene, path, study_b);
+    for (const bool lost : {true, false}) {
+        const std::size_t frame = lost ? change.lost : change.gained;
+        const auto in_b = std::find(pair.b->frames.begin(), pair.b->frames.end(), pair.a->frames[frame]);
+        const std::string stem = file_stem(scene + "-" + path + (lost ? "-lost" : "-gained"));
+        drawn.push_back({title_of(pair) + ": the frame that " + (lost ? "lost" : "gained") + " most",
+                         draw_frame<D>(lab_a, study_a, *pair.a, frame, folder / (stem + "-a.png"), graphics),
+                         draw_frame<D>(lab_b, study_b, *pair.b, static_cast<std::size_t>(in_b - pair.b->frames.begin()),
+                                       folder / (stem + "-b.png"), graphics)});
+    }
+}
+
 }  // namespace
 
 std::string change_text(const Change& change) {
@@ -70,19 +89,11 @@ std::vector<SideBySide> draw_side_by_side(const std::vector<Pair>& pairs, const 
     std::filesystem::create_directories(folder);
     for (const auto& [place, pair] : chosen) {
         const Change* change = of(*pair, Measure::wrong);
-        if (parse_scene(place.first).dimension != 3 || !change || amount(*pair) == 0) continue;
-        const LabScene<3> lab_a = load_lab_scene<3>(place.first, place.second, a.study);
-        const LabScene<3> lab_b = load_lab_scene<3>(place.first, place.second, b.study);
-        for (const bool lost : {true, false}) {
-            const std::size_t frame = lost ? change->lost : change->gained;
-            const auto in_b = std::find(pair->b->frames.begin(), pair->b->frames.end(), pair->a->frames[frame]);
-            const std::string stem = file_stem(place.first + "-" + place.second + (lost ? "-lost" : "-gained"));
-            drawn.push_back(
-                {title_of(*pair) + ": the frame that " + (lost ? "lost" : "gained") + " most",
-                 draw_frame(lab_a, a.study, *pair->a, frame, folder / (stem + "-a.png"), graphics),
-                 draw_frame(lab_b, b.study, *pair->b, static_cast<std::size_t>(in_b - pair->b->frames.begin()),
-                            folder / (stem + "-b.png"), graphics)});
-        }
+        if (!change || amount(*pair) == 0) continue;
+        if (parse_scene(place.first).dimension == 2)
+            draw<2>(*pair, *change, a, b, folder, graphics, drawn);
+        else
+            draw<3>(*pair, *change, a, b, folder, graphics, drawn);
     }
     return drawn;
 }

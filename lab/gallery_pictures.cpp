@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/gallery_pictures.h"
 
-#include "core/draw/compose.h"
 #include "core/draw/insets.h"
 #include "core/file.h"
 #include "core/measure/metrics.h"
 #include "core/number.h"
+#include "lab/session_figure.h"
 #include "lab/wrong_pictures.h"
 #include "shell/figure/cairo_surface.h"
-#include "shell/figure/figure.h"
 #include "shell/figure/png.h"
 
 namespace sightline::lab {
@@ -19,20 +18,6 @@ namespace fs = std::filesystem;
 
 constexpr double screen_dpi = 96;
 
-/// As the viewer exports it, but for the caption, which the page has as text.
-template <int D>
-GalleryPicture figure(const Session<D>& session, const fs::path& file, const DrawSolid& draw_solid) {
-    const PanelSource<D> panel{session, ""};
-    Figure figure = make_figure(std::span(&panel, 1));
-    const std::string caption = std::move(figure.caption);
-    figure.caption.clear();
-    FigureSize size;
-    size.width_mm = 130;
-    size.dpi = 2 * screen_dpi;
-    write_figure(figure, size, file, draw_solid);
-    return {file, caption};
-}
-
 /// Where the run ended, and what it has by then.
 template <int D>
 std::string end_text(const Session<D>& end, Stop stop) {
@@ -42,18 +27,20 @@ std::string end_text(const Session<D>& end, Stop stop) {
 }
 
 GalleryPicture step_picture(const Session<2>& step, const fs::path& stem, LabGraphics&) {
-    return figure(step, stem.string() + "-step.svg", {});
+    const fs::path file = stem.string() + "-step.svg";
+    return {file, write_session_figure(step, file, {})};
 }
 GalleryPicture step_picture(const Session<3>& step, const fs::path& stem, LabGraphics& graphics) {
-    return figure(step, stem.string() + "-step.png", graphics.draw_solid());
+    const fs::path file = stem.string() + "-step.png";
+    return {file, write_session_figure(step, file, graphics.draw_solid())};
 }
 
 GalleryPicture end_picture(Session<2> end, Stop stop, const fs::path& stem, LabGraphics&) {
     Settings settings = end.settings();
     settings.legend = Legend::off;  // it stands below the other picture
     end.change(settings);
-    GalleryPicture picture = figure(end, stem.string() + "-end.svg", {});
-    picture.caption = end_text(end, stop) + ".";
+    GalleryPicture picture{stem.string() + "-end.svg", end_text(end, stop) + "."};
+    write_session_figure(end, picture.file, {});
     if (const auto share = coverage(end.reference(), end.visible_rendered()))
         picture.caption += " Coverage ε = " + short_number(*share) + ".";
     return picture;

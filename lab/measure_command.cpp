@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <iostream>
 
+#include "core/error.h"
 #include "core/file.h"
 #include "core/number.h"
 #include "lab/command.h"
@@ -45,6 +46,21 @@ void print_table(const Results& results) {
                   << "\n";
 }
 
+/// The report with its pictures; without them where a scene is not here, as on the machine that merges.
+void write_report_of(const Results& results, const Study& study, const std::filesystem::path& folder,
+                     LabGraphics& graphics) {
+    say("drawing the worst frames and the charts");
+    const std::vector<Claim> claims = judge_claims(results);
+    ReportPictures pictures;
+    try {
+        pictures = draw_report_pictures(results, claims, study, folder / "pictures", graphics);
+    } catch (const InputError& error) {
+        say("");
+        std::cerr << "lab: warning: the report has no pictures: " << error.what() << "\n";
+    }
+    write_report(results, claims, pictures, folder);
+}
+
 }  // namespace
 
 int measure_command(int argc, const char* const* argv) {
@@ -76,9 +92,7 @@ int measure_command(int argc, const char* const* argv) {
     say("");
     write_results(results, out);
     if (!results.rows.empty()) {
-        say("drawing the worst frames and the charts");
-        write_report(results, draw_worst_frames(results, study, std::filesystem::path(out) / "pictures", graphics),
-                     out);
+        write_report_of(results, study, out, graphics);
         if (!markdown.empty()) write_markdown(results, typed(argc, argv), markdown);
         say("");
     }
@@ -99,7 +113,9 @@ int merge_command(int argc, const char* const* argv) {
     std::filesystem::create_directories(out);
     const Results all = merge(read);
     write_results(all, out);
-    write_report(all, {}, out);
+    LabGraphics graphics;
+    write_report_of(all, read_study(all.conditions.study), out, graphics);
+    say("");
     print_table(all);
     return 0;
 }

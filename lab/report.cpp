@@ -7,7 +7,6 @@
 
 #include "core/file.h"
 #include "core/number.h"
-#include "lab/claims.h"
 #include "lab/page.h"
 
 namespace sightline::lab {
@@ -50,6 +49,12 @@ std::string answers(const std::vector<Group>& all) {
     return html + "</table>";
 }
 
+std::string caption(const FramePicture& p) {
+    return "<b>" + escaped(p.scene + ", " + p.method + " at " + p.budget) + "</b>: frame " + std::to_string(p.frame) +
+           " of path " + escaped(p.path) + ", " + per_cent(p.wrong) + " % wrong.<br><code>" + escaped(p.command) +
+           "</code>";
+}
+
 std::string table_of_papers(const Results& results) {
     const std::vector<Table1Row> table = table_1(results);
     if (table.empty()) return {};
@@ -68,8 +73,7 @@ std::string table_of_papers(const Results& results) {
     return html + "</table>";
 }
 
-std::string claims(const Results& results) {
-    const std::vector<Claim> all = judge_claims(results);
+std::string claims(const std::vector<Claim>& all, const std::map<std::size_t, FramePicture>& pictures) {
     if (all.empty()) return {};
     std::string html =
         "<h2>What the papers say, and what we find</h2><table><tr><th class=t>they</th><th class=t>we</th>"
@@ -78,9 +82,14 @@ std::string claims(const Results& results) {
         html += "<tr>" + cell(claim.text + " (" + claim.source + ")", true) + cell(claim.ours, true) +
                 (claim.holds ? "<td class='t holds'>holds</td>" : "<td class='t not'>does not hold here</td>") +
                 "</tr>";
-    return html +
-           "</table><p>Where a claim does not hold, the pictures of the worst frames below show what is missed. "
-           "Our reading of the formula, the scenes and the renderer differ from the papers'.</p>";
+    html +=
+        "</table><p>Our reading of the formula, the scenes and the renderer differ from the papers'. Where a claim "
+        "does not hold, here is the worst frame of what it is about; for claims about time see the charts below.</p>"
+        "<div class=pictures>";
+    for (const auto& [index, shown] : pictures)
+        html += picture(shown.file,
+                        "“" + escaped(all[index].text) + "” – " + escaped(all[index].ours) + "<br>" + caption(shown));
+    return html + "</div>";
 }
 
 std::string table_of_rows(const Group& group) {
@@ -104,11 +113,8 @@ std::string worst_frames(const std::vector<FramePicture>& worst) {
     if (worst.empty()) return {};
     std::string html =
         "<h2>The worst frames</h2><p>What the budget rendered; red is what it should have shown "
-        "(TVCG fig. 14).</p><div class=pictures>";
-    for (const FramePicture& w : worst)
-        html += picture(w.file, "<b>" + escaped(w.scene + ", " + w.method + " at " + w.budget) + "</b>: frame " +
-                                    std::to_string(w.frame) + " of path " + escaped(w.path) + ", " + per_cent(w.wrong) +
-                                    " % wrong.<br><code>" + escaped(w.command) + "</code>");
+        "(TVCG fig. 14; in 2D the missed segments).</p><div class=pictures>";
+    for (const FramePicture& w : worst) html += picture(w.file, caption(w));
     return html + "</div>";
 }
 
@@ -134,11 +140,12 @@ const Row* best_within(const Group& group, double ms) {
     return best;
 }
 
-void write_report(const Results& results, const std::vector<FramePicture>& worst, const fs::path& folder) {
+void write_report(const Results& results, const std::vector<Claim>& judged, const ReportPictures& pictures,
+                  const fs::path& folder) {
     fs::create_directories(folder / "charts");
     const std::vector<Group> all = groups(results);
     const std::vector<NamedChart> charts = study_charts(results);
-    std::string html = conditions(results) + answers(all) + claims(results) + table_of_papers(results);
+    std::string html = conditions(results) + answers(all) + claims(judged, pictures.claims) + table_of_papers(results);
     for (const Group& group : all) {
         html += "<h2>" + escaped(group.scene) + ", path " + escaped(group.path) + "</h2>";
         for (const NamedChart& chart : charts) {
@@ -148,7 +155,7 @@ void write_report(const Results& results, const std::vector<FramePicture>& worst
         }
         html += table_of_rows(group);
     }
-    html += worst_frames(worst) + measures();
+    html += worst_frames(pictures.worst) + measures();
     write_file(folder / "report.html", page("Speed against accuracy", html));
 }
 

@@ -6,15 +6,16 @@
 #include <string>
 #include <vector>
 
-#include "lab/results.h"
+#include "lab/claims.h"
+#include "lab/report_pictures.h"
 #include "lab/study_charts.h"
-#include "lab/wrong_pictures.h"
 
 namespace sightline::lab {
 
-/// charts/ID.gp, .svg and .png, and report.html, which reads the SVGs and the pictures of the worst frames. Throws
-/// WorkError, also when gnuplot is not there.
-void write_report(const Results& results, const std::vector<FramePicture>& worst, const std::filesystem::path& folder);
+/// charts/ID.gp, .svg and .png, and report.html, which reads the SVGs and the pictures. `claims` are those of the
+/// results. Throws WorkError, also when gnuplot is not there.
+void write_report(const Results& results, const std::vector<Claim>& claims, const ReportPictures& pictures,
+                  const std::filesystem::path& folder);
 
 /// Which method and budget has the fewest wrong pixels within so many milliseconds a frame; nullptr: none is that fast.
 const Row* best_within(const Group& group, double ms);

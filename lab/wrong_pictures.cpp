@@ -2,14 +2,15 @@
 #include "lab/wrong_pictures.h"
 
 #include <algorithm>
+#include <cctype>
 
 #include "core/file.h"
+#include "core/measure/frame_clock.h"
 #include "core/measure/wrong_region.h"
 #include "core/number.h"
+#include "core/session/session.h"
 #include "core/settings/settings_table.h"
-#include "lab/chart.h"
-#include "lab/lab_scene.h"
-#include "lab/study_charts.h"
+#include "lab/session_figure.h"
 #include "shell/figure/cairo_surface.h"
 #include "shell/figure/png.h"
 
@@ -19,25 +20,40 @@ namespace {
 
 constexpr double screen_dpi = 96;
 
-std::string point_text(const Vec<3>& p, const Vec<3>& origin) {
-    const Vec<3> q = p + origin;
-    return number_text(q.x) + "," + number_text(q.y) + "," + number_text(q.z);
+template <int D>
+std::string point_text(const Vec<D>& p, const Vec<D>& origin) {
+    std::string text;
+    for (int i = 0; i < D; ++i) text += (i > 0 ? "," : "") + number_text(p[i] + origin[i]);
+    return text;
 }
 
-/// The row in the middle of a method's budgets.
-std::vector<const Row*> middle_rows(const Group& group) {
-    std::vector<const Row*> chosen;
-    for (std::size_t i = 0; i < group.rows.size();) {
-        std::size_t end = i;
-        while (end < group.rows.size() && group.rows[end]->method == group.rows[i]->method) ++end;
-        if (group.rows[i]->approximate) chosen.push_back(group.rows[i + (end - i) / 2]);
-        i = end;
-    }
-    return chosen;
+/// As a shell reads it back.
+std::string shell_word(const std::string& text) {
+    static constexpr std::string_view plain = "-_./:=,%@+";
+    const bool is_plain = !text.empty() && std::all_of(text.begin(), text.end(), [](unsigned char c) {
+        return std::isalnum(c) || plain.find(static_cast<char>(c)) != std::string_view::npos;
+    });
+    if (is_plain) return text;
+    std::string quoted = "'";
+    for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return quoted + "'";
 }
 
-/// What a budget renders, and red where it should render something else.
-Pixels picture(const LabScene<3>& lab, const Row& row, std::size_t frame, LabGraphics& graphics) {
+Settings settings_of(const LabScene<2>& lab, const Row& row) {
+    Settings settings = lab.settings_for(row.method);
+    settings.budget = parse_budget(row.budget);
+    return settings;
+}
+
+void write_picture(const LabScene<2>& lab, const Row& row, std::size_t frame, const std::filesystem::path& file,
+                   LabGraphics&) {
+    Session<2> session(lab.scene, lab.specs[frame], settings_of(lab, row), method_table<2>(), {});
+    session.run();
+    write_session_figure(session, file, {});
+}
+
+void write_picture(const LabScene<3>& lab, const Row& row, std::size_t frame, const std::filesystem::path& file,
+                   LabGraphics& graphics) {
     const MethodChoice& choice = row.method;
     Frame<3> f = make_frame<3>(lab.scene->primitives, lab.on(choice.tessellation), lab.views[frame],
                                lab.settings_for(choice), lab.scene->two_sided);
@@ -51,11 +67,11 @@ Pixels picture(const LabScene<3>& lab, const Row& row, std::size_t frame, LabGra
     list.camera = lab.views[frame];
     list.styles = {{"rendered", {200, 200, 205}}};
     list.scene = lab.scene;
-    for (const std::uint32_t entry : std::span(state.touched).first(state.touched_count))
-        if (!(entry & State<3>::culled_bit)) list.triangles.push_back(entry);
+    rendered_ids(state, list.triangles);
     list.runs = {{0, 0, static_cast<std::uint32_t>(list.triangles.size())}};
     const ImageSize size = image_size<3>(lab.settings.reference_size);
-    return missed_in_red(list, graphics.draw_ids()(*lab.scene, lab.views[frame], size, 1).front(), graphics);
+    const IdImage exact = graphics.draw_ids()(*lab.scene, lab.views[frame], size, 1).front();
+    write_file(file, encode_png(image_of(missed_in_red(list, exact, graphics)).get(), screen_dpi));
 }
 
 }  // namespace
@@ -70,36 +86,28 @@ Pixels missed_in_red(const SolidList& rendered, const IdImage& exact, LabGraphic
     return pixels;
 }
 
-FramePicture draw_frame(const LabScene<3>& lab, const Study& study, const Row& row, std::size_t frame,
+template <int D>
+FramePicture draw_frame(const LabScene<D>& lab, const Study& study, const Row& row, std::size_t frame,
                         const std::filesystem::path& file, LabGraphics& graphics) {
-    const ViewSpec<3>& view = lab.specs[frame];
+    const ViewSpec<D>& view = lab.specs[frame];
     FramePicture drawn{
         row.scene, row.path, method_text(row.method), row.budget, row.frames[frame], row.values[frame][Measure::wrong],
         file,      {}};
-    write_file(file, encode_png(image_of(picture(lab, row, frame, graphics)).get(), screen_dpi));
-    drawn.command = "./run viewer3d " + parse_scene(row.scene).name + " --eye " +
-                    point_text(view.eye, lab.scene->origin) + " --look-at " +
-                    point_text(view.look_at, lab.scene->origin) + " --fov " + number_text(view.fov) + " --method " +
-                    row.method.id + " --budget " + row.budget;
+    write_picture(lab, row, frame, file, graphics);
+    drawn.command = "./run viewer" + std::to_string(D) + "d " + shell_word(parse_scene(row.scene).name) +
+                    " --eye=" + point_text<D>(view.eye, lab.scene->origin) +
+                    " --look-at=" + point_text<D>(view.look_at, lab.scene->origin) + " --fov " + number_text(view.fov) +
+                    " --method " + row.method.id + " --budget " + row.budget;
     if (row.method.tessellation == Tessellation::tree) drawn.command += " --set tessellation=tree";
-    for (const std::string& setting : study.settings) drawn.command += " --set " + setting;
+    if (study.size != ImageSize{})
+        drawn.command += " --set reference_size=" + setting_row("reference_size").get(lab.settings);
+    for (const std::string& setting : study.settings) drawn.command += " --set " + shell_word(setting);
     return drawn;
 }
 
-std::vector<FramePicture> draw_worst_frames(const Results& results, const Study& study,
-                                            const std::filesystem::path& folder, LabGraphics& graphics) {
-    std::vector<FramePicture> drawn;
-    std::filesystem::create_directories(folder);
-    for (const Group& group : groups(results)) {
-        if (parse_scene(group.scene).dimension != 3) continue;
-        const LabScene<3> lab = load_lab_scene<3>(group.scene, group.path, study);
-        for (const Row* row : middle_rows(group)) {
-            const std::string stem = file_stem(group.scene + "-" + group.path + "-" + method_text(row->method));
-            drawn.push_back(
-                draw_frame(lab, study, *row, worst_frame(*row, Measure::wrong), folder / (stem + ".png"), graphics));
-        }
-    }
-    return drawn;
-}
+template FramePicture draw_frame<2>(const LabScene<2>&, const Study&, const Row&, std::size_t,
+                                    const std::filesystem::path&, LabGraphics&);
+template FramePicture draw_frame<3>(const LabScene<3>&, const Study&, const Row&, std::size_t,
+                                    const std::filesystem::path&, LabGraphics&);
 
 }  // namespace sightline::lab

@@ -12,14 +12,6 @@
 
 namespace sightline::lab {
 
-struct WorstFrame {
-    std::string scene, path, method, budget;
-    std::uint32_t frame = 0;  ///< of the path
-    double wrong = 0;         ///< share of pixels
-    std::filesystem::path file;
-    std::string command;  ///< opens it in the viewer
-};
-
 struct FramePicture {
     std::string scene, path, method, budget;
     std::uint32_t frame = 0;     ///< of the path
@@ -32,13 +24,11 @@ struct FramePicture {
 /// what should be seen (TVCG fig. 14).
 Pixels missed_in_red(const SolidList& rendered, const IdImage& exact, LabGraphics& graphics);
 
-/// The rendered image of one frame of a row, with what it misses in red (TVCG fig. 14); `frame` is an index into
-/// Row::frames, and `lab` has the frames of the row.
-FramePicture draw_frame(const LabScene<3>& lab, const Study& study, const Row& row, std::size_t frame,
+/// One frame of a row; `frame` is an index into Row::frames, and `lab` has the frames of the row. 3D: what is rendered,
+/// with what it misses in red (TVCG fig. 14); 2D: the end of the run as the viewer exports it. `study` says what the
+/// command has to set.
+template <int D>
+FramePicture draw_frame(const LabScene<D>& lab, const Study& study, const Row& row, std::size_t frame,
                         const std::filesystem::path& file, LabGraphics& graphics);
-
-/// For each 3D scene and path and each approximate method the frame with the most wrong pixels at the middle budget.
-std::vector<FramePicture> draw_worst_frames(const Results& results, const Study& study,
-                                            const std::filesystem::path& folder, LabGraphics& graphics);
 
 }  // namespace sightline::lab

@@ -116,7 +116,7 @@ TEST_F(LabStudy, NamesWhatDoesNotExistBeforeItMeasures) {
         EXPECT_THROW(run_study(study, folder("a"), graphics_), InputError);
         EXPECT_FALSE(fs::exists(folder("a"))) << wrong;
     }
-    study.scenes = {"city:1k", "2d:rooms"};
+    study.scenes = {"city:10k", "2d:rooms"};
     study.paths = {"street"};  // of the city only
     EXPECT_THROW(run_study(study, folder("a"), graphics_), InputError);
     EXPECT_FALSE(fs::exists(folder("a")));

@@ -6,6 +6,8 @@
 #include <unistd.h>
 
 #include <cmath>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
 
 #include "core/error.h"
 #include "core/file.h"
@@ -13,6 +15,7 @@
 #include "core/run_program.h"
 #include "lab/claims.h"
 #include "lab/markdown.h"
+#include "lab/run_study.h"
 
 namespace sightline::lab {
 namespace {
@@ -125,7 +128,7 @@ TEST_F(LabFiles, TheReportNeedsNoOtherFile) {
     const Results results =
         results_of({row_of("city", "published", "5%", 5, 0.2, 0.8), row_of("city", "layers", "5%", 4, 0.1, 0.9),
                     row_of("city", "everything", "unlimited", 50, 0, 1)});
-    write_report(results, {}, folder_);
+    write_report(results, judge_claims(results), {}, folder_);
     const std::string html = read_file(folder_ / "report.html");
     for (const char* outside : {"src='http", "href=", "url(", "<script", "src=\""})
         EXPECT_EQ(html.find(outside), std::string::npos) << outside;
@@ -167,7 +170,8 @@ TEST(LabClaims, HoldAndFail) {
         row_of("city:50k", "published", "10%", 9, 0, 0.95), row_of("city:50k", "published@tree", "10%", 9, 0, 0.6),
         row_of("city:50k", "centroid", "10%", 9, 0, 0.7),   row_of("cars", "published", "1%", 5, 0, 0.5),
         row_of("cars", "everything", "unlimited", 45, 0, 1)};
-    const auto all = judge_claims(results_of(rows));
+    const Results results = results_of(rows);
+    const auto all = judge_claims(results);
     const auto judged = [&](const std::string& words) {
         for (const Claim& claim : all)
             if (claim.text.find(words) != std::string::npos) return claim.holds ? 1 : 0;
@@ -178,12 +182,83 @@ TEST(LabClaims, HoldAndFail) {
     EXPECT_EQ(judged("4 times the speed"), 1);
     EXPECT_EQ(judged("more than 10 times"), 0);
     EXPECT_EQ(judged("In ROOM"), -1) << "no room, no verdict";
+    for (const Claim& claim : all) {
+        const bool cars = claim.text.find("5CBEM") != std::string::npos;
+        EXPECT_EQ(claim.ours.find(cars ? "cars: " : "city:50k: "), 0u) << claim.ours;
+        const bool about_octrees = claim.text.find("more than octree cells") != std::string::npos;
+        EXPECT_TRUE(!about_octrees || claim.row == &results.rows[3]);
+        EXPECT_TRUE(!cars || claim.row == nullptr) << "no frame shows a time";
+    }
     const auto table = table_1(results_of(rows));
     ASSERT_EQ(table.size(), 3u);
     EXPECT_DOUBLE_EQ(table[0].ours[2], 0.85);
     EXPECT_DOUBLE_EQ(table[0].papers[2], 0.80);
     EXPECT_TRUE(std::isnan(table[0].ours[0]));
     EXPECT_TRUE(std::isnan(table[1].papers[2])) << "they give none for the octree";
+}
+
+/// Draws the worst frame of each method and opens it with the command beside it: it has to be that frame.
+template <int D>
+void expect_commands_open_the_frames(const std::string& scene, const std::string& viewer, const fs::path& folder) {
+    Study study;
+    study.scenes = {scene};
+    study.frames = 3;
+    study.methods = {parse_method("published"), parse_method("layers@tree")};
+    study.budgets = {parse_budget("7%")};
+    study.size = {160, 120};
+    study.repeats = 0;
+    study.settings = {"penalty=none"};
+    LabGraphics graphics;
+    const Results results = run_study(study, folder / "study", graphics);
+    const ReportPictures pictures = draw_report_pictures(results, {}, study, folder / "a picture", graphics);
+    ASSERT_EQ(pictures.worst.size(), 2u);
+    for (std::size_t i = 0; i < 2; ++i) {
+        const FramePicture& shown = pictures.worst[i];
+        EXPECT_EQ(read_file(shown.file).substr(1, 3), "PNG");
+        const std::string start = "./run viewer" + std::to_string(D) + "d ";
+        ASSERT_TRUE(shown.command.starts_with(start)) << shown.command;
+        const fs::path stats = folder / "stats.json";
+        const std::string line = viewer + " " + shown.command.substr(start.size()) + " --headless --stats " +
+                                 stats.string() + " > /dev/null 2>&1";
+        ASSERT_EQ(std::system(line.c_str()), 0) << line;
+        const auto json = nlohmann::json::parse(read_file(stats));
+        const Values& frame = results.rows[i].values[worst_frame(results.rows[i], M::wrong)];
+        EXPECT_DOUBLE_EQ(json.at("coverage").get<double>(), frame[M::coverage]) << line;
+        EXPECT_EQ(json.at("rendered").get<double>(), frame[M::rendered]) << line;
+        EXPECT_EQ(json.at("steps").get<double>(), frame[M::steps]) << line;
+        EXPECT_EQ(shown.wrong, frame[M::wrong]);
+    }
+}
+
+TEST_F(LabFiles, CommandsOpenTheWorstFrames) {
+    expect_commands_open_the_frames<2>("2d:rooms", SIGHTLINE_VIEWER2D, folder_ / "2");
+    expect_commands_open_the_frames<3>("3d:bottleneck", SIGHTLINE_VIEWER3D, folder_ / "3");
+    const fs::path odd = folder_ / "an odd 'name'.json";
+    write_file(odd, R"({"format":"sightline-scene","version":1,"dimension":2,"view":{"eye":[-5,1],"look_at":[0,0]},)"
+                    R"("segments":[[0,0,1,0],[0,1,1,1],[0,2,1,2],[-1,3,0,-3],[-2,-2,-2,2]]})");
+    expect_commands_open_the_frames<2>(odd.string(), SIGHTLINE_VIEWER2D, folder_ / "odd");
+}
+
+TEST_F(LabFiles, PicturesOfClaimsAreThoseThatDoNotHold) {
+    Study study;
+    study.scenes = {"room:10k"};
+    study.frames = 2;
+    study.methods = {parse_method("published"), parse_method("published@tree"), parse_method("centroid")};
+    study.budgets = {parse_budget("10%")};
+    study.size = {64, 48};
+    study.repeats = 0;
+    LabGraphics graphics;
+    const Results results = run_study(study, folder_ / "study", graphics);
+    std::vector<Claim> claims(3);
+    claims[0].holds = true;
+    claims[0].row = claims[1].row = &results.rows[1];
+    const ReportPictures pictures = draw_report_pictures(results, claims, study, folder_ / "pictures", graphics);
+    ASSERT_EQ(pictures.claims.size(), 1u);
+    EXPECT_EQ(pictures.claims.at(1).method, "published@tree");
+    claims[1].text = "They say so";
+    write_report(results, claims, pictures, folder_);
+    const std::string html = read_file(folder_ / "report.html");
+    EXPECT_NE(html.find("“They say so”"), std::string::npos);
 }
 
 TEST(RunProgram, SaysWhyItFailed) {

@@ -66,9 +66,10 @@ public:
 
     void bytes(const void* data, std::size_t size) {
         put({static_cast<const char*>(data), size / 8 * 8});
+        if (size % 8 == 0) return;  // an array of nothing has no address either
         std::array<char, 8> last{};
         std::memcpy(last.data(), static_cast<const char*>(data) + size / 8 * 8, size % 8);
-        if (size % 8 != 0) put({last.data(), last.size()});
+        put({last.data(), last.size()});
     }
     void word(std::uint64_t value) { bytes(&value, sizeof value); }
     void finish() {

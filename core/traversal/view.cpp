@@ -76,6 +76,8 @@ View<3> make_view(const ViewSpec<3>& spec, double aspect, int up_axis) {
     const Vec<3> centre = spec.look_at;
     view.corners = {centre - right * w - up * h, centre + right * w - up * h, centre + right * w + up * h,
                     centre - right * w + up * h};
+    for (const Vec<3>& corner : view.corners)
+        if (!is_finite(corner)) throw InputError("view: eye and look-at are too far apart");
     for (std::size_t i = 0; i < 4; ++i)
         view.planes[i] = plane_through(view.eye, view.corners[i], view.corners[(i + 1) % 4], view.look_at);
     return view;

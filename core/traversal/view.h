@@ -33,8 +33,9 @@ struct View {
     Vec<D> forward() const { return (look_at - eye) / std::sqrt(glm::dot(look_at - eye, look_at - eye)); }
 };
 
-/// Builds the view. Throws InputError when a coordinate is not finite, when look_at coincides with the eye or when
-/// fov is outside (0, 180); fov = 360 looks all round (2D only).
+/// Builds the view. Throws InputError when a coordinate is not finite, when look_at coincides with the eye, when they
+/// are so far apart that the corners overflow (3D: 1e150 or more), or when fov is outside (0, 180); fov = 360 looks all
+/// round (2D only).
 View<2> make_view(const ViewSpec<2>& spec);
 /// As above; `aspect` is width / height of the image; up_axis (1 or 2) points up unless the view looks along it.
 View<3> make_view(const ViewSpec<3>& spec, double aspect, int up_axis = 2);
