@@ -95,6 +95,19 @@ std::optional<Change> change_of(const Row& a, const Row& b, Measure measure) {
     return change;
 }
 
+std::optional<double> machine_change(const std::vector<Pair>& pairs, const std::string& scene,
+                                     const std::string& path) {
+    std::optional<double> most;
+    for (const Pair& pair : pairs) {
+        if (pair.a->approximate || pair.a->method != pair.b->method) continue;
+        if (pair.a->scene != scene || pair.a->path != path) continue;
+        for (const Change& change : pair.changes)
+            if (change.measure == Measure::total_ms && change.a > 0)
+                most = std::max(most.value_or(0), (std::abs(change.mean) + change.half_width) / change.a);
+    }
+    return most;
+}
+
 std::vector<Pair> compare_results(const Results& a, const Results& b) {
     const auto methods_a = methods_of(a), methods_b = methods_of(b);
     const bool one_each = methods_a.size() == 1 && methods_b.size() == 1;
@@ -109,6 +122,10 @@ std::vector<Pair> compare_results(const Results& a, const Results& b) {
             break;
         }
     if (pairs.empty()) throw InputError("compare: the two studies have no scene, path, method and budget in common");
+    for (Pair& pair : pairs)
+        if (const auto share = machine_change(pairs, pair.a->scene, pair.a->path))
+            for (Change& change : pair.changes)
+                if (measure_row(change.measure).is_time) change.machine = *share * change.a;
     return pairs;
 }
 

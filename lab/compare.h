@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -19,9 +20,12 @@ struct Change {
     double half_width = 0;   ///< of the 95 % confidence interval of that mean (Student's t); 0 with identical frames
     std::size_t frames = 0;  ///< pairs
     std::size_t lost = 0, gained = 0;  ///< indices into the frames where b is worst and best against a
+    /// Times of two runs: as much as the machine alone may have changed them (machine_change).
+    double machine = 0;
 
-    /// The interval leaves out 0.
-    bool significant() const { return frames > 1 ? std::abs(mean) > half_width : mean != 0; }
+    /// The interval leaves out 0, and the machine does not explain it. Numbers without a clock have no noise in a
+    /// single frame.
+    bool significant() const { return std::abs(mean) > std::max(half_width, machine); }
 };
 
 /// Rows that belong together: the same scene, path and budget.
@@ -29,6 +33,11 @@ struct Pair {
     const Row *a, *b;
     std::vector<Change> changes;  ///< of each measure that can be better and that both have
 };
+
+/// By which share times of two runs may differ though no method changed: the largest change, with its interval, of the
+/// time per frame of the methods that no heuristic touches (conservative ones: view, everything) on that scene and
+/// path. Two runs are never taken on quite the same machine. Nothing where the studies have no such method in common.
+std::optional<double> machine_change(const std::vector<Pair>& pairs, const std::string& scene, const std::string& path);
 
 /// Studies that hold the same methods are matched by method; where each holds one method, that one. Frames are matched
 /// by their number. Throws InputError when nothing matches.

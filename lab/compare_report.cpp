@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "core/file.h"
 #include "core/number.h"
@@ -64,6 +65,12 @@ void draw(const Pair& pair, const Change& change, const Side& a, const Side& b, 
     }
 }
 
+bool has_times(const std::vector<Pair>& pairs, const std::string& scene, const std::string& path) {
+    return std::any_of(pairs.begin(), pairs.end(), [&](const Pair& pair) {
+        return pair.a->scene == scene && pair.a->path == path && of(pair, Measure::total_ms);
+    });
+}
+
 }  // namespace
 
 std::string change_text(const Change& change) {
@@ -74,14 +81,14 @@ std::string change_text(const Change& change) {
            "): " + verdict(change);
 }
 
-std::vector<SideBySide> draw_side_by_side(const std::vector<Pair>& pairs, const Side& a, const Side& b,
-                                          const std::filesystem::path& folder, LabGraphics& graphics) {
+std::vector<SideBySide> draw_side_by_side(const Comparison& comparison, const std::filesystem::path& folder,
+                                          LabGraphics& graphics) {
     std::map<std::pair<std::string, std::string>, const Pair*> chosen;
     const auto amount = [](const Pair& pair) {
         const Change* change = of(pair, Measure::wrong);
         return change ? std::abs(change->mean) : 0;
     };
-    for (const Pair& pair : pairs) {
+    for (const Pair& pair : comparison.pairs) {
         const Pair*& best = chosen[{pair.a->scene, pair.a->path}];
         if (!best || amount(pair) > amount(*best)) best = &pair;
     }
@@ -91,22 +98,64 @@ std::vector<SideBySide> draw_side_by_side(const std::vector<Pair>& pairs, const 
         const Change* change = of(*pair, Measure::wrong);
         if (!change || amount(*pair) == 0) continue;
         if (parse_scene(place.first).dimension == 2)
-            draw<2>(*pair, *change, a, b, folder, graphics, drawn);
+            draw<2>(*pair, *change, comparison.a, comparison.b, folder, graphics, drawn);
         else
-            draw<3>(*pair, *change, a, b, folder, graphics, drawn);
+            draw<3>(*pair, *change, comparison.a, comparison.b, folder, graphics, drawn);
     }
     return drawn;
 }
 
-void write_comparison(const std::vector<Pair>& pairs, const std::vector<SideBySide>& pictures, const Side& a,
-                      const Side& b, const std::filesystem::path& folder) {
+std::vector<std::string> notes_of(const Comparison& comparison) {
+    const auto& [a, b, two_runs, pairs] = comparison;
+    std::vector<std::string> notes;
+    if (two_runs) {
+        const Conditions &x = a.conditions, &y = b.conditions;
+        notes.push_back(x.program == y.program ? "One build of the program measured both."
+                                               : "Two builds of the program: what changed may be the code.");
+        if (x.machine != y.machine || x.renderer != y.renderer)
+            notes.push_back("Times are of two machines: " + x.machine + ", " + x.renderer + " and " + y.machine + ", " +
+                            y.renderer + ".");
+        std::set<std::pair<std::string, std::string>> places;
+        for (const Pair& pair : pairs) places.insert({pair.a->scene, pair.a->path});
+        for (const auto& [scene, path] : places) {
+            if (!has_times(pairs, scene, path)) continue;
+            const auto share = machine_change(pairs, scene, path);
+            notes.push_back(
+                scene + ", path " + path + ": " +
+                (share ? "the machine alone changed times by up to " + short_number(100 * *share) +
+                             " % (view and everything, which no heuristic touches); less than that counts as noise."
+                       : "neither view nor everything is in both studies, so that a busy machine looks like a change "
+                         "of times."));
+        }
+    }
+    std::size_t numbers = 0, changed = 0;
+    for (const Pair& pair : pairs)
+        for (const Change& change : pair.changes) {
+            numbers += change.mean != 0 || change.half_width != 0;
+            changed += change.significant();
+        }
+    notes.push_back(std::to_string(changed) + " of " + std::to_string(numbers) +
+                    " numbers that differ do so by more than the noise; of as many that differ by chance alone about " +
+                    std::to_string((numbers + 10) / 20) + " would look so.");
+    return notes;
+}
+
+void write_comparison(const Comparison& comparison, const std::vector<SideBySide>& pictures,
+                      const std::filesystem::path& folder) {
+    const auto& [a, b, two_runs, pairs] = comparison;
     std::filesystem::create_directories(folder);
-    Json json{
-        {"format", "sightline-comparison"}, {"version", 1}, {"a", a.name}, {"b", b.name}, {"pairs", Json::array()}};
+    Json json{{"format", "sightline-comparison"}, {"version", 1}, {"a", a.name}, {"b", b.name}};
     std::string html =
         "<p>A is <b>" + escaped(a.name) + "</b>, B is <b>" + escaped(b.name) +
-        "</b>. Differences are paired frame by frame; ± is half of the 95 % confidence interval of their "
-        "mean. Within the noise means that the interval holds 0.</p>";
+        "</b>. Differences are paired frame by frame; ± is half of the 95 % confidence interval of their mean, over "
+        "frames and repeats. Within the noise means that the interval holds 0, or that the machine explains it.</p>"
+        "<ul>";
+    for (const std::string& note : notes_of(comparison)) {
+        html += "<li>" + escaped(note) + "</li>";
+        json["notes"].push_back(note);
+    }
+    html += "</ul>";
+    json["pairs"] = Json::array();
     for (const Pair& pair : pairs) {
         Json one{{"scene", pair.a->scene},
                  {"path", pair.a->path},
@@ -133,6 +182,7 @@ void write_comparison(const std::vector<Pair>& pairs, const std::vector<SideBySi
                                       {"b", c.b},
                                       {"mean", c.mean},
                                       {"half_width", c.half_width},
+                                      {"machine", c.machine},
                                       {"frames", c.frames},
                                       {"verdict", says},
                                       {"lost_frame", pair.a->frames[c.lost]},

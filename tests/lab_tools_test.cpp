@@ -125,6 +125,53 @@ TEST(LabCompare, MatchesRows) {
         << "no budget stands beside every budget";
 }
 
+TEST(LabCompare, TimesOfTwoRunsAreHeldAgainstWhatNoHeuristicTouches) {
+    const auto run = [](double published, double everything) {
+        Results results{conditions_here(study_json({}), ""), {}};
+        const double jitter[] = {0.99, 1, 1.01, 1};
+        for (const auto& [method, ms] : {std::pair("published", published), std::pair("everything", everything)}) {
+            results.rows.push_back(row_of(method, 1, {0.1, 0.2, 0.3, 0.1}));
+            for (std::size_t i = 0; i < 4; ++i) results.rows.back().values[i][M::total_ms] = ms * jitter[i];
+        }
+        results.rows[1].approximate = false;
+        results.rows[1].budget = "unlimited";
+        return results;
+    };
+    const auto time_changed = [&](const Results& a, const Results& b) {
+        const auto pairs = compare_results(a, b);
+        for (const Change& change : pairs.front().changes)
+            if (change.measure == M::total_ms) return change.significant();
+        ADD_FAILURE();
+        return false;
+    };
+    const Results before = run(10, 40), busy = run(12, 48), slower = run(12, 40);
+    EXPECT_FALSE(time_changed(before, busy)) << "all times grew by a fifth";
+    EXPECT_TRUE(time_changed(before, slower));
+    EXPECT_NEAR(*machine_change(compare_results(before, busy), "city", "test"), 0.2, 0.01);
+    EXPECT_FALSE(machine_change(compare_results(before, busy), "room", "test"));
+    Results alone = before, alone_busy = busy;
+    alone.rows.pop_back();
+    alone_busy.rows.pop_back();
+    EXPECT_TRUE(time_changed(alone, alone_busy)) << "nothing says that it was the machine";
+
+    const auto notes = [&](const Results& a, const Results& b) {
+        std::string all;
+        for (const std::string& note :
+             notes_of({{"a", {}, a.conditions}, {"b", {}, b.conditions}, true, compare_results(a, b)}))
+            all += note + "\n";
+        return all;
+    };
+    EXPECT_NE(notes(before, busy).find("up to 20"), std::string::npos) << notes(before, busy);
+    EXPECT_NE(notes(before, busy).find("0 of 2 numbers"), std::string::npos) << notes(before, busy);
+    EXPECT_NE(notes(alone, alone_busy).find("looks like a change"), std::string::npos);
+    EXPECT_NE(notes(before, before).find("One build"), std::string::npos);
+    Results other = busy;
+    other.conditions.program = "another";
+    other.conditions.machine = "a slow one";
+    EXPECT_NE(notes(before, other).find("Two builds"), std::string::npos);
+    EXPECT_NE(notes(before, other).find("a slow one"), std::string::npos);
+}
+
 TEST(LabCells, TheKneeIsTheCoarsestThatWillDo) {
     CellsCurve curve{"city", "test", parse_method("layers"), "5%", {}};
     const double wrong[] = {0.30, 0.115, 0.13, 0.105, 0.1};
