@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/run_study.h"
 
-#include <cmath>
-
 #include "core/error.h"
 #include "core/number.h"
 #include "core/stopwatch.h"
@@ -12,12 +10,6 @@
 namespace sightline::lab {
 
 namespace {
-
-std::string duration(double seconds) {
-    const auto whole = static_cast<long>(std::lround(seconds));
-    if (whole < 60) return std::to_string(whole) + " s";
-    return std::to_string(whole / 60) + " min " + std::to_string(whole % 60) + " s";
-}
 
 /// Remaining time out of how long the frames so far took, taking each path for as long as the one under way.
 class Clock {
@@ -37,7 +29,7 @@ public:
         const double left = static_cast<double>(frames_ - done_ + (paths_ - path_) * frames_);
         run_.say(what_ + ": frame " + std::to_string(done_) + " of " + std::to_string(frames_) + ", path " +
                  std::to_string(path_) + " of " + std::to_string(paths_) + ", about " +
-                 duration(stopwatch_.milliseconds() / 1000 / static_cast<double>(all_done_) * left) + " left");
+                 duration_text(stopwatch_.milliseconds() / 1000 / static_cast<double>(all_done_) * left) + " left");
     }
 
 private:

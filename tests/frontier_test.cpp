@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "core/measure/wrong_region.h"
+#include "core/number.h"
 #include "core/traversal/scene_view.h"
 #include "shell/bench/moves.h"
 #include "shell/commands/command_table.h"
@@ -215,6 +216,115 @@ TEST_F(FrontierOf, StopsKeepsWhatItHasAndGoesOn) {
     EXPECT_TRUE(study().finished());
     run("frontier anew");
     EXPECT_EQ(study().done(), 0u);
+}
+
+TEST_F(FrontierOf, SaysHowFarItIsAndHowLongItStillTakes) {
+    update_frontier(*bench);
+    const std::string total = " of " + std::to_string(study().total());
+    EXPECT_EQ(frontier_progress_text(*bench), "0" + total) << "nothing tells how long it takes";
+    while (study().done() < 5) {
+        const FrontierDot* const next = study().next_dot();
+        ASSERT_TRUE(next);
+        EXPECT_EQ(frontier_work_text(*bench), "measuring " + std::string(study().task().methods[next->method].id) +
+                                                  " " + budget_text(next->budget) + ", frame 1 of 1");
+        const std::size_t frames = next->frames.size(), done = study().done();
+        bench->frontier.study.advance();
+        EXPECT_EQ(study().done() - done, next->frames.size() - frames) << "another dot was measured";
+    }
+    bench->frontier.spent_ms = 5 * 13'000;
+    EXPECT_EQ(frontier_progress_text(*bench),
+              "5" + total + ", about " + duration_text(13.0 * static_cast<double>(study().total() - 5)) + " left");
+    run("play");
+    EXPECT_EQ(frontier_progress_text(*bench), "5" + total + ", waits for rest");
+    EXPECT_EQ(frontier_work_text(*bench), "");
+    run("pause; frontier stop");
+    EXPECT_EQ(frontier_progress_text(*bench), "5" + total + ", stopped");
+    EXPECT_EQ(frontier_work_text(*bench), "");
+    const auto rows = frontier_rows(*bench);
+    EXPECT_EQ(rows[1].text, "measured: 5" + total + ", stopped (click: go on)");
+    EXPECT_EQ(rows[1].command, "frontier go");
+    run("frontier go");
+    advance_frontier(*bench, 5);
+    EXPECT_GT(bench->frontier.spent_ms, 5 * 13'000);
+    run("set penalty=none");
+    update_frontier(*bench);
+    EXPECT_EQ(bench->frontier.spent_ms, 0) << "what was measured before takes no time of this";
+    EXPECT_EQ(frontier_progress_text(*bench), "0" + total);
+    finish();
+    EXPECT_EQ(frontier_rows(*bench)[1].text, "measured, all " + std::to_string(study().total()));
+    EXPECT_EQ(frontier_work_text(*bench), "");
+}
+
+TEST(DurationText, IsForPeople) {
+    EXPECT_EQ(duration_text(0.2), "0 s");
+    EXPECT_EQ(duration_text(59.4), "59 s");
+    EXPECT_EQ(duration_text(59.6), "1 min 0 s");
+    EXPECT_EQ(duration_text(185), "3 min 5 s");
+}
+
+TEST_F(FrontierOf, ItsRowsSayWhatTheStudyHas) {
+    finish();
+    const auto rows = frontier_rows(*bench);
+    for (const FrontierDot& dot : study().dots()) {
+        const std::string name =
+            std::string(study().task().methods[dot.method].id) + " " + budget_text(dot.budget) + ": ";
+        const auto row = std::find_if(rows.begin(), rows.end(), [&](const Row& r) { return r.text.starts_with(name); });
+        ASSERT_NE(row, rows.end()) << name;
+        const auto number = [&](M measure, double unit) { return short_number(unit * study().value(dot, measure)); };
+        EXPECT_EQ(row->text.find(name + number(M::total_ms, 1) + " ms, wrong " + number(M::wrong, 100) +
+                                 "%, coverage " + number(M::coverage, 100) + "%"),
+                  0u)
+            << row->text;
+    }
+    EXPECT_EQ(rows[0].text, "bottleneck, this view alone");
+    Scene<2> other = session().scene();
+    other.id = "other";
+    bench->session =
+        Session<2>(std::make_shared<const Scene<2>>(other), session().culling_view(), session().settings());
+    EXPECT_EQ(frontier_rows(*bench)[0].text, "bottleneck, this view alone") << "of what was measured";
+    update_frontier(*bench);
+    EXPECT_EQ(frontier_rows(*bench)[0].text, "other, this view alone");
+}
+
+/// The front has each dot that no other one beats: in time, and in the direction that is better.
+TEST_F(FrontierOf, FrontIsWhatNoDotBeats) {
+    finish();
+    for (const M shown : {M::wrong, M::coverage}) {
+        run(shown == M::wrong ? "frontier wrong" : "frontier coverage");
+        const double sign = shown == M::wrong ? -1 : 1;
+        const auto& dots = study().dots();
+        std::vector<std::size_t> expected;
+        for (std::size_t i = 0; i < dots.size(); ++i) {
+            const double ms = study().value(dots[i], M::total_ms), value = sign * study().value(dots[i], shown);
+            const bool beaten = std::any_of(dots.begin(), dots.end(), [&](const FrontierDot& other) {
+                const double other_ms = study().value(other, M::total_ms), v = sign * study().value(other, shown);
+                return other_ms <= ms && v >= value && (other_ms < ms || v > value);
+            });
+            if (!beaten) expected.push_back(i);
+        }
+        std::vector<std::size_t> front = frontier_front(*bench);
+        std::sort(front.begin(), front.end());
+        EXPECT_EQ(front, expected);
+        ASSERT_GE(front.size(), 2u);
+        ASSERT_LT(front.size(), dots.size());
+    }
+}
+
+TEST_F(FrontierOf, GoesAlongThePathOrStaysWithTheView) {
+    update_frontier(*bench);
+    EXPECT_EQ(study().task().views.size(), 1u);
+    EXPECT_EQ(study().task().views[0].eye, session().culling_view().eye);
+    ViewSpec<2> view = session().culling_view();
+    bench->flight.path.id = "far";
+    for (int i = 0; i < 29; ++i) {
+        view.eye += Vec<2>(0.25, 0.125);
+        bench->flight.path.frames.push_back(view);
+    }
+    update_frontier(*bench);
+    EXPECT_EQ(bench->frontier.path, "path far, 8 of 29 frames");
+    ASSERT_EQ(study().task().views.size(), 8u);
+    for (std::size_t i = 0; i < 8; ++i)
+        EXPECT_EQ(study().task().views[i].eye, bench->flight.path.frames[4 * i].eye) << "frame " << 4 * i;
 }
 
 TEST_F(FrontierOf, WaitsWhileSomethingMoves) {
