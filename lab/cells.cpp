@@ -4,9 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/number.h"
 #include "core/traversal/methods.h"
-#include "lab/measure_path.h"
 
 namespace sightline::lab {
 
@@ -18,15 +16,6 @@ bool orders_cells(const std::string& id) {
     return false;
 }
 
-template <int D>
-std::vector<Row> rows_at(const std::string& scene, const std::string& path, const Study& study, LabGraphics& graphics) {
-    const LabScene<D> lab = load_lab_scene<D>(scene, path, study);
-    Instruments instruments;
-    instruments.draw_ids = graphics.draw_ids();
-    instruments.time_drawing = graphics.time_drawing(study.size);
-    return measure_path<D>(lab, study, instruments);
-}
-
 bool at_least_as_good(Measure measure, double value, double target) {
     return measure_row(measure).better == Better::higher ? value >= target : value <= target;
 }
@@ -35,29 +24,23 @@ bool at_least_as_good(Measure measure, double value, double target) {
 
 std::vector<double> default_error_bounds() { return {0.4, 0.28, 0.2, 0.14, 0.1, 0.07, 0.05, 0.035, 0.025}; }
 
-std::vector<CellsCurve> sweep_cells(const Study& asked, const std::vector<double>& error_bounds, LabGraphics& graphics,
-                                    const std::function<void(const std::string&)>& say) {
-    Study study = asked;
+Study sweep_study(Study study, std::vector<double> error_bounds) {
     std::erase_if(study.methods, [](const MethodChoice& choice) { return !orders_cells(choice.id); });
-    std::vector<double> bounds = error_bounds;
-    std::sort(bounds.rbegin(), bounds.rend());
+    std::sort(error_bounds.rbegin(), error_bounds.rend());
+    error_bounds.erase(std::unique(error_bounds.begin(), error_bounds.end()), error_bounds.end());
+    study.error_bounds = std::move(error_bounds);
+    return study;
+}
+
+std::vector<CellsCurve> curves_of(const Results& results) {
     std::vector<CellsCurve> curves;
-    for (const std::string& scene : study.scenes)
-        for (const std::string& path : study.paths) {
-            const std::size_t first = curves.size();
-            for (const double bound : bounds) {
-                if (say) say(scene + ": error bound " + short_number(bound));
-                Study one = study;
-                one.settings.push_back("error_bound=" + number_text(bound));
-                std::vector<Row> rows = parse_scene(scene).dimension == 2 ? rows_at<2>(scene, path, one, graphics)
-                                                                          : rows_at<3>(scene, path, one, graphics);
-                for (std::size_t i = 0; i < rows.size(); ++i) {
-                    if (curves.size() == first + i)
-                        curves.push_back({rows[i].scene, rows[i].path, rows[i].method, rows[i].budget, {}});
-                    curves[first + i].points.push_back({bound, std::move(rows[i])});
-                }
-            }
-        }
+    for (const Row& row : results.rows) {
+        auto at = std::find_if(curves.begin(), curves.end(), [&](const CellsCurve& c) {
+            return c.scene == row.scene && c.path == row.path && c.method == row.method && c.budget == row.budget;
+        });
+        if (at == curves.end()) at = curves.insert(at, {row.scene, row.path, row.method, row.budget, {}});
+        at->points.push_back({row.error_bound, row});
+    }
     return curves;
 }
 

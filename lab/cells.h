@@ -2,11 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
 
-#include "lab/lab_graphics.h"
 #include "lab/results.h"
 
 namespace sightline::lab {
@@ -28,9 +26,11 @@ struct CellsCurve {
 /// Error bounds that are swept unless others are asked for: each about 0.7 of the one before.
 std::vector<double> default_error_bounds();
 
-/// A curve per scene, path, approximate method that orders cells, and budget.
-std::vector<CellsCurve> sweep_cells(const Study& study, const std::vector<double>& error_bounds, LabGraphics& graphics,
-                                    const std::function<void(const std::string&)>& say = {});
+/// The study of a sweep: its approximate methods that order cells, at these error bounds from coarse to fine.
+Study sweep_study(Study study, std::vector<double> error_bounds);
+
+/// The rows of such a study: a curve per scene, path, method and budget, in their order.
+std::vector<CellsCurve> curves_of(const Results& results);
 
 /// The coarsest point (fewest cells) whose mean `measure` is at most `within` worse than the best of the curve; index
 /// into points. 0 for an empty curve or one without values.

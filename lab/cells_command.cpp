@@ -7,6 +7,7 @@
 #include "lab/cells_report.h"
 #include "lab/chart.h"
 #include "lab/command.h"
+#include "lab/run_study.h"
 #include "lab/say.h"
 #include "lab/study_charts.h"
 #include "lab/study_options.h"
@@ -57,19 +58,18 @@ int cells_command(int argc, const char* const* argv) {
     app.add_option("--out", out, "folder of the results")->capture_default_str();
     if (!parse(app, argc, argv)) return 0;
     const Measure measure = measure_named(measure_id);
-    const Study study = study_of(options);
+    const Study study = sweep_study(study_of(options), bounds);
+    if (study.methods.empty()) throw InputError("lab cells: none of these methods orders cells");
     LabGraphics graphics;
-    const std::vector<CellsCurve> curves = sweep_cells(study, bounds, graphics, say);
-    if (curves.empty()) throw InputError("lab cells: none of these methods orders cells");
+    note_interrupts();
+    const Results results = run_study(study, out, graphics, {.say = say, .stopped = interrupted});
+    if (interrupted()) return stopped();
+    const std::vector<CellsCurve> curves = curves_of(results);
+    write_results(results, out);
     say("drawing the charts");
     write_cells_report(curves, measure, within, out);
     say("");
-    Results results{conditions_here(study, graphics.description()), {}};
-    for (const CellsCurve& curve : curves) {
-        write_knee(curve, measure, within, out);
-        for (const CellsPoint& point : curve.points) results.rows.push_back(point.row);
-    }
-    write_results(results, out);
+    for (const CellsCurve& curve : curves) write_knee(curve, measure, within, out);
     if (reach)
         for (const Group& group : groups(results)) {
             const Row* found = simplest(group.rows, measure, *reach);

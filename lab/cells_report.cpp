@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/cells_report.h"
 
+#include <algorithm>
+
 #include "core/file.h"
 #include "core/number.h"
 #include "core/settings/settings_file.h"

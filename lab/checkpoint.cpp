@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/checkpoint.h"
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -14,38 +13,28 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string line_of(const std::string& scene, const std::string& path, const FrameResult& result) {
-    Json values = Json::array();
-    for (const Values& v : result.values) {
-        Json one = Json::array();
-        for (const double value : v.all) one.push_back(std::isfinite(value) ? Json(value) : Json(nullptr));
-        values.push_back(std::move(one));
-    }
-    return Json{{"scene", scene}, {"path", path}, {"frame", result.frame}, {"values", std::move(values)}}.dump(
-               -1, ' ', false, Json::error_handler_t::replace) +
-           "\n";
-}
+std::string line_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
 }  // namespace
 
-Checkpoint::Checkpoint(std::filesystem::path file, const std::string& study) : file_(std::move(file)) {
-    std::string kept = study + "\n";
+Checkpoint::Checkpoint(std::filesystem::path file, const Conditions& c) : file_(std::move(file)) {
+    const std::string head = line_of(
+        {{"study", Json::parse(c.study)}, {"program", c.program}, {"machine", c.machine}, {"renderer", c.renderer}});
+    std::string kept = head + "\n";
     if (std::filesystem::exists(file_)) {
-        std::istringstream in(read_file(file_));
+        const std::string text = read_file(file_);
+        std::istringstream in(text);
         std::string line;
         std::getline(in, line);
-        if (line != study)
-            throw InputError(file_.string() + ": holds frames of another study; choose another --out, or remove it");
-        while (std::getline(in, line)) {
+        const Json found = Json::parse(line, nullptr, false);
+        if (found.is_discarded() || !found.is_object() || line_of(found.value("study", Json())) != c.study)
+            throw InputError(file_.string() + ": holds pieces of another study; choose another --out, or remove it");
+        began_anew_ = line != head;
+        if (began_anew_) write_file(file_.string() + ".old", text);
+        while (!began_anew_ && std::getline(in, line)) {
             const Json json = Json::parse(line, nullptr, false);
             if (json.is_discarded() || in.eof()) break;
-            FrameResult result{json.at("frame"), {}};
-            for (const Json& one : json.at("values")) {
-                Values& v = result.values.emplace_back();
-                for (std::size_t i = 0; i < measure_count; ++i)
-                    if (!one.at(i).is_null()) v.all[i] = one.at(i);
-            }
-            finished_[{json.at("scene"), json.at("path"), result.frame}] = std::move(result);
+            pieces_[json.at("key")] = json.at("piece").dump();
             kept += line + "\n";
         }
     }
@@ -53,15 +42,15 @@ Checkpoint::Checkpoint(std::filesystem::path file, const std::string& study) : f
     out_.open(file_, std::ios::app);
 }
 
-const FrameResult* Checkpoint::find(const std::string& scene, const std::string& path, std::uint32_t frame) const {
-    const auto at = finished_.find({scene, path, frame});
-    return at == finished_.end() ? nullptr : &at->second;
+const std::string* Checkpoint::find(const std::string& key) const {
+    const auto at = pieces_.find(key);
+    return at == pieces_.end() ? nullptr : &at->second;
 }
 
-void Checkpoint::add(const std::string& scene, const std::string& path, const FrameResult& result) {
-    out_ << line_of(scene, path, result) << std::flush;
+void Checkpoint::add(const std::string& key, const std::string& piece) {
+    out_ << "{\"key\":" << line_of(key) << ",\"piece\":" << piece << "}\n" << std::flush;
     if (!out_) throw WorkError(file_.string() + ": cannot be written");
-    finished_[{scene, path, result.frame}] = result;
+    pieces_[key] = piece;
 }
 
 }  // namespace sightline::lab

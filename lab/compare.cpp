@@ -40,10 +40,16 @@ std::set<std::string> methods_of(const Results& results) {
 double confidence_half_width(const std::vector<double>& values) {
     if (values.size() < 2) return 0;
     const auto n = static_cast<double>(values.size());
-    double mean = 0, squares = 0;
+    double mean = 0, squares = 0, neighbours = 0;
     for (const double v : values) mean += v / n;
-    for (const double v : values) squares += (v - mean) * (v - mean);
-    return t_95(values.size() - 1) * std::sqrt(squares / (n - 1) / n);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        squares += (values[i] - mean) * (values[i] - mean);
+        if (i > 0) neighbours += (values[i] - mean) * (values[i - 1] - mean);
+    }
+    if (squares == 0) return 0;
+    const double r = std::max(neighbours / squares, 0.0);
+    const double count = std::max(n * (1 - r) / (1 + r), 2.0);
+    return t_95(static_cast<std::size_t>(count) - 1) * std::sqrt(squares / (n - 1) / count);
 }
 
 std::optional<Change> change_of(const Row& a, const Row& b, Measure measure) {

@@ -3,7 +3,6 @@
 #include <iostream>
 
 #include "core/error.h"
-#include "core/file.h"
 #include "lab/command.h"
 #include "lab/compare_report.h"
 #include "lab/run_study.h"
@@ -12,42 +11,34 @@
 
 namespace sightline::lab {
 
-namespace {
-
-bool is_file(const std::string& name) {
-    std::error_code error;
-    return std::filesystem::is_regular_file(name, error);
-}
-
-}  // namespace
-
 int compare_command(int argc, const char* const* argv) {
     CLI::App app{"Says what changed from A to B, and whether it is more than the noise.", "lab compare"};
     std::string a, b, out = "out/compare";
     StudyOptions options;
-    app.add_option("A", a, "results.json of a study, or a method")->required();
-    app.add_option("B", b, "results.json of another study, or another method")->required();
+    app.add_option("A", a, "folder or results.json of a study, or a method")->required();
+    app.add_option("B", b, "those of another study, or another method")->required();
     add_study_options(app, options);
     app.add_option("--out", out, "folder of the results")->capture_default_str();
     if (!parse(app, argc, argv)) return 0;
-    if (is_file(a) != is_file(b)) throw InputError("compare: give two results.json or two methods");
+    if (has_results(a) != has_results(b)) throw InputError("compare: give two studies or two methods");
     LabGraphics graphics;
     Results results_a, results_b;
     std::vector<Pair> pairs;
     Side side_a{a, {}}, side_b{b, {}};
-    if (is_file(a)) {
+    if (has_results(a)) {
         if (!options.scenes.empty()) throw InputError("compare: two studies have their scenes already");
-        results_a = read_results(read_file(a), a);
-        results_b = read_results(read_file(b), b);
+        results_a = load_results(a);
+        results_b = load_results(b);
         side_a.study = read_study(results_a.conditions.study);
         side_b.study = read_study(results_b.conditions.study);
         pairs = compare_results(results_a, results_b);
     } else {
         options.methods = {a, b};
         const Study study = study_of(options);
-        StudyRun run;
-        run.say = say;
-        results_a = run_study(study, std::filesystem::path(out) / "study", graphics, run);
+        note_interrupts();
+        results_a =
+            run_study(study, std::filesystem::path(out) / "study", graphics, {.say = say, .stopped = interrupted});
+        if (interrupted()) return stopped();
         side_a.study = side_b.study = study;
         pairs = compare_methods(results_a, parse_method(a), parse_method(b));
     }

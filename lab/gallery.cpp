@@ -10,7 +10,6 @@
 #include "core/scene/load.h"
 #include "core/session/condition.h"
 #include "core/session/start_settings.h"
-#include "core/session/state_file.h"
 #include "core/settings/settings_table.h"
 #include "lab/gallery_measures.h"
 
@@ -115,11 +114,17 @@ Verdict judge(const Expectation& expectation, bool known, double value) {
     return verdict;
 }
 
+const char* verdict_word(const Verdict& verdict) {
+    if (verdict.kind == Verdict::Kind::pending) return "pending";
+    if (verdict.kind == Verdict::Kind::surprise) return "SURPRISE";
+    return verdict.passed ? "passes" : "fails";
+}
+
 template <int D>
 std::vector<Verdict> measure_row(const GalleryRow<D>& row, const DrawIds& draw_ids) {
     const auto scene = scene_of(row);
     const ViewSpec<D> view = view_of(row, *scene);
-    GalleryScene<D> at(scene, draw_ids);
+    GalleryScene<D> at(scene, draw_ids, row.parts ? row.parts(*scene) : std::vector<CarPart>{});
     std::vector<Verdict> verdicts;
     for (const Expectation& expectation : row.expectations) {
         const Subject subject = parse_subject(expectation.subject);
@@ -135,7 +140,7 @@ std::vector<Verdict> measure_row(const GalleryRow<D>& row, const DrawIds& draw_i
 }
 
 template <int D>
-std::string gallery_state(const GalleryRow<D>& row, const DrawIds& draw_ids) {
+Session<D> gallery_session(const GalleryRow<D>& row, const DrawIds& draw_ids) {
     const auto scene = scene_of(row);
     Settings settings = settings_of(row, parse_subject(shown(row).subject));
     settings.inset = Inset::missed;
@@ -147,12 +152,12 @@ std::string gallery_state(const GalleryRow<D>& row, const DrawIds& draw_ids) {
     session.bookmarks.push_back({session.position(), row.look});
     session.selected_cell = last_cell(session);
     add_caption(session, row.look);
-    return state_json(session);
+    return session;
 }
 
 #define SIGHTLINE_INSTANTIATE(D)                                                        \
     template std::vector<Verdict> measure_row<D>(const GalleryRow<D>&, const DrawIds&); \
-    template std::string gallery_state<D>(const GalleryRow<D>&, const DrawIds&);
+    template Session<D> gallery_session<D>(const GalleryRow<D>&, const DrawIds&);
 SIGHTLINE_INSTANTIATE(2)
 SIGHTLINE_INSTANTIATE(3)
 #undef SIGHTLINE_INSTANTIATE

@@ -9,7 +9,9 @@
 #include <vector>
 
 #include "core/measure/id_image.h"
+#include "core/scene/car_parts.h"
 #include "core/scene/scene.h"
+#include "core/session/session.h"
 
 namespace sightline::lab {
 
@@ -39,8 +41,9 @@ struct GalleryRow {
     const char* look;                   ///< caption: what to look at, one line
     const char* until;                  ///< condition (session/condition.h) of the step that shows it; empty: the end
     std::vector<Expectation> expectations;
-    std::optional<ViewSpec<D>> view{};  ///< unless the scene's own
-    std::optional<ViewSpec<D>> to{};    ///< where a walk from the view ends
+    std::optional<ViewSpec<D>> view{};                               ///< unless the scene's own
+    std::optional<ViewSpec<D>> to{};                                 ///< where a walk from the view ends
+    std::vector<CarPart> (*parts)(const Scene<D>& scene) = nullptr;  ///< where measures split by part
 };
 
 /// All rows by number.
@@ -70,9 +73,12 @@ Verdict judge(const Expectation& expectation, bool known, double value);
 template <int D>
 std::vector<Verdict> measure_row(const GalleryRow<D>& row, const DrawIds& draw_ids);
 
-/// The row as a state file (session/state_file.h): the first subject that is to fail, else the first that is measured,
-/// at the step that `until` names, with the caption as a note and as a bookmark.
+/// "passes", "fails", "pending" or "SURPRISE".
+const char* verdict_word(const Verdict& verdict);
+
+/// The row as a session: the first subject that is to fail, else the first that is measured, at the step that `until`
+/// names, with the caption as a note and as a bookmark.
 template <int D>
-std::string gallery_state(const GalleryRow<D>& row, const DrawIds& draw_ids);
+Session<D> gallery_session(const GalleryRow<D>& row, const DrawIds& draw_ids);
 
 }  // namespace sightline::lab

@@ -8,9 +8,12 @@
 #include "core/error.h"
 #include "core/file.h"
 #include "core/number.h"
+#include "core/session/state_file.h"
 #include "lab/command.h"
-#include "lab/gallery.h"
-#include "lab/lab_graphics.h"
+#include "lab/conditions.h"
+#include "lab/gallery_report.h"
+#include "lab/remaining.h"
+#include "lab/say.h"
 #include "lab/study_options.h"
 
 namespace sightline::lab {
@@ -19,10 +22,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
-
-struct Counts {
-    std::size_t scenes = 0, expectations = 0, pending = 0, surprises = 0;
-};
 
 struct Asked {
     std::vector<std::string> ids;
@@ -57,19 +56,18 @@ void check_ids(const Asked& asked) {
     }
 }
 
+template <int D>
+std::string heading(const GalleryRow<D>& row) {
+    return name_of(row) + " (D " + std::to_string(row.number) + "): " + row.look;
+}
+
 std::string bound_text(const Expectation& e) {
     return std::string(e.bound == Bound::at_least ? "at least " : "at most ") + short_number(e.threshold);
 }
 
-const char* word(const Verdict& verdict) {
-    if (verdict.kind == Verdict::Kind::pending) return "pending";
-    if (verdict.kind == Verdict::Kind::surprise) return "SURPRISE";
-    return verdict.passed ? "passes" : "fails";
-}
-
 void print(const Verdict& verdict) {
     const Expectation& e = *verdict.expectation;
-    std::string line = "  " + std::string(word(verdict));
+    std::string line = "  " + std::string(verdict_word(verdict));
     line.resize(12, ' ');
     std::cout << line << e.subject << ": ";
     if (verdict.kind == Verdict::Kind::pending) {
@@ -106,31 +104,58 @@ Json row_json(const GalleryRow<D>& row, std::span<const Verdict> verdicts) {
     return json;
 }
 
+/// The state file and the pictures, into the folder that was asked for.
 template <int D>
-void write_state(const GalleryRow<D>& row, const Asked& asked, const DrawIds& draw_ids) {
-    const fs::path file = fs::path(asked.out) / (std::string(row.id) + "-" + std::to_string(D) + "d.json");
-    write_file(file.string(), gallery_state(row, draw_ids));
-    std::cout << "  ./run viewer" << D << "d --state " << file.string() << "\n";
+void write_files(const GalleryRow<D>& row, const Asked& asked, LabGraphics& graphics, GalleryEntry& entry) {
+    const Session<D> session = gallery_session(row, D == 3 ? graphics.draw_ids() : DrawIds{});
+    const std::string stem = std::string(row.id) + "-" + std::to_string(D) + "d";
+    const fs::path file = fs::path(asked.out) / (stem + ".json");
+    write_file(file.string(), state_json(session));
+    entry.command = "./run viewer" + std::to_string(D) + "d --state " + file.string();
+    entry.title = session.scene().title;
+    entry.lesson = session.scene().lesson;
+    entry.pictures = draw_gallery_pictures(session, fs::path(asked.out) / "pictures", stem, graphics);
 }
 
 template <int D>
-void show(const Asked& asked, int number, LabGraphics& graphics, Counts& counts, Json& json) {
+void list(const Asked& asked, int number) {
+    for (const GalleryRow<D>& row : gallery<D>())
+        if (row.number == number && is_asked(asked, row)) std::cout << heading(row) << "\n";
+}
+
+template <int D>
+void measure(const Asked& asked, int number, LabGraphics& graphics, std::size_t scenes, Remaining& remaining,
+             std::vector<GalleryEntry>& entries, Json& json) {
     for (const GalleryRow<D>& row : gallery<D>()) {
         if (row.number != number || !is_asked(asked, row)) continue;
-        std::cout << name_of(row) << " (D " << number << "): " << row.look << "\n";
-        if (asked.list) continue;
-        const DrawIds draw_ids = D == 3 ? graphics.draw_ids() : DrawIds{};
-        const std::vector<Verdict> verdicts = measure_row(row, draw_ids);
-        for (const Verdict& verdict : verdicts) {
-            print(verdict);
-            counts.pending += verdict.kind == Verdict::Kind::pending;
-            counts.surprises += verdict.kind == Verdict::Kind::surprise;
-        }
-        ++counts.scenes;
-        counts.expectations += verdicts.size();
-        if (!asked.out.empty()) write_state(row, asked, draw_ids);
-        json.push_back(row_json(row, verdicts));
+        say(name_of(row) + ": scene " + std::to_string(entries.size() + 1) + " of " + std::to_string(scenes) +
+            remaining.text());
+        GalleryEntry entry{name_of(row), D, number, "", "", row.look, {}, {}, ""};
+        entry.verdicts = measure_row(row, D == 3 ? graphics.draw_ids() : DrawIds{});
+        if (!asked.out.empty()) write_files(row, asked, graphics, entry);
+        say("");
+        std::cout << heading(row) << "\n";
+        for (const Verdict& verdict : entry.verdicts) print(verdict);
+        if (!entry.command.empty()) std::cout << "  " << entry.command << "\n";
+        json.push_back(row_json(row, entry.verdicts));
+        entries.push_back(std::move(entry));
+        remaining.done(1);
     }
+}
+
+template <int D>
+std::size_t count_asked(const Asked& asked) {
+    const auto rows = gallery<D>();
+    return static_cast<std::size_t>(
+        std::count_if(rows.begin(), rows.end(), [&](const GalleryRow<D>& row) { return is_asked(asked, row); }));
+}
+
+/// In words; asks for OpenGL only where it drew something.
+std::string conditions(const Asked& asked, LabGraphics& graphics) {
+    const Conditions here = conditions_here("{}", count_asked<3>(asked) > 0 ? graphics.description() : "");
+    return "Measured " + here.date + " on " + here.machine + "; " + here.build +
+           (here.renderer.empty() ? "" : "; " + here.renderer) +
+           ". V is exact in 2D, an item buffer of 512x384 in 3D. No number depends on a clock.";
 }
 
 }  // namespace
@@ -141,22 +166,38 @@ int gallery_command(int argc, const char* const* argv) {
     app.add_option("SCENE", asked.ids,
                    "ids of the gallery, 2d: or 3d: before one for that dimension only; default: all");
     app.add_flag("--list", asked.list, "lists the scenes with what to look at, measures nothing");
-    app.add_option("--out", asked.out, "folder for a state file per scene, which a viewer opens where it goes wrong");
+    app.add_option(
+        "--out", asked.out,
+        "folder for gallery.html, a page to hand out, and a state file per scene, which a viewer opens where "
+        "it goes wrong");
     app.add_option("--json", asked.json, "writes what was measured to this file");
     if (!parse(app, argc, argv)) return 0;
     check_ids(asked);
-    if (!asked.out.empty()) fs::create_directories(asked.out);
+    if (!asked.out.empty() && !asked.list) fs::create_directories(asked.out);
+    if (asked.list) {
+        for (int number = 1; number <= gallery_numbers; ++number) {
+            list<2>(asked, number);
+            list<3>(asked, number);
+        }
+        return 0;
+    }
     LabGraphics graphics;
-    Counts counts;
+    const std::size_t scenes = count_asked<2>(asked) + count_asked<3>(asked);
+    Remaining remaining(static_cast<double>(scenes));
+    std::vector<GalleryEntry> entries;
     Json json = Json::array();
     for (int number = 1; number <= gallery_numbers; ++number) {
-        show<2>(asked, number, graphics, counts, json);
-        show<3>(asked, number, graphics, counts, json);
+        measure<2>(asked, number, graphics, scenes, remaining, entries, json);
+        measure<3>(asked, number, graphics, scenes, remaining, entries, json);
     }
-    if (asked.list) return 0;
     if (!asked.json.empty()) write_file(asked.json, json.dump(1) + "\n");
-    std::cout << counts.scenes << " scenes, " << counts.expectations << " expectations, " << counts.pending
-              << " pending, " << counts.surprises << " surprises\n";
+    if (!asked.out.empty()) {
+        const fs::path file = fs::path(asked.out) / "gallery.html";
+        write_file(file, gallery_page(entries, conditions(asked, graphics)));
+        std::cout << "Written: " << file.string() << ", state files, pictures/\n";
+    }
+    const GalleryCounts counts = count(entries);
+    std::cout << counts_text(counts) << "\n";
     return counts.surprises > 0 ? 1 : 0;
 }
 

@@ -33,6 +33,14 @@ double largest_pop(const Probe<D>& probe);
 template <int D>
 double largest_visible_change(const Probe<D>& probe);
 
+// gallery_parts.cpp: split by part, after GalleryScene::parts().
+template <int D>
+double front_coverage(const Probe<D>& probe);
+template <int D>
+double back_coverage(const Probe<D>& probe);
+template <int D>
+double hidden_engine(const Probe<D>& probe);
+
 // gallery_references.cpp: the yardstick itself.
 template <int D>
 double lost_by_pixels(const Probe<D>& probe);

@@ -253,8 +253,8 @@ bool of_a_frame(const MeasureRow& row) {
 }  // namespace
 
 template <int D>
-GalleryScene<D>::GalleryScene(std::shared_ptr<const Scene<D>> scene, DrawIds draw_ids)
-    : scene_(std::move(scene)), draw_ids_(std::move(draw_ids)) {}
+GalleryScene<D>::GalleryScene(std::shared_ptr<const Scene<D>> scene, DrawIds draw_ids, std::vector<CarPart> parts)
+    : scene_(std::move(scene)), draw_ids_(std::move(draw_ids)), parts_(std::move(parts)) {}
 
 template <int D>
 const CellComplex<D>& GalleryScene<D>::cells(const Settings& settings) {
@@ -286,6 +286,9 @@ std::span<const GalleryMeasure<D>> gallery_measures() {
         {"ahead_of_centroid", "share", "ε minus that of centroid order at the same budget", ahead_of_centroid},
         {"coverage_at_look", "share", "ε of what lies within 1 m of the point looked at, over the ground",
          coverage_at_look},
+        {"front_coverage", "share", "ε of the front halves of the shells of cars alone", front_coverage},
+        {"back_coverage", "share", "ε of the back halves of the shells of cars alone", back_coverage},
+        {"hidden_engine", "share", "primitives of engines in T_k that cannot be seen, over |T_k|", hidden_engine},
         {"visible_in_view", "share", "|V| over the primitives that the view can show", visible_in_view},
         {"culled", "share", "of the hidden primitives in the view those that the method never renders", culled},
         {"off_budget", "primitives",

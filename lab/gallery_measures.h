@@ -6,8 +6,10 @@
 #include <memory>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "core/measure/frame_numbers.h"
+#include "core/scene/car_parts.h"
 #include "core/scene/scene.h"
 #include "core/settings/settings.h"
 
@@ -17,13 +19,15 @@ namespace sightline::lab {
 template <int D>
 class GalleryScene {
 public:
-    GalleryScene(std::shared_ptr<const Scene<D>> scene, DrawIds draw_ids);
+    /// `parts`: per primitive, for the measures that split by part.
+    GalleryScene(std::shared_ptr<const Scene<D>> scene, DrawIds draw_ids, std::vector<CarPart> parts = {});
 
     const Scene<D>& scene() const { return *scene_; }
     const CellComplex<D>& cells(const Settings& settings);
     View<D> view(const ViewSpec<D>& spec, const Settings& settings) const;
     Truth truth(const ViewSpec<D>& spec, const Settings& settings);
     const DrawIds& draw_ids() const { return draw_ids_; }
+    std::span<const CarPart> parts() const { return parts_; }
 
 private:
     struct Built {
@@ -32,6 +36,7 @@ private:
     };
     std::shared_ptr<const Scene<D>> scene_;
     DrawIds draw_ids_;
+    std::vector<CarPart> parts_;
     std::list<Built> built_;
 };
 

@@ -43,6 +43,6 @@ TimeDrawing LabGraphics::time_drawing(const ImageSize& asked) {
     };
 }
 
-std::string LabGraphics::description() const { return made_ ? made_->context.description() : std::string(); }
+std::string LabGraphics::description() { return made().context.description(); }
 
 }  // namespace sightline::lab

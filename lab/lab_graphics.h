@@ -25,8 +25,8 @@ public:
     DrawSolid draw_solid();
     /// Lit, at this size.
     TimeDrawing time_drawing(const ImageSize& size);
-    /// OpenGL's version and renderer; empty before first use.
-    std::string description() const;
+    /// OpenGL's version and renderer. Throws as the others do.
+    std::string description();
 
 private:
     struct Made;

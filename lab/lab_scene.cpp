@@ -6,7 +6,9 @@
 
 #include "core/error.h"
 #include "core/file.h"
+#include "core/geometry/hash.h"
 #include "core/geometry/trig.h"
+#include "core/number.h"
 #include "core/scene/load.h"
 #include "core/session/start_settings.h"
 #include "core/settings/settings_table.h"
@@ -29,6 +31,20 @@ Vec<3> turned(const Vec<3>& d, const SinCos& by, const Scene<3>& scene) {
     result[a] = by.cos * d[a] - by.sin * d[b];
     result[b] = by.sin * d[a] + by.cos * d[b];
     return result;
+}
+
+template <int D>
+Settings settings_of(const std::string& file, const Study& study) {
+    Settings settings = catalogue_settings<D>(file);
+    settings.budget = {};
+    for (const std::string& assignment : study.settings) apply_setting(settings, assignment);
+    settings.reference_size = study.size;
+    return settings;
+}
+
+template <int D>
+Scene<D> load(const std::string& file, const Settings& settings, const Progress& progress) {
+    return load_scene<D>(file, {.two_sided = settings.two_sided == Switch::on, .progress = progress});
 }
 
 }  // namespace
@@ -65,17 +81,20 @@ FlightPath<D> find_path(const Scene<D>& scene, const std::string& name) {
 }
 
 template <int D>
+void check_scene(const std::string& name, const std::vector<std::string>& paths, const Study& study) {
+    const std::string file = parse_scene(name).name;
+    const Scene<D> scene = load<D>(file, settings_of<D>(file, study), {});
+    for (const std::string& path : paths) find_path(scene, path);
+}
+
+template <int D>
 LabScene<D> load_lab_scene(const std::string& name, const std::string& path_name, const Study& study,
                            const Progress& progress) {
     LabScene<D> lab;
     lab.name = name;
     const std::string file = parse_scene(name).name;
-    lab.settings = catalogue_settings<D>(file);
-    lab.settings.budget = {};
-    for (const std::string& assignment : study.settings) apply_setting(lab.settings, assignment);
-    lab.settings.reference_size = study.size;
-    lab.scene = std::make_shared<const Scene<D>>(
-        load_scene<D>(file, {.two_sided = lab.settings.two_sided == Switch::on, .progress = progress}));
+    lab.settings = settings_of<D>(file, study);
+    lab.scene = std::make_shared<const Scene<D>>(load<D>(file, lab.settings, progress));
 
     const FlightPath<D> path = find_path(*lab.scene, path_name);
     lab.path = path_name.empty() ? path.id : path_name;
@@ -92,8 +111,26 @@ LabScene<D> load_lab_scene(const std::string& name, const std::string& path_name
     return lab;
 }
 
-#define SIGHTLINE_INSTANTIATE(D)                                              \
-    template FlightPath<D> find_path<D>(const Scene<D>&, const std::string&); \
+template <int D>
+std::string checkpoint_key(const LabScene<D>& lab) {
+    Hash hash;
+    hash.add(scene_hash(*lab.scene));
+    for (const std::uint8_t two_sided : lab.scene->two_sided) hash.add(two_sided);
+    for (const ViewSpec<D>& view : lab.specs) {
+        for (int i = 0; i < D; ++i) {
+            hash.add(view.eye[i]);
+            hash.add(view.look_at[i]);
+        }
+        hash.add(view.fov);
+    }
+    return lab.name + ", path " + lab.path + ", error bound " + number_text(lab.settings.error_bound) + ", " +
+           hash_text(hash.value());
+}
+
+#define SIGHTLINE_INSTANTIATE(D)                                                                     \
+    template FlightPath<D> find_path<D>(const Scene<D>&, const std::string&);                        \
+    template void check_scene<D>(const std::string&, const std::vector<std::string>&, const Study&); \
+    template std::string checkpoint_key<D>(const LabScene<D>&);                                      \
     template LabScene<D> load_lab_scene<D>(const std::string&, const std::string&, const Study&, const Progress&);
 SIGHTLINE_INSTANTIATE(2)
 SIGHTLINE_INSTANTIATE(3)

@@ -41,6 +41,14 @@ template <int D>
 LabScene<D> load_lab_scene(const std::string& name, const std::string& path, const Study& study,
                            const Progress& progress = {});
 
+/// Throws what load_lab_scene would throw for a scene or path that does not exist or cannot be read, without cells.
+template <int D>
+void check_scene(const std::string& name, const std::vector<std::string>& paths, const Study& study);
+
+/// Scene, path and error bound in words, with a hash of the primitives and views themselves: files may change.
+template <int D>
+std::string checkpoint_key(const LabScene<D>& lab);
+
 /// The frames of a path of the scene by its id, of a file, of "start" (the start view alone) or of "turn": the start
 /// view's eye, which looks once all round in 8 frames. Empty: "test", where the scene has it, else "turn".
 template <int D>

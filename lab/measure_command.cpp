@@ -52,15 +52,22 @@ int measure_command(int argc, const char* const* argv) {
     StudyOptions options;
     add_study_options(app, options);
     std::string out = "out/lab", shard, markdown;
-    app.add_option("--out", out, "folder of the results; a study that was stopped goes on there")
-        ->capture_default_str();
-    app.add_option("--shard", shard, "I/N: only every N-th pair of scene and path, from the I-th on");
+    const CLI::Option* out_option =
+        app.add_option("--out", out, "folder of the results; a study that was stopped goes on there")
+            ->capture_default_str();
+    app.add_option("--shard", shard,
+                   "I/N: only every N-th pair of scene and path, from the I-th on; in out/lab-I-of-N");
     app.add_option("--markdown", markdown,
                    "also a page of documentation, FILE.md, with its charts in images/ beside it");
     if (!parse(app, argc, argv)) return 0;
     const Study study = study_of(options);
     StudyRun run;
-    if (!shard.empty()) run.shard = parse_shard(shard);
+    if (!shard.empty()) {
+        run.shard = parse_shard(shard);
+        // Parts that run at once must not write to one folder.
+        if (out_option->empty())
+            out += "-" + std::to_string(run.shard.index + 1) + "-of-" + std::to_string(run.shard.count);
+    }
     run.say = say;
     note_interrupts();
     run.stopped = interrupted;
@@ -77,19 +84,18 @@ int measure_command(int argc, const char* const* argv) {
     }
     print_table(results);
     std::cout << "Written: " << out << "/report.html, results.json, results.csv, charts/, pictures/\n";
-    if (interrupted()) std::cerr << "lab: stopped; the same command goes on where it was\n";
-    return interrupted() ? 1 : 0;
+    return interrupted() ? stopped() : 0;
 }
 
 int merge_command(int argc, const char* const* argv) {
     CLI::App app{"Puts the parts of a study together that were measured apart.", "lab merge"};
     std::vector<std::string> parts;
     std::string out = "out/lab";
-    app.add_option("RESULTS", parts, "results.json of each part")->required();
+    app.add_option("RESULTS", parts, "folder or results.json of each part")->required();
     app.add_option("--out", out, "folder of the results")->capture_default_str();
     if (!parse(app, argc, argv)) return 0;
     std::vector<Results> read;
-    for (const std::string& part : parts) read.push_back(read_results(read_file(part), part));
+    for (const std::string& part : parts) read.push_back(load_results(part));
     std::filesystem::create_directories(out);
     const Results all = merge(read);
     write_results(all, out);

@@ -64,8 +64,8 @@ public:
         bool has_before = false;
         for (std::uint32_t i = 0; i < lab_.frames.size(); ++i) {
             FrameResult result{i, {}};
-            if (const FrameResult* finished = instruments_.finished ? instruments_.finished(i) : nullptr) {
-                result = *finished;
+            if (auto finished = instruments_.finished ? instruments_.finished(i) : std::nullopt) {
+                result = std::move(*finished);
                 has_before = false;
             } else {
                 if (i > 0 && !has_before) before = numbers(i - 1);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "core/measure/frame_clock.h"
@@ -23,7 +24,7 @@ struct Instruments {
     DrawIds draw_ids{};
     TimeDrawing time_drawing{};  ///< empty: drawing is not timed
     /// Frames that an earlier run finished, by index; they are not measured again.
-    std::function<const FrameResult*(std::uint32_t frame)> finished{};
+    std::function<std::optional<FrameResult>(std::uint32_t frame)> finished{};
     /// After each frame, and before the first; false stops.
     std::function<bool(const FrameResult& frame)> frame_done{};
 };

@@ -3,10 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <thread>
+#include <tuple>
 
 #include "core/error.h"
 #include "core/file.h"
@@ -49,8 +47,7 @@ Json to_json(const Row& row) {
         if (m.has_extreme) json[extreme_id(m)] = or_null(worst(row, m.measure));
     }
     json["likeness"] = or_null(likeness(row));
-    Json& frames = json["per_frame"]["frame"] = row.frames;
-    static_cast<void>(frames);
+    json["per_frame"]["frame"] = row.frames;
     for (const MeasureRow& m : measure_table()) {
         Json& all = json["per_frame"][std::string(m.id)] = Json::array();
         for (const Values& v : row.values) all.push_back(or_null(v[m.measure]));
@@ -79,6 +76,12 @@ Row read_row(const Json& json) {
             if (!all.at(i).is_null()) row.values[i][m.measure] = all.at(i);
     }
     return row;
+}
+
+std::filesystem::path results_file(const std::string& name) {
+    std::error_code error;
+    const std::filesystem::path path = name;
+    return std::filesystem::is_directory(path, error) ? path / "results.json" : path;
 }
 
 bool same_row(const Row& a, const Row& b) {
@@ -135,6 +138,7 @@ std::string results_json(const Results& results) {
               {"conditions",
                {{"study", Json::parse(c.study)},
                 {"build", c.build},
+                {"program", c.program},
                 {"machine", c.machine},
                 {"renderer", c.renderer},
                 {"date", c.date}}},
@@ -150,7 +154,8 @@ Results read_results(std::string_view text, const std::string& name) {
         if (json.at("format") != "sightline-results") throw InputError(name + ": format: not sightline-results");
         if (json.at("version") != 1) throw InputError(name + ": version: only 1 can be read");
         const Json& c = json.at("conditions");
-        results.conditions = {c.at("study").dump(), c.at("build"), c.at("machine"), c.at("renderer"), c.at("date")};
+        results.conditions = {c.at("study").dump(), c.at("build"),    c.at("program"),
+                              c.at("machine"),      c.at("renderer"), c.at("date")};
         for (const Json& row : json.at("rows")) results.rows.push_back(read_row(row));
     } catch (const Json::exception& error) {
         throw InputError(name + ": not results of a study: " + error.what());
@@ -158,8 +163,19 @@ Results read_results(std::string_view text, const std::string& name) {
     return results;
 }
 
+Results load_results(const std::string& name) {
+    const std::string file = results_file(name).string();
+    return read_results(read_file(file), file);
+}
+
+bool has_results(const std::string& name) {
+    std::error_code error;
+    return std::filesystem::is_regular_file(results_file(name), error);
+}
+
 std::string results_csv(const Results& results) {
-    std::string text = "scene,path,frames,method,tessellation,error_bound,primitives,cells,memory_bytes,budget_share";
+    std::string text =
+        "scene,path,frames,method,tessellation,error_bound,primitives,cells,memory_bytes,budget_text,budget_share";
     for (const MeasureRow& m : measure_table()) {
         text += ',' + std::string(m.id);
         if (m.has_extreme) text += ',' + extreme_id(m);
@@ -178,7 +194,7 @@ std::string results_csv(const Results& results) {
                 row.method.id + ',' +
                 std::string(words<Tessellation>[static_cast<std::size_t>(row.method.tessellation)]) + ',' +
                 number(row.error_bound) + ',' + std::to_string(row.primitives) + ',' + std::to_string(row.cells) + ',' +
-                std::to_string(row.memory_bytes) + ',' + (share.is_null() ? "" : number(share));
+                std::to_string(row.memory_bytes) + ',' + row.budget + ',' + (share.is_null() ? "" : number(share));
         for (const MeasureRow& m : measure_table()) {
             text += ',' + number(summary(row, m.measure));
             if (m.has_extreme) text += ',' + number(worst(row, m.measure));
@@ -195,11 +211,16 @@ void write_results(const Results& results, const std::filesystem::path& folder) 
 
 Results merge(const std::vector<Results>& parts) {
     Results all;
+    std::vector<std::string> machines;
     for (const Results& part : parts) {
         if (all.conditions.study.empty()) all.conditions = part.conditions;
         if (part.conditions.study != all.conditions.study)
             throw InputError("merge: two parts belong to different studies: " + all.conditions.study + " and " +
                              part.conditions.study);
+        if (part.conditions.program != all.conditions.program)
+            throw InputError("merge: two parts were measured by different builds of the program");
+        if (std::find(machines.begin(), machines.end(), part.conditions.machine) == machines.end())
+            machines.push_back(part.conditions.machine);
         for (const Row& row : part.rows) {
             if (std::any_of(all.rows.begin(), all.rows.end(), [&](const Row& r) { return same_row(r, row); }))
                 throw InputError("merge: two parts hold " + row.scene + ", " + row.path + ", " +
@@ -207,37 +228,22 @@ Results merge(const std::vector<Results>& parts) {
             all.rows.push_back(row);
         }
     }
-    // The study's order of scenes; within one, rows lie in one part.
-    const Json study = Json::parse(all.conditions.study.empty() ? "{\"scenes\": []}" : all.conditions.study);
+    if (all.conditions.study.empty()) return all;
+    all.conditions.machine.clear();
+    for (const std::string& machine : machines)
+        all.conditions.machine += (all.conditions.machine.empty() ? "" : " and ") + machine;
+    const Study study = read_study(all.conditions.study);
     const auto place = [&](const Row& row) {
-        const auto& scenes = study.at("scenes");
-        return std::find(scenes.begin(), scenes.end(), Json(row.scene)) - scenes.begin();
+        const auto in = [](const auto& list, const auto& value) {
+            return std::find(list.begin(), list.end(), value) - list.begin();
+        };
+        // A path that was asked for by no name is that which none of the others names.
+        auto path = in(study.paths, row.path);
+        if (static_cast<std::size_t>(path) == study.paths.size()) path = in(study.paths, "");
+        return std::tuple(in(study.scenes, row.scene), path, in(study.error_bounds, row.error_bound));
     };
     std::stable_sort(all.rows.begin(), all.rows.end(), [&](const Row& a, const Row& b) { return place(a) < place(b); });
     return all;
-}
-
-Conditions conditions_here(const Study& study, const std::string& renderer) {
-    Conditions c{study_json(study), std::string("compiler ") + __VERSION__, "", renderer, ""};
-#ifdef NDEBUG
-    c.build += ", optimised";
-#else
-    c.build += ", not optimised";
-#endif
-    std::ifstream cpu("/proc/cpuinfo");
-    for (std::string line; std::getline(cpu, line);)
-        if (line.starts_with("model name")) {
-            c.machine = line.substr(line.find(':') + 2);
-            break;
-        }
-    c.machine += (c.machine.empty() ? "" : ", ") + std::to_string(std::thread::hardware_concurrency()) + " cores";
-    const std::time_t now = std::time(nullptr);
-    std::tm utc{};
-    gmtime_r(&now, &utc);
-    char date[16];
-    std::strftime(date, sizeof date, "%Y-%m-%d", &utc);
-    c.date = date;
-    return c;
 }
 
 }  // namespace sightline::lab

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/measure/measure_table.h"
+#include "lab/conditions.h"
 #include "lab/study.h"
 
 namespace sightline::lab {
@@ -25,15 +26,6 @@ struct Row {
     std::string reference;              ///< "exact, item buffer 8192" or "item buffer 1024x768"
     std::vector<std::uint32_t> frames;  ///< of the path
     std::vector<Values> values;         ///< one per frame
-};
-
-/// Under what the numbers hold.
-struct Conditions {
-    std::string study;     ///< study_json
-    std::string build;     ///< compiler and kind of build
-    std::string machine;   ///< processor and cores
-    std::string renderer;  ///< OpenGL; empty for 2D alone
-    std::string date;      ///< YYYY-MM-DD
 };
 
 struct Results {
@@ -57,6 +49,11 @@ std::string results_json(const Results& results);
 /// Throws InputError "name: place: reason".
 Results read_results(std::string_view text, const std::string& name);
 
+/// Those of a file, or of the results.json in a folder.
+Results load_results(const std::string& name);
+/// Whether load_results would find something to read.
+bool has_results(const std::string& name);
+
 /// A line per row, the summaries; numbers as they are in results.json.
 std::string results_csv(const Results& results);
 
@@ -64,10 +61,7 @@ std::string results_csv(const Results& results);
 void write_results(const Results& results, const std::filesystem::path& folder);
 
 /// Rows of several parts of one study, e.g. shards, in the order of the study. Throws InputError where two parts belong
-/// to different studies or hold the same row.
+/// to different studies, were measured by different builds or hold the same row.
 Results merge(const std::vector<Results>& parts);
-
-/// This build and machine.
-Conditions conditions_here(const Study& study, const std::string& renderer);
 
 }  // namespace sightline::lab

@@ -11,7 +11,7 @@
 
 namespace sightline::lab {
 
-/// Every n-th pair of scene and path, from `index` on; the parts of a study on several machines or processes.
+/// Every n-th scene, path and error bound, from `index` on; the parts of a study on several machines or processes.
 struct Shard {
     std::uint32_t index = 0, count = 1;
 };
@@ -23,6 +23,9 @@ struct StudyRun {
     std::function<void(const std::string& line)> say{};  ///< progress for people, one line at a time
     std::function<bool()> stopped{};                     ///< asked after each frame
 };
+
+/// Reads every scene and looks for its paths, so that what does not exist is said at once, not after hours.
+void check_scenes(const Study& study, const std::function<void(const std::string& line)>& say);
 
 /// Frames go to folder/frames.jsonl as they are finished; those found there are not measured again. Where it is stopped
 /// the rows of unfinished paths are left out. Throws InputError for a scene or setting that does not exist or a folder

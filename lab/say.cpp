@@ -28,4 +28,10 @@ void note_interrupts() {
 
 bool interrupted() { return seen != 0; }
 
+int stopped() {
+    say("");
+    std::cerr << "lab: stopped; the same command goes on where it was\n";
+    return 1;
+}
+
 }  // namespace sightline::lab

@@ -12,5 +12,7 @@ void say(const std::string& line);
 /// From now on an interrupt (Ctrl+C, SIGTERM) is only noted; interrupted() tells.
 void note_interrupts();
 bool interrupted();
+/// Says that the same command goes on where it was; the exit status for that.
+int stopped();
 
 }  // namespace sightline::lab

@@ -9,10 +9,12 @@
 #include <numeric>
 
 #include "core/error.h"
+#include "core/geometry/hash.h"
 #include "core/geometry/random.h"
 #include "core/geometry/trig.h"
 #include "core/measure/frame_change.h"
 #include "core/measure/visible_set.h"
+#include "core/number.h"
 #include "core/settings/settings_table.h"
 #include "core/space/builders.h"
 #include "core/traversal/methods.h"
@@ -71,9 +73,8 @@ Outcome outcome(const Scene<D>& scene, const CellComplex<D>& cells, const Settin
 template <int D>
 class StabilityStudy {
 public:
-    StabilityStudy(const LabScene<D>& lab, const Study& study, const StabilityOptions& options, const DrawIds& draw_ids,
-                   const std::function<void(const std::string&)>& say)
-        : lab_(lab), options_(options), draw_ids_(draw_ids), say_(say), random_(options.seed) {
+    StabilityStudy(const LabScene<D>& lab, const Study& study, const StabilityOptions& options, const DrawIds& draw_ids)
+        : lab_(lab), options_(options), draw_ids_(draw_ids), random_(options.seed) {
         size_ = bounds<D>(lab.scene->primitives).longest_side();
         for (const MethodChoice& choice : study.methods)
             for (const Method<D>& method : method_table<D>()) {
@@ -83,28 +84,39 @@ public:
             }
     }
 
-    std::vector<StabilityRow> run() {
+    std::vector<StabilityRow> run(const StabilityWatch& watch) {
         if (methods_.empty() || lab_.scene->primitives.empty()) return {};
-        for (std::size_t frame = 0; frame < lab_.specs.size(); ++frame) base_.push_back(base_of(frame));
-        say("moving the eye");
-        for (int decade = -9; decade <= -2; ++decade) move_eye(std::pow(10.0, decade));
-        say("shuffling");
-        for (std::uint32_t i = 0; i < options_.repeats; ++i) shuffle();
-        say("scaling and moving the scene");
-        for (const double factor : {0x1p-20, 0x1p-1, 0x1p1, 0x1p20, 1e-6, 1e6})
-            transform(Disturbance::scale, factor, factor, 0);
-        transform(Disturbance::offset, 1e6, 1, 1e6);
-        say("other jitter seeds");
-        for (std::uint32_t i = 0; i < options_.repeats; ++i) jitter(lab_.settings.seed + 1 + i);
-        say("grazing a wall");
-        graze();
-        return rows();
+        const std::vector<Stage> all = stages();
+        double views = 0;
+        for (const Stage& stage : all) views += stage.views;
+        std::vector<StabilityRow> rows;
+        for (const Stage& stage : all) {
+            StabilityStage done{stage.name, stage.views / views, {}};
+            auto finished = watch.finished ? watch.finished(stage.name) : std::nullopt;
+            done.rows = finished ? std::move(*finished) : measure(stage);
+            rows.insert(rows.end(), done.rows.begin(), done.rows.end());
+            if (watch.stage_done && !watch.stage_done(done)) break;
+        }
+        const auto place = [&](const StabilityRow& row) {
+            const auto at = std::find_if(methods_.begin(), methods_.end(), [&](const Choice& choice) {
+                return choice.method == row.method && budget_text(choice.budget) == row.budget;
+            });
+            return std::tuple(at - methods_.begin(), row.disturbance, row.amount);
+        };
+        std::sort(rows.begin(), rows.end(),
+                  [&](const StabilityRow& a, const StabilityRow& b) { return place(a) < place(b); });
+        return rows;
     }
 
 private:
     struct Choice {
         MethodChoice method;
         Budget budget;
+    };
+    struct Stage {
+        std::string name;
+        double views;  ///< in which every method runs
+        std::function<void()> measure;
     };
     struct Base {
         Set visible;
@@ -115,8 +127,35 @@ private:
         std::vector<double> coverages;
     };
 
-    void say(const std::string& what) const {
-        if (say_) say_(lab_.name + ": " + what);
+    std::vector<Stage> stages() {
+        const auto spots = static_cast<double>(lab_.specs.size()), samples = spots * options_.repeats;
+        std::vector<Stage> all;
+        for (const double amount : {1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2})
+            all.push_back({"eye moved by " + short_number(amount), samples, [=, this] { move_eye(amount); }});
+        all.push_back({"other orders of the primitives", samples, [this] {
+                           for (std::uint32_t i = 0; i < options_.repeats; ++i) shuffle();
+                       }});
+        for (const double factor : {0x1p-20, 0x1p-1, 0x1p1, 0x1p20, 1e-6, 1e6})
+            all.push_back({"everything times " + short_number(factor), spots,
+                           [=, this] { transform(Disturbance::scale, factor, factor, 0); }});
+        all.push_back({"everything moved by 1e6", spots, [this] { transform(Disturbance::offset, 1e6, 1, 1e6); }});
+        all.push_back({"other jitter seeds", samples, [this] {
+                           for (std::uint32_t i = 0; i < options_.repeats; ++i) jitter(lab_.settings.seed + 1 + i);
+                       }});
+        all.push_back({"past a wall", 2 * graze_steps + 1, [this] { graze(); }});
+        return all;
+    }
+
+    std::vector<StabilityRow> measure(const Stage& stage) {
+        if (base_.empty())
+            for (std::size_t frame = 0; frame < lab_.specs.size(); ++frame) base_.push_back(base_of(frame));
+        Hash seed;
+        seed.add(options_.seed);
+        for (const char c : stage.name) seed.add(c);
+        random_ = Random(seed.value());
+        sums_.clear();
+        stage.measure();
+        return rows();
     }
 
     Settings settings_of(const Choice& choice, const Settings& from) const {
@@ -269,8 +308,7 @@ private:
         // The eye turns about the middle of the wall, at one and a half times the distance of its corner.
         std::vector<Outcome> before;
         Set visible_before;
-        constexpr int steps = 10;
-        for (int i = -steps; i <= steps; ++i) {
+        for (int i = -graze_steps; i <= graze_steps; ++i) {
             const SinCos angle = sincos_degrees(0.1 * i);
             const double distance = 1.5 * std::sqrt(glm::dot(away, away));
             ViewSpec<D> spec = lab_.specs.front();
@@ -307,10 +345,10 @@ private:
         return all;
     }
 
+    static constexpr int graze_steps = 10;
     const LabScene<D>& lab_;
     StabilityOptions options_;
     const DrawIds& draw_ids_;
-    const std::function<void(const std::string&)>& say_;
     Random random_;
     double size_ = 1;
     std::vector<Choice> methods_;
@@ -322,14 +360,13 @@ private:
 
 template <int D>
 std::vector<StabilityRow> measure_stability(const LabScene<D>& lab, const Study& study, const StabilityOptions& options,
-                                            const DrawIds& draw_ids,
-                                            const std::function<void(const std::string&)>& say) {
-    return StabilityStudy<D>(lab, study, options, draw_ids, say).run();
+                                            const DrawIds& draw_ids, const StabilityWatch& watch) {
+    return StabilityStudy<D>(lab, study, options, draw_ids).run(watch);
 }
 
 template std::vector<StabilityRow> measure_stability<2>(const LabScene<2>&, const Study&, const StabilityOptions&,
-                                                        const DrawIds&, const std::function<void(const std::string&)>&);
+                                                        const DrawIds&, const StabilityWatch&);
 template std::vector<StabilityRow> measure_stability<3>(const LabScene<3>&, const Study&, const StabilityOptions&,
-                                                        const DrawIds&, const std::function<void(const std::string&)>&);
+                                                        const DrawIds&, const StabilityWatch&);
 
 }  // namespace sightline::lab

@@ -47,10 +47,25 @@ struct StabilityOptions {
     std::uint64_t seed = 1;
 };
 
-/// Rows by method, disturbance and amount. 2D and 3D; a primitive keeps its identity through every disturbance.
+/// The rows of one disturbance of one amount, one per method and budget.
+struct StabilityStage {
+    std::string name;  ///< e.g. "eye moved by 1e-05"
+    double share = 0;  ///< of the work on this scene and path
+    std::vector<StabilityRow> rows;
+};
+
+/// What keeps finished stages and hears of them; each may be empty.
+struct StabilityWatch {
+    /// The rows of a stage that an earlier run finished.
+    std::function<std::optional<std::vector<StabilityRow>>(const std::string& stage)> finished{};
+    /// After each stage; false stops.
+    std::function<bool(const StabilityStage& stage)> stage_done{};
+};
+
+/// Rows by method, disturbance and amount; those of finished stages where it was stopped. 2D and 3D; a primitive keeps
+/// its identity through every disturbance. A stage does not depend on which others ran.
 template <int D>
 std::vector<StabilityRow> measure_stability(const LabScene<D>& lab, const Study& study, const StabilityOptions& options,
-                                            const DrawIds& draw_ids,
-                                            const std::function<void(const std::string&)>& say = {});
+                                            const DrawIds& draw_ids, const StabilityWatch& watch = {});
 
 }  // namespace sightline::lab

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <filesystem>
 #include <iostream>
+#include <nlohmann/json.hpp>
 
 #include "core/number.h"
+#include "lab/checkpoint.h"
 #include "lab/command.h"
-#include "lab/lab_graphics.h"
-#include "lab/measure_path.h"
+#include "lab/remaining.h"
+#include "lab/run_study.h"
 #include "lab/say.h"
 #include "lab/stability_report.h"
 #include "lab/study_options.h"
@@ -13,22 +16,39 @@ namespace sightline::lab {
 
 namespace {
 
+/// The rows of one scene and path; fewer where it was stopped.
 template <int D>
-void measure(const std::string& scene, const std::string& path, const Study& study, const StabilityOptions& options,
-             LabGraphics& graphics, std::vector<StabilityRow>& rows, Results& along_path) {
-    const LabScene<D> lab = load_lab_scene<D>(scene, path, study);
-    Study few = study;  // the disturbances: first, middle and last frame
-    few.frames = options.frames;
-    const LabScene<D> spots = load_lab_scene<D>(scene, path, few);
-    const std::vector<StabilityRow> found = measure_stability<D>(spots, few, options, graphics.draw_ids(), say);
-    rows.insert(rows.end(), found.begin(), found.end());
-    say(scene + ": along the path");
-    Instruments instruments;
-    instruments.draw_ids = graphics.draw_ids();
-    Study untimed = study;
-    untimed.repeats = 0;
-    const std::vector<Row> measured = measure_path<D>(lab, untimed, instruments);
-    along_path.rows.insert(along_path.rows.end(), measured.begin(), measured.end());
+std::vector<StabilityRow> measure(const std::string& scene, const std::string& path, const Study& spots,
+                                  const StabilityOptions& options, LabGraphics& graphics, Checkpoint& checkpoint,
+                                  Remaining& remaining) {
+    say(scene + ": reading and tessellating" + remaining.text());
+    const LabScene<D> lab = load_lab_scene<D>(scene, path, spots);
+    const std::string key = checkpoint_key(lab) + ", ";
+    StabilityWatch watch;
+    watch.finished = [&](const std::string& stage) -> std::optional<std::vector<StabilityRow>> {
+        const std::string* piece = checkpoint.find(key + stage);
+        return piece ? std::optional(read_stability_rows(*piece)) : std::nullopt;
+    };
+    watch.stage_done = [&](const StabilityStage& stage) {
+        if (checkpoint.find(key + stage.name)) {
+            remaining.kept(stage.share);
+        } else {
+            checkpoint.add(key + stage.name, stability_rows_json(stage.rows));
+            remaining.done(stage.share);
+        }
+        say(scene + ", path " + lab.path + ": " + stage.name + remaining.text());
+        return !interrupted();
+    };
+    return measure_stability<D>(lab, spots, options, graphics.draw_ids(), watch);
+}
+
+/// The study as it is written down, with what the samples depend on.
+std::string study_text(const Study& study, const StabilityOptions& options) {
+    auto json = nlohmann::ordered_json::parse(study_json(study));
+    json["samples"] = options.repeats;
+    json["spots"] = options.frames;
+    json["seed"] = options.seed;
+    return json.dump();
 }
 
 }  // namespace
@@ -37,7 +57,6 @@ int stability_command(int argc, const char* const* argv) {
     CLI::App app{"Measures how much what is rendered changes for what should not matter.", "lab stability"};
     StudyOptions options;
     options.budgets = {"5%"};
-    options.repeats = 0;
     add_study_options(app, options);
     StabilityOptions stability;
     std::string out = "out/stability";
@@ -50,16 +69,31 @@ int stability_command(int argc, const char* const* argv) {
     app.add_option("--seed", stability.seed, "of the random directions and orders")->capture_default_str();
     app.add_option("--out", out, "folder of the results")->capture_default_str();
     if (!parse(app, argc, argv)) return 0;
-    const Study study = study_of(options);
+    Study study = study_of(options);
+    study.repeats = 0;
+    if (study.scenes.size() > 1) check_scenes(study, say);
     LabGraphics graphics;
+    const Conditions conditions =
+        conditions_here(study_text(study, stability), has_3d(study) ? graphics.description() : std::string());
+    std::filesystem::create_directories(out);
+    Checkpoint checkpoint(std::filesystem::path(out) / "stages.jsonl", conditions);
+    Study spots = study;
+    spots.frames = stability.frames;
+    Remaining remaining(static_cast<double>(study.scenes.size() * study.paths.size()));
+    note_interrupts();
     std::vector<StabilityRow> rows;
-    Results along_path;
     for (const std::string& scene : study.scenes)
-        for (const std::string& path : study.paths)
-            parse_scene(scene).dimension == 2 ? measure<2>(scene, path, study, stability, graphics, rows, along_path)
-                                              : measure<3>(scene, path, study, stability, graphics, rows, along_path);
+        for (const std::string& path : study.paths) {
+            const auto found = parse_scene(scene).dimension == 2
+                                   ? measure<2>(scene, path, spots, stability, graphics, checkpoint, remaining)
+                                   : measure<3>(scene, path, spots, stability, graphics, checkpoint, remaining);
+            if (interrupted()) return stopped();
+            rows.insert(rows.end(), found.begin(), found.end());
+        }
+    const Results along_path = run_study(study, out, graphics, {.say = say, .stopped = interrupted});
+    if (interrupted()) return stopped();
     say("drawing the charts");
-    write_stability(conditions_here(study, graphics.description()), rows, along_path, out);
+    write_stability(conditions, rows, along_path, out);
     say("");
     for (const StabilityRow& row : rows)
         std::cout << row.scene << "  " << method_text(row.method) << " " << row.budget << "  "

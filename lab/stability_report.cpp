@@ -22,6 +22,27 @@ std::string tessellation(const MethodChoice& method) {
     return std::string(words<Tessellation>[static_cast<std::size_t>(method.tessellation)]);
 }
 
+Json rows_json(const std::vector<StabilityRow>& rows) {
+    Json all = Json::array();
+    for (const StabilityRow& row : rows)
+        all.push_back({{"scene", row.scene},
+                       {"path", row.path},
+                       {"method", row.method.id},
+                       {"tessellation", tessellation(row.method)},
+                       {"budget", row.budget},
+                       {"disturbance", word(row)},
+                       {"amount", row.amount},
+                       {"samples", row.samples},
+                       {"jaccard", row.jaccard},
+                       {"jaccard_min", row.jaccard_min},
+                       {"visible_jaccard", row.visible_jaccard},
+                       {"coverage_change", row.coverage_change},
+                       {"coverage_spread", row.coverage_spread},
+                       {"equal", row.equal},
+                       {"not_finite", row.not_finite}});
+    return all;
+}
+
 /// What was done, in words.
 std::string what(const StabilityRow& row) {
     const std::string amount = short_number(row.amount);
@@ -122,28 +143,40 @@ std::string stability_csv(const std::vector<StabilityRow>& rows) {
     return text;
 }
 
+std::string stability_rows_json(const std::vector<StabilityRow>& rows) { return rows_json(rows).dump(); }
+
+std::vector<StabilityRow> read_stability_rows(const std::string& text) {
+    std::vector<StabilityRow> rows;
+    for (const Json& json : Json::parse(text)) {
+        StabilityRow& row = rows.emplace_back();
+        row.scene = json.at("scene");
+        row.path = json.at("path");
+        row.method.id = json.at("method");
+        row.method.tessellation = json.at("tessellation") == "tree" ? Tessellation::tree : Tessellation::delaunay;
+        row.budget = json.at("budget");
+        const auto at =
+            std::find(disturbance_words.begin(), disturbance_words.end(), json.at("disturbance").get<std::string>());
+        row.disturbance = static_cast<Disturbance>(at - disturbance_words.begin());
+        row.amount = json.at("amount");
+        row.samples = json.at("samples");
+        row.jaccard = json.at("jaccard");
+        row.jaccard_min = json.at("jaccard_min");
+        row.visible_jaccard = json.at("visible_jaccard");
+        row.coverage_change = json.at("coverage_change");
+        row.coverage_spread = json.at("coverage_spread");
+        row.equal = json.at("equal");
+        row.not_finite = json.at("not_finite");
+    }
+    return rows;
+}
+
 std::string stability_json(const Conditions& c, const std::vector<StabilityRow>& rows) {
-    Json json{{"format", "sightline-stability"},
-              {"version", 1},
-              {"conditions", {{"study", Json::parse(c.study)}, {"build", c.build}, {"renderer", c.renderer}}},
-              {"rows", Json::array()}};
-    for (const StabilityRow& row : rows)
-        json["rows"].push_back({{"scene", row.scene},
-                                {"path", row.path},
-                                {"method", row.method.id},
-                                {"tessellation", tessellation(row.method)},
-                                {"budget", row.budget},
-                                {"disturbance", word(row)},
-                                {"amount", row.amount},
-                                {"samples", row.samples},
-                                {"jaccard", row.jaccard},
-                                {"jaccard_min", row.jaccard_min},
-                                {"visible_jaccard", row.visible_jaccard},
-                                {"coverage_change", row.coverage_change},
-                                {"coverage_spread", row.coverage_spread},
-                                {"equal", row.equal},
-                                {"not_finite", row.not_finite}});
-    return json.dump(1) + "\n";
+    return Json{{"format", "sightline-stability"},
+                {"version", 1},
+                {"conditions", {{"study", Json::parse(c.study)}, {"build", c.build}, {"renderer", c.renderer}}},
+                {"rows", rows_json(rows)}}
+               .dump(1, ' ', false, Json::error_handler_t::replace) +
+           "\n";
 }
 
 void write_stability(const Conditions& conditions, const std::vector<StabilityRow>& rows, const Results& along_path,

@@ -14,6 +14,10 @@ namespace sightline::lab {
 /// A line per row, columns as StabilityRow.
 std::string stability_csv(const std::vector<StabilityRow>& rows);
 
+/// An array of objects, fields as the columns, on one line; and the other way round.
+std::string stability_rows_json(const std::vector<StabilityRow>& rows);
+std::vector<StabilityRow> read_stability_rows(const std::string& json);
+
 /// {"format": "sightline-stability", "version": 1, "conditions": {…}, "rows": […]}
 std::string stability_json(const Conditions& conditions, const std::vector<StabilityRow>& rows);
 

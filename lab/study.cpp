@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
+#include "core/number.h"
 #include "core/scene/catalogue.h"
 #include "core/scene/load.h"
 #include "core/settings/settings_table.h"
@@ -63,15 +64,30 @@ SceneName parse_scene(const std::string& text) {
     return {find_in_catalogue<2>(text) || is_2d_file(text) ? 2 : 3, text};
 }
 
+bool has_3d(const Study& study) {
+    return std::any_of(study.scenes.begin(), study.scenes.end(),
+                       [](const std::string& scene) { return parse_scene(scene).dimension == 3; });
+}
+
+Study at_error_bound(const Study& study, double error_bound) {
+    Study one = study;
+    if (!study.error_bounds.empty()) one.settings.push_back("error_bound=" + number_text(error_bound));
+    return one;
+}
+
 std::string study_json(const Study& study) {
     Settings asked;
     asked.reference_size = study.size;
-    nlohmann::ordered_json json{{"scenes", study.scenes},     {"paths", study.paths},
-                                {"frames", study.frames},     {"size", setting_row("reference_size").get(asked)},
-                                {"settings", study.settings}, {"repeats", study.repeats}};
+    nlohmann::ordered_json json{{"scenes", study.scenes},
+                                {"paths", study.paths},
+                                {"frames", study.frames},
+                                {"size", setting_row("reference_size").get(asked)},
+                                {"settings", study.settings},
+                                {"repeats", study.repeats},
+                                {"error_bounds", study.error_bounds}};
     for (const MethodChoice& choice : study.methods) json["methods"].push_back(method_text(choice));
     for (const Budget& budget : study.budgets) json["budgets"].push_back(budget_text(budget));
-    return json.dump();
+    return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
 Study read_study(std::string_view text) {
@@ -83,6 +99,7 @@ Study read_study(std::string_view text) {
         study.frames = json.at("frames");
         study.settings = json.at("settings").get<std::vector<std::string>>();
         study.repeats = json.at("repeats");
+        study.error_bounds = json.at("error_bounds").get<std::vector<double>>();
         Settings settings;
         apply_setting(settings, "reference_size=" + json.at("size").get<std::string>());
         study.size = settings.reference_size;

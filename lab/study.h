@@ -33,6 +33,7 @@ struct Study {
     std::vector<MethodChoice> methods = all_methods();
     /// For approximate methods; a conservative one is measured without a budget, once: under one it would not be.
     std::vector<Budget> budgets = {parse_budget("1%"), parse_budget("2%"), parse_budget("5%"), parse_budget("10%")};
+    std::vector<double> error_bounds;   ///< of the tessellation, one after the other; empty: each scene's own
     ImageSize size;                     ///< of the reference
     std::vector<std::string> settings;  ///< FIELD=VALUE for every scene, over what its catalogue row says
     std::uint32_t repeats = 3;          ///< timed runs a frame after one to warm up; 0: nothing is timed
@@ -45,6 +46,12 @@ struct SceneName {
     std::string name;  ///< as load_scene takes it
 };
 SceneName parse_scene(const std::string& text);
+
+/// Whether OpenGL is needed.
+bool has_3d(const Study& study);
+
+/// The study with the tessellation of one of its error bounds; without any, as it is.
+Study at_error_bound(const Study& study, double error_bound);
 
 /// The study as JSON, one line: equal texts mean equal numbers but for times.
 std::string study_json(const Study& study);

@@ -55,18 +55,20 @@ Pixels picture(const LabScene<3>& lab, const Row& row, std::size_t frame, LabGra
         if (!(entry & State<3>::culled_bit)) list.triangles.push_back(entry);
     list.runs = {{0, 0, static_cast<std::uint32_t>(list.triangles.size())}};
     const ImageSize size = image_size<3>(lab.settings.reference_size);
-    Pixels pixels = graphics.draw_solid()(list, size.width, size.height, 1);
+    return missed_in_red(list, graphics.draw_ids()(*lab.scene, lab.views[frame], size, 1).front(), graphics);
+}
 
-    std::vector<std::uint8_t> rendered(lab.scene->primitives.size());
-    for (const std::uint32_t id : list.triangles) rendered[id] = 1;
-    const IdImage exact = graphics.draw_ids()(*lab.scene, lab.views[frame], size, 1).front();
-    const std::vector<std::uint8_t> wrong = wrong_mask(exact, rendered);
+}  // namespace
+
+Pixels missed_in_red(const SolidList& rendered, const IdImage& exact, LabGraphics& graphics) {
+    Pixels pixels = graphics.draw_solid()(rendered, exact.width, exact.height, 1);
+    std::vector<std::uint8_t> mask(rendered.scene->primitives.size());
+    for (const std::uint32_t id : rendered.triangles) mask[id] = 1;
+    const std::vector<std::uint8_t> wrong = wrong_mask(exact, mask);
     for (std::size_t i = 0; i < wrong.size(); ++i)
         if (wrong[i]) pixels.colours[i] = {220, 30, 30};
     return pixels;
 }
-
-}  // namespace
 
 FramePicture draw_frame(const LabScene<3>& lab, const Study& study, const Row& row, std::size_t frame,
                         const std::filesystem::path& file, LabGraphics& graphics) {

@@ -28,6 +28,10 @@ struct FramePicture {
     std::string command;         ///< opens the frame in the viewer
 };
 
+/// What `rendered` draws, of the size of the exact image of its view, and red the pixels where its triangles are not
+/// what should be seen (TVCG fig. 14).
+Pixels missed_in_red(const SolidList& rendered, const IdImage& exact, LabGraphics& graphics);
+
 /// The rendered image of one frame of a row, with what it misses in red (TVCG fig. 14); `frame` is an index into
 /// Row::frames, and `lab` has the frames of the row.
 FramePicture draw_frame(const LabScene<3>& lab, const Study& study, const Row& row, std::size_t frame,

@@ -142,7 +142,7 @@ void expect_states_reopen(const DrawIds& draw_ids, std::span<const std::string_v
     for (const GalleryRow<D>& row : gallery<D>()) {
         if (std::find(ids.begin(), ids.end(), row.id) == ids.end()) continue;
         SCOPED_TRACE(std::to_string(D) + "d:" + row.id);
-        const std::string text = gallery_state(row, draw_ids);
+        const std::string text = state_json(gallery_session(row, draw_ids));
         const OpenedState<D> opened = open_state<D>(text, row.id, method_table<D>(), draw_ids);
         EXPECT_TRUE(opened.warnings.empty());
         ASSERT_EQ(opened.session.bookmarks.size(), 1u);
@@ -254,6 +254,34 @@ TEST(LabGalleryMeasures, HaveTheirKnownAnswers) {
     EXPECT_DOUBLE_EQ(measured(probe_of(at), "churn"), 0);
     EXPECT_DOUBLE_EQ(measured(probe_of(at), "power_of_two"), 0);
     EXPECT_DOUBLE_EQ(measured(probe_of(at), "bad_keys"), 0);
+}
+
+TEST(LabGalleryMeasures, SplitByPart) {
+    // The eye at (0, 0) looks along +x: a long wall to its right, a near and a far one to its left, and two hidden.
+    const auto scene = scene_of({{Vec<2>(2, -4), Vec<2>(2, -0.5)},
+                                 {Vec<2>(4, -3), Vec<2>(4, -2)},
+                                 {Vec<2>(5, -3), Vec<2>(5, -2)},
+                                 {Vec<2>(2, 0.5), Vec<2>(2, 1)},
+                                 {Vec<2>(3, -0.2), Vec<2>(3, 0.2)}},
+                                {{0, 0}, {1, 0}, 120});
+    using enum CarPart;
+    GalleryScene<2> at(scene, {}, {front, engine, engine, engine, back});
+    const auto value = [&](GalleryScene<2>& of, const char* budget, const char* measure) {
+        return measured(probe_of(of, {"method=view", budget}), measure);
+    };
+    EXPECT_DOUBLE_EQ(value(at, "budget=4", "coverage"), 2.0 / 3);
+    EXPECT_DOUBLE_EQ(value(at, "budget=4", "front_coverage"), 1);
+    EXPECT_DOUBLE_EQ(value(at, "budget=4", "back_coverage"), 0);
+    EXPECT_DOUBLE_EQ(value(at, "budget=4", "hidden_engine"), 0.5) << "the engine that is seen does not count";
+    EXPECT_DOUBLE_EQ(value(at, "budget=5", "back_coverage"), 1);
+    EXPECT_DOUBLE_EQ(value(at, "budget=5", "hidden_engine"), 0.4);
+    GalleryScene<2> turned_round(scene, {}, {back, engine, engine, engine, front});
+    EXPECT_DOUBLE_EQ(value(turned_round, "budget=4", "front_coverage"), 0);
+    EXPECT_DOUBLE_EQ(value(turned_round, "budget=4", "back_coverage"), 1);
+    GalleryScene<2> others(scene, {}, {front, other, none, back, engine});
+    EXPECT_DOUBLE_EQ(value(others, "budget=5", "hidden_engine"), 0);
+    GalleryScene<2> without(scene, {});
+    EXPECT_THROW(value(without, "budget=4", "back_coverage"), InputError);
 }
 
 TEST(LabGalleryMeasures, SeeWhoIsFirstWhereTwoLieInOnePlace) {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include <unistd.h>
@@ -13,6 +14,7 @@
 #include "core/measure/frame_numbers.h"
 #include "core/measure/wrong_region.h"
 #include "lab/lab_scene.h"
+#include "lab/remaining.h"
 #include "lab/run_study.h"
 
 namespace sightline::lab {
@@ -50,6 +52,7 @@ void expect_same_numbers(const Results& a, const Results& b) {
         const std::string where = x.scene + " " + method_text(x.method) + " " + x.budget;
         EXPECT_EQ(x.scene + x.path + method_text(x.method) + x.budget,
                   y.scene + y.path + method_text(y.method) + y.budget);
+        EXPECT_EQ(x.error_bound, y.error_bound) << where;
         EXPECT_EQ(x.frames, y.frames) << where;
         EXPECT_EQ(x.cells, y.cells) << where;
         ASSERT_EQ(x.values.size(), y.values.size()) << where;
@@ -107,24 +110,103 @@ TEST_F(LabStudy, DoesNotMixWithAnother) {
     EXPECT_THROW(run_study(study, folder("a"), graphics_), InputError);
 }
 
+TEST_F(LabStudy, NamesWhatDoesNotExistBeforeItMeasures) {
+    Study study = small_study();
+    for (const char* wrong : {"2d:nosuch", "3d:nosuch"}) {
+        study.scenes = {"2d:rooms", wrong};
+        EXPECT_THROW(run_study(study, folder("a"), graphics_), InputError);
+        EXPECT_FALSE(fs::exists(folder("a"))) << wrong;
+    }
+    study.scenes = {"city:1k", "2d:rooms"};
+    study.paths = {"street"};  // of the city only
+    EXPECT_THROW(run_study(study, folder("a"), graphics_), InputError);
+    EXPECT_FALSE(fs::exists(folder("a")));
+}
+
+/// What changes under a study that was stopped must not be mixed with what it measured before.
+TEST_F(LabStudy, TakesNoFramesOfAnotherBuildMachineOrScene) {
+    Study study = small_study();
+    const fs::path scene = folder("scene.json"), file = folder("a") / "frames.jsonl";
+    const auto segments = [&](const char* end) {
+        write_file(scene,
+                   std::string(R"({"format":"sightline-scene","version":1,"dimension":2,"segments":[[0,0,1,0],[0,1,)") +
+                       end + R"(,1],[0,2,1,2]]})");
+    };
+    fs::create_directories(folder("."));
+    segments("1");
+    study.scenes = {scene.string()};
+    run_study(study, folder("a"), graphics_);
+    const std::string first = read_file(file);
+    EXPECT_EQ(std::count(first.begin(), first.end(), '\n'), 4);
+    run_study(study, folder("a"), graphics_);
+    EXPECT_EQ(read_file(file), first) << "finished";
+
+    segments("2");
+    const Results changed = run_study(study, folder("a"), graphics_);
+    expect_same_numbers(changed, run_study(study, folder("b"), graphics_));
+    const std::string second = read_file(file);
+    EXPECT_EQ(std::count(second.begin(), second.end(), '\n'), 7) << "the other scene's frames are measured";
+
+    for (const char* field : {"program", "machine", "renderer"}) {
+        auto head = nlohmann::ordered_json::parse(second.substr(0, second.find('\n')));
+        head[field] = "another";
+        write_file(file, head.dump() + second.substr(second.find('\n')));
+        const std::string other = read_file(file);
+        std::vector<std::string> said;
+        run_study(study, folder("a"), graphics_, {.say = [&](const std::string& line) { said.push_back(line); }});
+        EXPECT_EQ(read_file(file.string() + ".old"), other) << field;
+        const std::string anew = read_file(file);
+        EXPECT_EQ(std::count(anew.begin(), anew.end(), '\n'), 4) << field;
+        EXPECT_NE(said.front().find("measured again"), std::string::npos) << field;
+    }
+}
+
+TEST(LabRemaining, FollowsWhatWasMeasured) {
+    Remaining remaining(4);
+    EXPECT_EQ(remaining.text_after(1), "") << "nothing is known yet";
+    remaining.kept(1);
+    EXPECT_EQ(remaining.text_after(1), "");
+    remaining.done(0.5);
+    EXPECT_EQ(remaining.text_after(10), ", about 50 s left") << "2.5 more at 20 s each";
+    remaining.done(0.5);
+    EXPECT_EQ(remaining.text_after(60), ", about 2 min 0 s left");
+    remaining.done(2.5);
+    EXPECT_EQ(remaining.text_after(100), ", about 0 s left");
+}
+
 TEST_F(LabStudy, InPartsIsTheWhole) {
-    const Study study = small_study();
+    Study study = small_study();
+    study.scenes = {"2d:rooms", "3d:bottleneck", "2d:bottleneck"};
+    study.paths = {"turn", "start"};
+    study.error_bounds = {0.5, 0.3};
+    study.frames = 2;
+    study.methods = {parse_method("published"), parse_method("view")};
+    study.budgets = {parse_budget("5%")};
     const Results whole = run_study(study, folder("whole"), graphics_);
     std::vector<Results> parts;
-    for (const std::uint32_t index : {1u, 0u}) {
+    for (const std::uint32_t index : {3u, 1u, 4u, 2u, 0u}) {
         StudyRun run;
-        run.shard = {index, 2};
+        run.shard = {index, 5};
         const Results part = run_study(study, folder("part" + std::to_string(index)), graphics_, run);
         parts.push_back(read_results(results_json(part), "part"));
     }
-    EXPECT_EQ(parts[0].rows.size() + parts[1].rows.size(), whole.rows.size());
-    expect_same_numbers(merge(parts), whole);
+    EXPECT_EQ(whole.rows.size(), 3u * 2 * 2 * 2);
+    for (const Results& part : parts) EXPECT_LE(part.rows.size(), 3u * 2) << "of twelve units two or three";
+    parts.front().conditions.machine = "another";
+    const Results merged = merge(parts);
+    expect_same_numbers(merged, whole);
+    EXPECT_EQ(merged.conditions.machine, "another and " + whole.conditions.machine);
     parts.push_back(parts.back());
     EXPECT_THROW(merge(parts), InputError) << "the same rows twice";
+    parts.pop_back();
+    std::vector<Results> others = parts;
     Study other = study;
-    other.frames = 2;
-    parts.back().conditions.study = study_json(other);
-    EXPECT_THROW(merge(parts), InputError) << "another study";
+    other.frames = 1;
+    others.back().conditions.study = study_json(other);
+    EXPECT_THROW(merge(others), InputError) << "another study";
+    others = parts;
+    others.back().conditions.program = "another";
+    EXPECT_THROW(merge(others), InputError) << "another build";
 }
 
 TEST_F(LabStudy, ReadsItsOwnFiles) {

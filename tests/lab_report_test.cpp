@@ -50,7 +50,7 @@ Row row_of(const std::string& scene, const std::string& method, const std::strin
 Results results_of(std::vector<Row> rows) {
     Study study;
     study.scenes = {"city"};
-    Results results{conditions_here(study, "a renderer"), std::move(rows)};
+    Results results{conditions_here(study_json(study), "a renderer"), std::move(rows)};
     results.conditions.date = "2000-01-01";
     return results;
 }

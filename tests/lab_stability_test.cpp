@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "lab/lab_graphics.h"
@@ -102,9 +103,41 @@ TEST(LabStability, IsTheSameTwiceAndWritten) {
     EXPECT_EQ(stability_csv(rows), stability_csv(rows_of("2d:bottleneck")));
     const std::string csv = stability_csv(rows);
     EXPECT_EQ(static_cast<std::size_t>(std::count(csv.begin(), csv.end(), '\n')), rows.size() + 1);
-    const auto json = nlohmann::json::parse(stability_json(conditions_here({}, ""), rows));
+    const auto json = nlohmann::json::parse(stability_json(conditions_here("{}", ""), rows));
     ASSERT_EQ(json.at("rows").size(), rows.size());
     EXPECT_EQ(json.at("rows").at(0).at("jaccard"), rows.front().jaccard);
+}
+
+TEST(LabStability, StagesDoNotDependOnWhichOthersRan) {
+    Study study;
+    study.scenes = {"2d:rooms"};
+    study.frames = 2;
+    study.methods = {parse_method("published"), parse_method("layers@tree")};
+    study.budgets = {parse_budget("5%"), parse_budget("10%")};
+    const LabScene<2> lab = load_lab_scene<2>("2d:rooms", "", study);
+    std::map<std::string, std::string> kept;
+    double shares = 0;
+    StabilityWatch watch;
+    watch.stage_done = [&](const StabilityStage& stage) {
+        shares += stage.share;
+        EXPECT_EQ(stage.rows.size(), 4u) << stage.name;
+        EXPECT_TRUE(kept.emplace(stage.name, stability_rows_json(stage.rows)).second) << stage.name << " comes twice";
+        return true;
+    };
+    const std::vector<StabilityRow> whole = measure_stability<2>(lab, study, {}, {}, watch);
+    EXPECT_NEAR(shares, 1, 1e-12);
+    // Stopped after three stages, going on with what was kept.
+    int stages = 0;
+    StabilityWatch stopping;
+    stopping.stage_done = [&](const StabilityStage&) { return ++stages < 3; };
+    EXPECT_EQ(measure_stability<2>(lab, study, {}, {}, stopping).size(), 3u * 4);
+    int measured = 0;
+    StabilityWatch going_on;
+    going_on.finished = [&](const std::string& stage) -> std::optional<std::vector<StabilityRow>> {
+        if (++measured % 2 == 0) return std::nullopt;  // every other one again
+        return read_stability_rows(kept.at(stage));
+    };
+    EXPECT_EQ(stability_csv(measure_stability<2>(lab, study, {}, {}, going_on)), stability_csv(whole));
 }
 
 }  // namespace

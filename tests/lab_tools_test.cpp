@@ -9,9 +9,9 @@
 
 #include "core/error.h"
 #include "core/file.h"
-#include "core/session/formula.h"
 #include "core/geometry/random.h"
 #include "core/session/condition.h"
+#include "core/session/formula.h"
 #include "core/settings/settings_file.h"
 #include "core/settings/settings_table.h"
 #include "lab/cells_report.h"
@@ -75,23 +75,33 @@ TEST(LabCompare, PairsFrames) {
     EXPECT_FALSE(change_of(a, a, M::pop)) << "neither has it";
 }
 
-/// How often the interval holds the mean that the values were drawn from.
+/// How often, of 4000 times, the interval holds the mean of the normal numbers that the values were drawn from; each
+/// value resembles the one before by `correlation`.
+double held(std::size_t n, double correlation, Random& random) {
+    constexpr int rounds = 4000;
+    int held = 0;
+    const auto normal = [&] {
+        double sum = -6;
+        for (int k = 0; k < 12; ++k) sum += random.unit();
+        return sum;
+    };
+    for (int i = 0; i < rounds; ++i) {
+        std::vector<double> values{normal()};
+        while (values.size() < n)
+            values.push_back(correlation * values.back() + std::sqrt(1 - correlation * correlation) * normal());
+        double mean = 0;
+        for (const double v : values) mean += v / static_cast<double>(n);
+        held += std::abs(mean) <= confidence_half_width(values);
+    }
+    return held / static_cast<double>(rounds);
+}
+
 TEST(LabCompare, IntervalsHoldTheMeanNineteenTimesInTwenty) {
     Random random(81);
-    for (const std::size_t n : {2u, 5u, 40u}) {
-        int held = 0;
-        constexpr int rounds = 4000;
-        for (int i = 0; i < rounds; ++i) {
-            std::vector<double> values(n);
-            double mean = 0;
-            for (double& v : values) {
-                for (int k = 0; k < 12; ++k) v += random.unit() / 1.0;  // about normal, around 6
-                mean += v / static_cast<double>(n);
-            }
-            held += std::abs(mean - 6) <= confidence_half_width(values);
-        }
-        EXPECT_NEAR(held / double(rounds), 0.95, 0.02) << n;
-    }
+    for (const std::size_t n : {2u, 5u, 40u}) EXPECT_NEAR(held(n, 0, random), 0.95, 0.02) << n;
+    // Frames of a path: without their likeness the intervals would hold it half of the time.
+    EXPECT_GT(held(300, 0.8, random), 0.9);
+    EXPECT_GT(held(100, 0.5, random), 0.9);
     EXPECT_EQ(confidence_half_width({3}), 0);
 }
 
@@ -129,6 +139,30 @@ TEST(LabCells, TheKneeIsTheCoarsestThatWillDo) {
     const auto settings = read_settings(knee_settings(curve, M::wrong, 0.02), "knee");
     EXPECT_EQ(settings,
               (std::vector<std::string>{"method=layers", "budget=5%", "tessellation=delaunay", "error_bound=0.25"}));
+}
+
+TEST(LabCells, CurvesGoFromCoarseToFine) {
+    Study study;
+    study.methods = {parse_method("view"), parse_method("layers"), parse_method("centroid")};
+    study = sweep_study(study, {0.1, 0.4, 0.1, 0.2});
+    EXPECT_EQ(study.methods, std::vector{parse_method("layers")}) << "the others need no cells";
+    EXPECT_EQ(study.error_bounds, (std::vector{0.4, 0.2, 0.1}));
+    Results results;
+    for (const double bound : study.error_bounds)
+        for (const char* budget : {"1%", "5%"}) {
+            results.rows.push_back(row_of("layers", 7, {bound}, 1, budget));
+            results.rows.back().error_bound = bound;
+        }
+    const std::vector<CellsCurve> curves = curves_of(results);
+    ASSERT_EQ(curves.size(), 2u);
+    for (const CellsCurve& curve : curves) {
+        ASSERT_EQ(curve.points.size(), 3u);
+        for (std::size_t i = 0; i < 3; ++i) {
+            EXPECT_EQ(curve.points[i].error_bound, study.error_bounds[i]);
+            EXPECT_EQ(curve.points[i].row.budget, curve.budget);
+            EXPECT_EQ(curve.points[i].row.values[0][M::wrong], study.error_bounds[i]);
+        }
+    }
 }
 
 TEST(LabCells, TheSimplestMethodThatWillDo) {
@@ -216,6 +250,7 @@ TEST(StudyJson, ReadsWhatItWrites) {
     study.budgets = {parse_budget("3%"), parse_budget("500")};
     study.size = {640, 480};
     study.settings = {"seeds=hull"};
+    study.error_bounds = {0.4, 0.1};
     EXPECT_EQ(study_json(read_study(study_json(study))), study_json(study));
     EXPECT_EQ(study_json(read_study(study_json({}))), study_json({}));
     EXPECT_THROW(read_study("{}"), InputError);
@@ -232,16 +267,14 @@ TEST(LabCommands, Run) {
     const std::string small = " --frames 2 --size 160x120 --out " + folder.string();
     run("measure 3d:bottleneck 2d:rooms --repeats 1" + small + "/m", 0);
     run("measure 3d:bottleneck 2d:rooms --repeats 1" + small + "/m", 0);
-    run("merge " + folder.string() + "/m/results.json --out " + folder.string() + "/merged", 0);
+    run("merge " + folder.string() + "/m --out " + folder.string() + "/merged", 0);
     run("stability 2d:rooms --samples 1 --methods layers" + small + "/s", 0);
     run("cells 3d:bottleneck --error-bounds 0.4,0.2 --repeats 0" + small + "/c", 0);
     run("measure 3d:bottleneck --repeats 0 --settings " + folder.string() + "/c/3d_bottleneck-layers-5_.settings.json" +
             small + "/m2",
         0);
     run("compare published layers 3d:bottleneck --budgets 5% --repeats 0" + small + "/d", 0);
-    run("compare " + folder.string() + "/m/results.json " + folder.string() + "/m/results.json --out " +
-            folder.string() + "/d2",
-        0);
+    run("compare " + folder.string() + "/m " + folder.string() + "/m/results.json --out " + folder.string() + "/d2", 0);
     run("reduce 3d:bottleneck --until 'inversion == 1' --out " + folder.string() + "/r", 0);
     for (const char* file : {"m/report.html", "m/results.csv", "merged/report.html", "s/stability.html", "c/cells.html",
                              "d/compare.html", "d2/compare.json", "r/reduced.json", "r/reduced.obj"})

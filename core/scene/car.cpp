@@ -76,8 +76,8 @@ public:
             for (int u = 0; u <= along_; ++u)
                 for (int v = 0; v < around_; ++v) points_.push_back(interpolated(u, v, inner));
     }
-    void add_to(Model& m) const {
-        for (int u = 0; u < along_; ++u)
+    void add_to(Model& m, std::vector<CarPart>& parts) const {
+        for (int u = 0; u < along_; ++u) {
             for (int v = 0; v < around_; ++v) {
                 if (open(u, v)) continue;
                 const std::array<std::array<int, 2>, 4> corners = {
@@ -97,7 +97,9 @@ public:
                     if (rim[i]) m.polygon({outer[next], outer[i], inner[i], inner[next]});
                 }
             }
-        for (const int u : {0, along_})
+            parts.resize(m.triangles.size(), at(u, 0, false).x < length / 2 ? CarPart::front : CarPart::back);
+        }
+        for (const int u : {0, along_}) {
             for (int v = 0; v < around_; ++v)
                 for (const bool inner : {false, true}) {
                     const Vec<3> a = at(u, v, inner), b = at(u, v + 1, inner), middle(a.x, 0, 0.5);
@@ -106,6 +108,8 @@ public:
                     else
                         m.triangle(b, a, middle);
                 }
+            parts.resize(m.triangles.size(), u == 0 ? CarPart::front : CarPart::back);
+        }
     }
 
 private:
@@ -224,12 +228,14 @@ void engine(Model& m, Random& random, int detail) {
 
 }  // namespace
 
-void car(Model& m, Random& random, int detail, bool hood_open) {
-    Sheet(detail, hood_open).add_to(m);
+void car(Model& m, Random& random, int detail, bool hood_open, std::vector<CarPart>& parts) {
+    Sheet(detail, hood_open).add_to(m, parts);
     for (const double x : axles)
         for (const double side : {-1.0, 1.0}) wheel(m, x, side, detail);
     seats(m);
+    parts.resize(m.triangles.size(), CarPart::other);
     engine(m, random, detail);
+    parts.resize(m.triangles.size(), CarPart::engine);
 }
 
 }  // namespace sightline

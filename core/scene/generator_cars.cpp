@@ -3,13 +3,22 @@
 #include "core/scene/generators_3d.h"
 #include "core/scene/route.h"
 
-namespace sightline::generate {
+namespace sightline {
 
-Generated cars(std::uint64_t seed, std::size_t triangles) {
-    Random random(seed);
+namespace {
+
+struct CarPark {
     Model model;
+    std::vector<CarPart> parts;
+};
+
+CarPark car_park(std::uint64_t seed, std::size_t triangles) {
+    Random random(seed);
+    CarPark park;
+    Model& model = park.model;
     model.triangles.reserve(triangles + 500);
     model.box({-8, -5, -0.1}, {8, 5, 0}, top_side);
+    park.parts.resize(model.triangles.size(), CarPart::none);
 
     // Bodies get a quarter of the triangles, engines most of the others.
     constexpr std::size_t count = 5;
@@ -20,11 +29,18 @@ Generated cars(std::uint64_t seed, std::size_t triangles) {
         const double x = -6 + 3.0 * static_cast<double>(i), degrees = 90 + random.uniform(-8, 8);
         const bool turned_round = i % 2 == 1;
         const Inside place(model, {x, turned_round ? 2.2 : -2.2, 0}, turned_round ? degrees + 180 : degrees);
-        car(model, random, detail, i == 2);
+        car(model, random, detail, i == 2, park.parts);
     }
+    return park;
+}
 
+}  // namespace
+
+std::vector<CarPart> car_parts(std::uint64_t seed, std::size_t triangles) { return car_park(seed, triangles).parts; }
+
+Generated generate::cars(std::uint64_t seed, std::size_t triangles) {
     Generated made;
-    made.triangles = std::move(model.triangles);
+    made.triangles = car_park(seed, triangles).model.triangles;
     FlightPath<3> round{"round", {}};
     for (int i = 0; i < 200; ++i) {
         const SinCos turn = sincos_degrees(-120 + 1.8 * i), rise = sincos_degrees(5.4 * i);
@@ -35,4 +51,4 @@ Generated cars(std::uint64_t seed, std::size_t triangles) {
     return made;
 }
 
-}  // namespace sightline::generate
+}  // namespace sightline

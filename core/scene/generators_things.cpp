@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/scene/car_parts.h"
 #include "core/scene/generators.h"
 #include "core/scene/sketch.h"
 
@@ -46,20 +47,26 @@ void engine(Sketch& s, Random& random) {
     s.path({{0.98, -0.25}, {0.6, -0.12}, {0.35, -0.1}, {0.35, 0.1}, {0.6, 0.12}, {0.98, 0.25}}, false);  // gearbox
 }
 
-/// Seen from above, 4.4 by 1.8, its nose toward +x.
-void car(Sketch& s, Random& random) {
+/// Seen from above, 4.4 by 1.8, its nose toward +x. `parts` is kept in step with the segments.
+void car(Sketch& s, Random& random, std::vector<CarPart>& parts) {
     static constexpr Vec<2> half[] = {{2.2, 0.0},  {2.18, 0.4},  {2.08, 0.68}, {1.85, 0.85}, {1.3, 0.9}, {0.0, 0.88},
                                       {-1.4, 0.9}, {-1.9, 0.84}, {-2.12, 0.7}, {-2.2, 0.42}, {-2.2, 0.0}};
     std::vector<Vec<2>> shell(std::begin(half), std::end(half));
     for (std::size_t i = std::size(half) - 2; i > 0; --i) shell.push_back({half[i].x, -half[i].y});
-    s.path(shell, true);
-    for (Vec<2>& p : shell) p *= 0.97;
-    s.path(shell, true);
+    for (const double size : {1.0, 0.97}) {
+        for (Vec<2>& p : shell) p *= size;
+        s.path(shell, true);
+        for (std::size_t i = 0; i < shell.size(); ++i)
+            parts.push_back(shell[i].x + shell[(i + 1) % shell.size()].x > 0 ? CarPart::front : CarPart::back);
+    }
     for (const double side : {-1.0, 1.0}) {
         s.path({{0.55, side * 0.92}, {0.5, side * 1.08}, {0.42, side * 1.08}, {0.4, side * 0.92}}, true);  // mirror
+        parts.resize(s.segments.size(), CarPart::front);
         for (const double x : {-1.35, 1.4}) wheel(s, x, side * 0.74);
+        parts.resize(s.segments.size(), CarPart::other);
     }
     engine(s, random);
+    parts.resize(s.segments.size(), CarPart::engine);
     s.path({{0.78, -0.66}, {0.9, -0.3}, {0.92, 0.0}, {0.9, 0.3}, {0.78, 0.66}}, false);  // windscreen
     s.path({{0.35, -0.66}, {0.5, -0.3}, {0.5, 0.3}, {0.35, 0.66}}, false);               // dashboard
     s.path({{-1.05, -0.64}, {-1.12, -0.3}, {-1.12, 0.3}, {-1.05, 0.64}}, false);         // rear window
@@ -71,27 +78,39 @@ void car(Sketch& s, Random& random) {
     s.box(-2.0, -0.55, -1.4 + random.uniform(0, 0.1), -0.32);  // luggage
     s.box(-2.0, 0.32, -1.75, 0.55);
     s.box(-1.7, 0.32, -1.45 + random.uniform(0, 0.1), 0.55);
+    parts.resize(s.segments.size(), CarPart::other);
 }
 
-}  // namespace
-
-std::vector<Primitive<2>> cars(std::uint64_t seed) {
-    Random random(seed);
+struct CarPark {
     Sketch sketch;
+    std::vector<CarPart> parts;
+};
+
+CarPark car_park(std::uint64_t seed) {
+    Random random(seed);
+    CarPark park;
+    Sketch& sketch = park.sketch;
     // Two rows of a car park, noses toward the lane, one space left free.
     for (int row = 0; row < 2; ++row)
         for (int space = 0; space < 5; ++space) {
             if (row == 0 && space == 3) continue;
             const Vec<2> centre(3.2 + 4.6 * space + random.uniform(-0.2, 0.2), row == 0 ? 3.5 : 13.5);
             sketch.frame = turned(centre, (row == 0 ? 62 : -62) + random.uniform(-3, 3));
-            car(sketch, random);
+            car(sketch, random, park.parts);
         }
     // A ticket machine and lamp posts.
     sketch.frame = {};
     sketch.box(25.2, 8.0, 25.8, 8.8);
     for (int i = 0; i < 4; ++i) sketch.ring({1 + 7.6 * i, 16.6}, 0.15, 8);
-    return sketch.segments;
+    park.parts.resize(sketch.segments.size(), CarPart::none);
+    return park;
 }
+
+}  // namespace
+
+std::vector<Primitive<2>> cars(std::uint64_t seed) { return car_park(seed).sketch.segments; }
+
+std::vector<CarPart> car_parts(std::uint64_t seed) { return car_park(seed).parts; }
 
 std::vector<Primitive<2>> jungle(std::uint64_t seed) {
     Random random(seed);
