@@ -148,6 +148,10 @@ TEST(Frontier, MeasuresTheBudgetThatIsAskedForToo) {
     FrontierStudy<2> study(task_of(session, 1, random));
     const std::size_t usual = study.dots().size();
     EXPECT_EQ(usual, 3u * 4 + 2) << "four budgets for each approximate method, none for the others";
+    std::vector<double> shares;
+    for (const FrontierDot& dot : study.dots())
+        if (dot.method == 0) shares.push_back(dot.budget.value);
+    EXPECT_EQ(shares, (std::vector{0.01, 0.02, 0.05, 0.10}));
     study.ask("layers", {Budget::Kind::share, 0.05});
     EXPECT_EQ(study.dots().size(), usual) << "it is there already";
     study.ask("layers", {Budget::Kind::milliseconds, 5});
@@ -380,6 +384,7 @@ TEST_F(FrontierOf, AnErrorStopsItAndIsItsWord) {
 }
 
 TEST_F(FrontierOf, PlotHoldsEveryDotAndTheNearestIsHit) {
+    run("method layers; budget 1");
     finish();
     const Area area{10, 20, 300, 200};
     for (const char* shown : {"frontier wrong", "frontier coverage"}) {
@@ -408,6 +413,14 @@ TEST_F(FrontierOf, PlotHoldsEveryDotAndTheNearestIsHit) {
         for (const auto* ticks : {&plot.times, &plot.shares}) {
             EXPECT_LE(ticks->size(), 14u);
             for (const FrontierPlot::Tick& tick : *ticks) EXPECT_FALSE(tick.text.empty());
+        }
+        for (std::size_t i = 1; i < plot.dots.size(); ++i) {
+            const auto &a = study().dots()[plot.dots[i - 1].index], &b = study().dots()[plot.dots[i].index];
+            const std::size_t all = session().scene().primitives.size();
+            EXPECT_LE(a.method, b.method);
+            if (a.method == b.method) {
+                EXPECT_LE(a.budget.primitives(all), b.budget.primitives(all)) << "a line goes back and forth";
+            }
         }
         EXPECT_FALSE(dot_at(plot, {-500, -500}, 9));
     }

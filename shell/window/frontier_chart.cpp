@@ -94,10 +94,6 @@ void draw_dots(ImDrawList& list, const Ui& ui, const Workbench<D>& bench, const 
         std::vector<FrontierPlot::Dot> dots;
         for (const FrontierPlot::Dot& dot : plot.dots)
             if (study.dots()[dot.index].method == m) dots.push_back(dot);
-        std::stable_sort(dots.begin(), dots.end(), [&](const auto& a, const auto& b) {
-            const std::size_t all = study.task().scene->primitives.size();
-            return study.dots()[a.index].budget.primitives(all) < study.dots()[b.index].budget.primitives(all);
-        });
         const bool current = study.task().methods[m].id == bench.session.settings().method;
         for (std::size_t i = 0; i + 1 < dots.size(); ++i)
             list.AddLine(dots[i].at, dots[i + 1].at, method_colour(m), (current ? 3.0f : 1.5f) * ui.unit);
