@@ -25,6 +25,12 @@ std::string number_text(double value) {
     return {text, std::to_chars(text, text + sizeof text, value).ptr};
 }
 
+std::string duration_text(double seconds) {
+    const auto whole = static_cast<long>(std::lround(seconds));
+    if (whole < 60) return std::to_string(whole) + " s";
+    return std::to_string(whole / 60) + " min " + std::to_string(whole % 60) + " s";
+}
+
 std::string short_number(double value, int digits) {
     if (value == 0) return "0";
     char text[40];

@@ -18,6 +18,9 @@ std::optional<std::uint32_t> parse_whole(std::string_view text);
 /// The shortest text that reads back to the same double.
 std::string number_text(double value);
 
+/// "42 s" or "3 min 5 s", for people.
+std::string duration_text(double seconds);
+
 /// At most `digits` significant digits, for people.
 std::string short_number(double value, int digits = 3);
 

@@ -38,8 +38,8 @@ DrawSolid LabGraphics::draw_solid() {
 
 TimeDrawing LabGraphics::time_drawing(const ImageSize& asked) {
     return [this, size = image_size<3>(asked)](const std::shared_ptr<const Scene<3>>& scene, const View<3>& view,
-                                               std::span<const std::uint32_t> triangles, std::uint32_t repeats) {
-        return made().clock.time(size, scene, view, triangles, repeats);
+                                               std::span<const std::uint32_t> triangles) {
+        return made().clock.time(size, scene, view, triangles);
     };
 }
 

@@ -161,7 +161,8 @@ private:
                 if constexpr (D == 3) {
                     if (!instruments_.time_drawing) continue;
                     rendered_ids(state, ids);
-                    const DrawTimes times = instruments_.time_drawing(lab_.scene, lab_.views[i], ids, study_.repeats);
+                    const DrawTimes times =
+                        median_drawing(instruments_.time_drawing, lab_.scene, lab_.views[i], ids, study_.repeats);
                     values[Measure::upload_ms] = times.upload;
                     values[Measure::draw_ms] = times.draw;
                     values[Measure::total_ms] += times.upload + times.draw;

@@ -193,7 +193,7 @@ std::string results_csv(const Results& results) {
         text += quoted(row.scene) + ',' + quoted(row.path) + ',' + std::to_string(row.frames.size()) + ',' +
                 row.method.id + ',' +
                 std::string(words<Tessellation>[static_cast<std::size_t>(row.method.tessellation)]) + ',' +
-                std::to_string(row.primitives) + ',' + std::to_string(row.cells) + ',' +
+                number(row.error_bound) + ',' + std::to_string(row.primitives) + ',' + std::to_string(row.cells) + ',' +
                 std::to_string(row.memory_bytes) + ',' + row.budget + ',' + (share.is_null() ? "" : number(share));
         for (const MeasureRow& m : measure_table()) {
             text += ',' + number(summary(row, m.measure));

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/error.h"
+#include "core/session/pops.h"
 #include "shell/bench/change.h"
 #include "shell/bench/flight.h"
 #include "shell/bench/moves.h"
@@ -125,6 +126,39 @@ TEST_F(FlightPaths, RecordingKeepsWhereTheEyeHasBeen) {
     EXPECT_FALSE(bench->session.flying());
     run("freeze");
     EXPECT_THROW(run("path record"), InputError);
+}
+
+TEST_F(FlightPaths, PopsAreThoseAfterTheFrameBefore) {
+    const auto text_of = [](const std::vector<Marker>& markers) {
+        std::string text;
+        for (const Marker& marker : markers) text += std::to_string(marker.step) + " " + marker.label + "\n";
+        return text;
+    };
+    run("path round");
+    // Frames close to each other, in which much is visible twice.
+    Random random(4712);
+    for (ViewSpec<3>& frame : bench->flight.path.frames) {
+        frame = bench->session.culling_view();
+        frame.eye += random_point_3d(random, -0.15, 0.15);
+    }
+    const std::vector<ViewSpec<3>> frames = bench->flight.path.frames;
+    std::size_t some = 0;
+    for (std::uint32_t frame = 0; frame < frames.size(); ++frame) {
+        go_to_frame(*bench, frame);
+        EXPECT_TRUE(frame_pops(*bench).empty()) << "it flies";
+        land(*bench);
+        const std::string found = text_of(frame_pops(*bench));
+        if (frame == 0) {
+            EXPECT_EQ(found, "") << "nothing is before the first one";
+            continue;
+        }
+        EXPECT_EQ(found, text_of(pop_markers(bench->session, frames[frame - 1]))) << "frame " << frame;
+        some += !found.empty() && frame + 1 < frames.size() &&
+                found != text_of(pop_markers(bench->session, frames[frame + 1]));
+    }
+    EXPECT_GT(some, 0u) << "frames that do not differ test nothing";
+    run("eye 0.1,0.2,0.3");
+    EXPECT_TRUE(frame_pops(*bench).empty()) << "not a frame of the path";
 }
 
 TEST_F(FlightPaths, AFrozenViewStaysWhileThePathMovesTheEye) {

@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "core/measure/wrong_region.h"
+#include "core/number.h"
 #include "core/traversal/scene_view.h"
 #include "shell/bench/moves.h"
 #include "shell/commands/command_table.h"
@@ -94,19 +95,30 @@ TEST(Frontier, IsInSlicesWhatItIsAtOnce) {
         const Session<3> session = start.session();
         FrontierTask<3> task = task_of(session, 2, random);
         task.draw_ids = cast_rays;
-        int drawn = 0;
-        task.time_drawing = [&](const auto&, const View<3>&, std::span<const std::uint32_t>, std::uint32_t repeats) {
-            EXPECT_EQ(repeats, 1u);
-            ++drawn;
-            return DrawTimes{2, 3};
+        constexpr std::array draw_ms{100.0, 5.0, 1.0, 3.0};  // the first one warms up
+        std::vector<std::size_t> drawn;                      // how many triangles each time
+        task.time_drawing = [&](const auto&, const View<3>&, std::span<const std::uint32_t> ids) {
+            const double ms = draw_ms[drawn.size() % 4];
+            drawn.push_back(ids.size());
+            return DrawTimes{2 * ms, ms};
         };
         FrontierStudy<3> study(std::move(task));
-        while (study.advance()) {
+        std::vector<std::size_t> before(study.dots().size());
+        for (std::size_t times = 0; study.advance(); times = drawn.size()) {
+            ASSERT_LE(drawn.size(), times + 1) << "a slice draws twice";
+            for (std::size_t d = 0; d < before.size(); ++d) {
+                const FrontierDot& dot = study.dots()[d];
+                if (std::exchange(before[d], dot.frames.size()) == dot.frames.size()) continue;
+                ASSERT_EQ(drawn.size(), 4 * study.done());
+                for (std::size_t t = drawn.size() - 4; t < drawn.size(); ++t)
+                    EXPECT_EQ(static_cast<double>(drawn[t]), dot.frames.back()[M::rendered]) << "something else";
+            }
         }
         check_all(study);
-        EXPECT_EQ(drawn, 3 * static_cast<int>(study.total()));
-        for (const FrontierDot& dot : study.dots())
-            EXPECT_EQ(dot.frames[0][M::draw_ms] + dot.frames[0][M::upload_ms], 5);
+        for (const FrontierDot& dot : study.dots()) {
+            EXPECT_EQ(dot.frames[0][M::upload_ms], 6);
+            EXPECT_EQ(dot.frames[0][M::draw_ms], 3);
+        }
     }
 }
 
@@ -114,20 +126,23 @@ TEST(Frontier, ComparesDotsOverTheViewsThatAllHave) {
     Random random(62);
     const Session<2> session = random_start(random, 90).session();
     FrontierStudy<2> study(task_of(session, 3, random));
+    std::size_t ahead = 0;  // dots whose own frames have another mean
     while (study.advance()) {
         const std::size_t count = std::max<std::size_t>(study.common_views(), 1);
         for (const FrontierDot& dot : study.dots()) {
-            const double value = study.value(dot, M::rendered);
+            const double value = study.value(dot, M::visible);
             if (dot.frames.size() < count) {
                 ASSERT_TRUE(std::isnan(value));
                 continue;
             }
             double mean = 0;
-            for (std::size_t f = 0; f < count; ++f) mean += dot.frames[f][M::rendered] / static_cast<double>(count);
+            for (std::size_t f = 0; f < count; ++f) mean += dot.frames[f][M::visible] / static_cast<double>(count);
             ASSERT_NEAR(value, mean, 1e-9);
+            ahead += std::abs(summary(dot.frames, M::visible) - mean) > 1e-9;
         }
     }
     EXPECT_EQ(study.common_views(), 3u);
+    EXPECT_GT(ahead, 0u);
 }
 
 TEST(Frontier, MeasuresTheBudgetThatIsAskedForToo) {
@@ -136,6 +151,10 @@ TEST(Frontier, MeasuresTheBudgetThatIsAskedForToo) {
     FrontierStudy<2> study(task_of(session, 1, random));
     const std::size_t usual = study.dots().size();
     EXPECT_EQ(usual, 3u * 4 + 2) << "four budgets for each approximate method, none for the others";
+    std::vector<double> shares;
+    for (const FrontierDot& dot : study.dots())
+        if (dot.method == 0) shares.push_back(dot.budget.value);
+    EXPECT_EQ(shares, (std::vector{0.01, 0.02, 0.05, 0.10}));
     study.ask("layers", {Budget::Kind::share, 0.05});
     EXPECT_EQ(study.dots().size(), usual) << "it is there already";
     study.ask("layers", {Budget::Kind::milliseconds, 5});
@@ -206,6 +225,115 @@ TEST_F(FrontierOf, StopsKeepsWhatItHasAndGoesOn) {
     EXPECT_EQ(study().done(), 0u);
 }
 
+TEST_F(FrontierOf, SaysHowFarItIsAndHowLongItStillTakes) {
+    update_frontier(*bench);
+    const std::string total = " of " + std::to_string(study().total());
+    EXPECT_EQ(frontier_progress_text(*bench), "0" + total) << "nothing tells how long it takes";
+    while (study().done() < 5) {
+        const FrontierDot* const next = study().next_dot();
+        ASSERT_TRUE(next);
+        EXPECT_EQ(frontier_work_text(*bench), "measuring " + std::string(study().task().methods[next->method].id) +
+                                                  " " + budget_text(next->budget) + ", frame 1 of 1");
+        const std::size_t frames = next->frames.size(), done = study().done();
+        bench->frontier.study.advance();
+        EXPECT_EQ(study().done() - done, next->frames.size() - frames) << "another dot was measured";
+    }
+    bench->frontier.spent_ms = 5 * 13'000;
+    EXPECT_EQ(frontier_progress_text(*bench),
+              "5" + total + ", about " + duration_text(13.0 * static_cast<double>(study().total() - 5)) + " left");
+    run("play");
+    EXPECT_EQ(frontier_progress_text(*bench), "5" + total + ", waits for rest");
+    EXPECT_EQ(frontier_work_text(*bench), "");
+    run("pause; frontier stop");
+    EXPECT_EQ(frontier_progress_text(*bench), "5" + total + ", stopped");
+    EXPECT_EQ(frontier_work_text(*bench), "");
+    const auto rows = frontier_rows(*bench);
+    EXPECT_EQ(rows[1].text, "measured: 5" + total + ", stopped (click: go on)");
+    EXPECT_EQ(rows[1].command, "frontier go");
+    run("frontier go");
+    advance_frontier(*bench, 5);
+    EXPECT_GT(bench->frontier.spent_ms, 5 * 13'000);
+    run("set penalty=none");
+    update_frontier(*bench);
+    EXPECT_EQ(bench->frontier.spent_ms, 0) << "what was measured before takes no time of this";
+    EXPECT_EQ(frontier_progress_text(*bench), "0" + total);
+    finish();
+    EXPECT_EQ(frontier_rows(*bench)[1].text, "measured, all " + std::to_string(study().total()));
+    EXPECT_EQ(frontier_work_text(*bench), "");
+}
+
+TEST(DurationText, IsForPeople) {
+    EXPECT_EQ(duration_text(0.2), "0 s");
+    EXPECT_EQ(duration_text(59.4), "59 s");
+    EXPECT_EQ(duration_text(59.6), "1 min 0 s");
+    EXPECT_EQ(duration_text(185), "3 min 5 s");
+}
+
+TEST_F(FrontierOf, ItsRowsSayWhatTheStudyHas) {
+    finish();
+    const auto rows = frontier_rows(*bench);
+    for (const FrontierDot& dot : study().dots()) {
+        const std::string name =
+            std::string(study().task().methods[dot.method].id) + " " + budget_text(dot.budget) + ": ";
+        const auto row = std::find_if(rows.begin(), rows.end(), [&](const Row& r) { return r.text.starts_with(name); });
+        ASSERT_NE(row, rows.end()) << name;
+        const auto number = [&](M measure, double unit) { return short_number(unit * study().value(dot, measure)); };
+        EXPECT_EQ(row->text.find(name + number(M::total_ms, 1) + " ms, wrong " + number(M::wrong, 100) +
+                                 "%, coverage " + number(M::coverage, 100) + "%"),
+                  0u)
+            << row->text;
+    }
+    EXPECT_EQ(rows[0].text, "bottleneck, this view alone");
+    Scene<2> other = session().scene();
+    other.id = "other";
+    bench->session =
+        Session<2>(std::make_shared<const Scene<2>>(other), session().culling_view(), session().settings());
+    EXPECT_EQ(frontier_rows(*bench)[0].text, "bottleneck, this view alone") << "of what was measured";
+    update_frontier(*bench);
+    EXPECT_EQ(frontier_rows(*bench)[0].text, "other, this view alone");
+}
+
+/// The front has each dot that no other one beats: in time, and in the direction that is better.
+TEST_F(FrontierOf, FrontIsWhatNoDotBeats) {
+    finish();
+    for (const M shown : {M::wrong, M::coverage}) {
+        run(shown == M::wrong ? "frontier wrong" : "frontier coverage");
+        const double sign = shown == M::wrong ? -1 : 1;
+        const auto& dots = study().dots();
+        std::vector<std::size_t> expected;
+        for (std::size_t i = 0; i < dots.size(); ++i) {
+            const double ms = study().value(dots[i], M::total_ms), value = sign * study().value(dots[i], shown);
+            const bool beaten = std::any_of(dots.begin(), dots.end(), [&](const FrontierDot& other) {
+                const double other_ms = study().value(other, M::total_ms), v = sign * study().value(other, shown);
+                return other_ms <= ms && v >= value && (other_ms < ms || v > value);
+            });
+            if (!beaten) expected.push_back(i);
+        }
+        std::vector<std::size_t> front = frontier_front(*bench);
+        std::sort(front.begin(), front.end());
+        EXPECT_EQ(front, expected);
+        ASSERT_GE(front.size(), 2u);
+        ASSERT_LT(front.size(), dots.size());
+    }
+}
+
+TEST_F(FrontierOf, GoesAlongThePathOrStaysWithTheView) {
+    update_frontier(*bench);
+    EXPECT_EQ(study().task().views.size(), 1u);
+    EXPECT_EQ(study().task().views[0].eye, session().culling_view().eye);
+    ViewSpec<2> view = session().culling_view();
+    bench->flight.path.id = "far";
+    for (int i = 0; i < 29; ++i) {
+        view.eye += Vec<2>(0.25, 0.125);
+        bench->flight.path.frames.push_back(view);
+    }
+    update_frontier(*bench);
+    EXPECT_EQ(bench->frontier.path, "path far, 8 of 29 frames");
+    ASSERT_EQ(study().task().views.size(), 8u);
+    for (std::size_t i = 0; i < 8; ++i)
+        EXPECT_EQ(study().task().views[i].eye, bench->flight.path.frames[4 * i].eye) << "frame " << 4 * i;
+}
+
 TEST_F(FrontierOf, WaitsWhileSomethingMoves) {
     EXPECT_TRUE(stands_still(*bench));
     run("play");
@@ -259,6 +387,7 @@ TEST_F(FrontierOf, AnErrorStopsItAndIsItsWord) {
 }
 
 TEST_F(FrontierOf, PlotHoldsEveryDotAndTheNearestIsHit) {
+    run("method layers; budget 1");
     finish();
     const Area area{10, 20, 300, 200};
     for (const char* shown : {"frontier wrong", "frontier coverage"}) {
@@ -287,6 +416,14 @@ TEST_F(FrontierOf, PlotHoldsEveryDotAndTheNearestIsHit) {
         for (const auto* ticks : {&plot.times, &plot.shares}) {
             EXPECT_LE(ticks->size(), 14u);
             for (const FrontierPlot::Tick& tick : *ticks) EXPECT_FALSE(tick.text.empty());
+        }
+        for (std::size_t i = 1; i < plot.dots.size(); ++i) {
+            const auto &a = study().dots()[plot.dots[i - 1].index], &b = study().dots()[plot.dots[i].index];
+            const std::size_t all = session().scene().primitives.size();
+            EXPECT_LE(a.method, b.method);
+            if (a.method == b.method) {
+                EXPECT_LE(a.budget.primitives(all), b.budget.primitives(all)) << "a line goes back and forth";
+            }
         }
         EXPECT_FALSE(dot_at(plot, {-500, -500}, 9));
     }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include <unistd.h>
 
@@ -222,6 +223,10 @@ TEST_F(LabStudy, ReadsItsOwnFiles) {
     }
     const std::string csv = results_csv(results);
     EXPECT_EQ(static_cast<std::size_t>(std::count(csv.begin(), csv.end(), '\n')), results.rows.size() + 1);
+    const std::string header = csv.substr(0, csv.find('\n'));
+    const auto fields = [](const std::string& line) { return std::count(line.begin(), line.end(), ',') + 1; };
+    std::istringstream lines(csv);
+    for (std::string line; std::getline(lines, line);) EXPECT_EQ(fields(line), fields(header)) << line;
     for (const char* bad : {"", "[]", "{}", R"({"format": "sightline-results", "version": 2})",
                             R"({"format": "sightline-results", "version": 1, "conditions": {}, "rows": []})"})
         EXPECT_THROW(read_results(bad, "bad"), InputError) << bad;

@@ -23,11 +23,10 @@ Graphics graphics_of(const std::shared_ptr<Renderers>& renderers) {
         return renderers->solids().picture(list, width, height, px_per_pt);
     };
     graphics.time_drawing = [renderers](const ImageSize& asked) -> TimeDrawing {
-        return
-            [renderers, size = image_size<3>(asked)](const std::shared_ptr<const Scene<3>>& scene, const View<3>& view,
-                                                     std::span<const std::uint32_t> triangles, std::uint32_t repeats) {
-                return renderers->clock().time(size, scene, view, triangles, repeats);
-            };
+        return [renderers, size = image_size<3>(asked)](const std::shared_ptr<const Scene<3>>& scene,
+                                                        const View<3>& view, std::span<const std::uint32_t> triangles) {
+            return renderers->clock().time(size, scene, view, triangles);
+        };
     };
     return graphics;
 }

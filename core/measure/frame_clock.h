@@ -19,9 +19,22 @@ struct DrawTimes {
     double upload = 0, draw = 0;
 };
 
-/// Draws triangles of the scene as `view` sees them, `repeats` times after once to warm up; medians. 3D only.
+/// Draws triangles of the scene as `view` sees them, once. 3D only.
 using TimeDrawing = std::function<DrawTimes(const std::shared_ptr<const Scene<3>>& scene, const View<3>& view,
-                                            std::span<const std::uint32_t> triangles, std::uint32_t repeats)>;
+                                            std::span<const std::uint32_t> triangles)>;
+
+/// Medians of `repeats` such drawings after one to warm up.
+inline DrawTimes median_drawing(const TimeDrawing& time_drawing, const std::shared_ptr<const Scene<3>>& scene,
+                                const View<3>& view, std::span<const std::uint32_t> triangles, std::uint32_t repeats) {
+    std::vector<double> uploads, draws;
+    for (std::uint32_t i = 0; i <= repeats; ++i) {
+        const DrawTimes times = time_drawing(scene, view, triangles);
+        if (i == 0) continue;
+        uploads.push_back(times.upload);
+        draws.push_back(times.draw);
+    }
+    return {median(std::move(uploads)), median(std::move(draws))};
+}
 
 /// Milliseconds of starting and running the method to the frame's budget, unrecorded. `state` is reused from frame to
 /// frame, as a flight does; it ends as the run leaves it.

@@ -45,7 +45,7 @@ WholeRun WholeRunner<D>::finish(const Reference& reference, bool with_inversions
     WholeRun run = std::move(run_);
     if (with_inversions) {
         run.inversions = inversions(reference, frame_, state_, timeline_);
-        std::sort(run.inversions.begin(), run.inversions.end(),
+        std::sort(run.inversions->begin(), run.inversions->end(),
                   [](const Inversion& a, const Inversion& b) { return a.step < b.step; });
     }
     state_.touched.resize(state_.touched_count);
@@ -126,8 +126,9 @@ Values frame_numbers(const WholeRun& run, const Truth& truth, std::uint32_t budg
     const std::size_t steps = cut_at(run, budget).steps;
     v[M::steps] = static_cast<double>(steps);
     v[M::front] = steps > 0 ? run.largest_front[steps - 1] : 0;
+    if (!run.inversions) return v;
     v[M::mis_ranked] = v[M::unreached] = 0;
-    for (const Inversion& inversion : run.inversions) {
+    for (const Inversion& inversion : *run.inversions) {
         if (inversion.step > steps) break;
         ++v[inversion.kind == Inversion::Kind::mis_ranked ? M::mis_ranked : M::unreached];
     }

@@ -15,12 +15,12 @@ namespace sightline {
 
 /// A method's run over one frame without a budget.
 struct WholeRun {
-    std::vector<std::uint32_t> touched;        ///< as State::touched
-    std::vector<std::uint32_t> touched_after;  ///< per step, how many of them were met by its end
-    std::vector<std::uint32_t> largest_front;  ///< per step, the most cells in the front after it or one before
-    std::vector<Inversion> inversions;         ///< by step
-    std::optional<std::uint32_t> k95;          ///< rendered primitives with coverage >= 0.95 for the first time
-    bool culled_costs = false;                 ///< Settings::culled_cost
+    std::vector<std::uint32_t> touched;                ///< as State::touched
+    std::vector<std::uint32_t> touched_after;          ///< per step, how many of them were met by its end
+    std::vector<std::uint32_t> largest_front;          ///< per step, the most cells in the front after it or one before
+    std::optional<std::vector<Inversion>> inversions;  ///< by step; nothing: not made
+    std::optional<std::uint32_t> k95;                  ///< rendered primitives with coverage >= 0.95 for the first time
+    bool culled_costs = false;                         ///< Settings::culled_cost
 };
 
 /// The same in pieces, for whoever must not be away for long.

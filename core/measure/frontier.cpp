@@ -14,7 +14,7 @@ namespace {
 constexpr std::array usual_shares{0.01, 0.02, 0.05, 0.10};
 /// Steps of one piece of a run: well under a millisecond where steps are small.
 constexpr std::uint32_t steps_a_slice = 128;
-/// Times taken of each frame, after one to warm up.
+/// Times taken of each frame, of traversal and of drawing, after one to warm up.
 constexpr std::uint32_t repeats = 3;
 
 }  // namespace
@@ -34,9 +34,7 @@ template <int D>
 void FrontierStudy<D>::ask(const std::string& id, const Budget& budget) {
     const auto& methods = task_.methods;
     const auto method = std::find_if(methods.begin(), methods.end(), [&](const Method<D>& m) { return m.id == id; });
-    const auto same = [&](const FrontierDot& dot) {
-        return methods[dot.method].id == id && dot.budget == budget;
-    };
+    const auto same = [&](const FrontierDot& dot) { return methods[dot.method].id == id && dot.budget == budget; };
     if (std::any_of(dots_.begin(), dots_.end(), same)) return;
     std::erase_if(dots_, [](const FrontierDot& dot) { return dot.asked; });
     if (method == methods.end() || method->guarantee == Guarantee::conservative ||
@@ -75,9 +73,9 @@ double FrontierStudy<D>::value(const FrontierDot& dot, Measure measure) const {
 
 /// Of the view and the method at work, if there is one, so that their run serves all budgets.
 template <int D>
-FrontierDot* FrontierStudy<D>::next_dot() {
-    FrontierDot* next = nullptr;
-    for (FrontierDot& dot : dots_) {
+const FrontierDot* FrontierStudy<D>::next_dot() const {
+    const FrontierDot* next = nullptr;
+    for (const FrontierDot& dot : dots_) {
         if (dot.frames.size() == task_.views.size()) continue;
         if (work_ && dot.frames.size() == work_->view && dot.method == work_->method) return &dot;
         if (!next || dot.frames.size() < next->frames.size()) next = &dot;
@@ -87,8 +85,9 @@ FrontierDot* FrontierStudy<D>::next_dot() {
 
 template <int D>
 bool FrontierStudy<D>::advance() {
-    FrontierDot* const dot = next_dot();
-    if (!dot) return false;
+    const FrontierDot* const next = next_dot();
+    if (!next) return false;
+    FrontierDot* const dot = &dots_[static_cast<std::size_t>(next - dots_.data())];
     const std::size_t view = dot->frames.size();
     if (truth_view_ != view) {
         make_truth(view);
@@ -138,25 +137,28 @@ void FrontierStudy<D>::measure(const FrontierDot& dot) {
     for (auto* times : {&work_->traverse, &work_->upload, &work_->draw}) times->clear();
 }
 
-/// One sample; the last one completes the dot.
+/// One sample: of the traversal, then of drawing what it left, each after one to warm up. The last one completes the
+/// dot.
 template <int D>
 void FrontierStudy<D>::take_time(FrontierDot& dot) {
     Work& work = *work_;
-    work.frame.budget = primitives(dot.budget);
-    const double traverse = run_milliseconds(task_.methods[dot.method], work.frame, state_);
-    if (work.samples++ == 0) return;
-    work.traverse.push_back(traverse);
-    if constexpr (D == 3) {
-        if (task_.time_drawing) {
-            rendered_ids(state_, ids_);
-            const DrawTimes times = task_.time_drawing(task_.scene, task_.views[work.view], ids_, 1);
+    const bool drawn = D == 3 && task_.time_drawing;
+    const std::uint32_t sample = work.samples++;
+    if (sample <= repeats) {
+        work.frame.budget = primitives(dot.budget);
+        const double ms = run_milliseconds(task_.methods[dot.method], work.frame, state_);
+        if (sample > 0) work.traverse.push_back(ms);
+        if (sample == repeats) rendered_ids(state_, ids_);
+    } else if constexpr (D == 3) {
+        const DrawTimes times = task_.time_drawing(task_.scene, task_.views[work.view], ids_);
+        if (sample > repeats + 1) {
             work.upload.push_back(times.upload);
             work.draw.push_back(times.draw);
         }
     }
-    if (work.samples <= repeats) return;
+    if (work.samples < (drawn ? 2 : 1) * (repeats + 1)) return;
     double total = work.values[Measure::traverse_ms] = median(work.traverse);
-    if (!work.draw.empty()) {
+    if (drawn) {
         total += work.values[Measure::upload_ms] = median(work.upload);
         total += work.values[Measure::draw_ms] = median(work.draw);
     }

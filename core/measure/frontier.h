@@ -45,13 +45,15 @@ public:
     /// milliseconds, and one of a conservative method, is not measured.
     void ask(const std::string& method, const Budget& budget);
 
-    /// One slice: the exact image of a view, a piece of a run, the numbers of one budget, or one time. False when there
-    /// is nothing left to do. Throws WorkError where there is no OpenGL.
+    /// One slice: the exact image of a view, a piece of a run, the numbers of one budget, or one timed traversal or
+    /// drawing. False when there is nothing left to do. Throws WorkError where there is no OpenGL.
     bool advance();
 
     const FrontierTask<D>& task() const { return task_; }
     const std::vector<FrontierDot>& dots() const { return dots_; }
     bool finished() const { return done() == total(); }
+    /// The dot that the next slice is for, whose next view it is for; nullptr: all are finished.
+    const FrontierDot* next_dot() const;
     /// Views x methods x budgets measured, and there are.
     std::size_t done() const;
     std::size_t total() const { return dots_.size() * task_.views.size(); }
@@ -70,10 +72,9 @@ private:
         // Of the dot that is being measured.
         std::optional<Budget> budget{};
         Values values{};
-        std::uint32_t samples = 0;  ///< taken, the one to warm up included
+        std::uint32_t samples = 0;  ///< taken, those to warm up included
         std::vector<double> traverse{}, upload{}, draw{};
     };
-    FrontierDot* next_dot();
     void make_truth(std::size_t view);
     void measure(const FrontierDot& dot);
     void take_time(FrontierDot& dot);

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shell/bench/frontier.h"
 
-#include <limits>
-
 #include "core/error.h"
+#include "core/number.h"
 #include "core/traversal/scene_view.h"
 #include "shell/bench/workbench.h"
 
 namespace sightline {
 
 namespace {
+
+/// Milliseconds between two slices that a frame of the window may take; what is longer was a pause.
+constexpr double longest_frame = 300;
 
 /// Why what is measured is not what is on the bench; empty: it is.
 template <int D>
@@ -63,6 +65,8 @@ void update_frontier(Workbench<D>& bench) {
         frontier.path = std::move(path);
         frontier.views = std::move(views);
         frontier.word = begun ? "begun anew: " + why : "";
+        frontier.spent_ms = 0;
+        frontier.since.reset();
     }
     frontier.study.ask(session.settings().method, session.settings().budget);
 }
@@ -77,6 +81,7 @@ template <int D>
 bool advance_frontier(Workbench<D>& bench, double milliseconds) {
     update_frontier(bench);
     Frontier<D>& frontier = bench.frontier;
+    const double between = frontier.since ? frontier.since->milliseconds() : 0;
     const Stopwatch stopwatch;
     try {
         while (!frontier.stopped && !frontier.study.finished() && stopwatch.milliseconds() < milliseconds)
@@ -85,7 +90,30 @@ bool advance_frontier(Workbench<D>& bench, double milliseconds) {
         frontier.stopped = true;
         frontier.word = error.what();
     }
+    frontier.spent_ms += stopwatch.milliseconds() + (between < longest_frame ? between : 0);
+    frontier.since.emplace();
     return !frontier.stopped && !frontier.study.finished();
+}
+
+template <int D>
+std::string frontier_progress_text(const Workbench<D>& bench) {
+    const FrontierStudy<D>& study = bench.frontier.study;
+    const std::string count = std::to_string(study.done()) + " of " + std::to_string(study.total());
+    if (study.finished()) return count;
+    if (bench.frontier.stopped) return count + ", stopped";
+    if (!stands_still(bench)) return count + ", waits for rest";
+    if (study.done() == 0) return count;
+    const auto done = static_cast<double>(study.done()), total = static_cast<double>(study.total());
+    return count + ", about " + duration_text(bench.frontier.spent_ms / 1000 / done * (total - done)) + " left";
+}
+
+template <int D>
+std::string frontier_work_text(const Workbench<D>& bench) {
+    const FrontierStudy<D>& study = bench.frontier.study;
+    const FrontierDot* const dot = study.next_dot();
+    if (!dot || bench.frontier.stopped || !stands_still(bench)) return "";
+    return "measuring " + std::string(study.task().methods[dot->method].id) + " " + budget_text(dot->budget) +
+           ", frame " + std::to_string(dot->frames.size() + 1) + " of " + std::to_string(study.task().views.size());
 }
 
 template <int D>
@@ -120,6 +148,8 @@ std::vector<std::size_t> frontier_front(const Workbench<D>& bench) {
     template void update_frontier<D>(Workbench<D>&);                                       \
     template void restart_frontier<D>(Workbench<D>&);                                      \
     template bool advance_frontier<D>(Workbench<D>&, double);                              \
+    template std::string frontier_progress_text<D>(const Workbench<D>&);                   \
+    template std::string frontier_work_text<D>(const Workbench<D>&);                       \
     template std::string frontier_time_text<D>(const Workbench<D>&);                       \
     template std::string frontier_command<D>(const Workbench<D>&, const FrontierDot& dot); \
     template bool is_current<D>(const Workbench<D>&, const FrontierDot& dot);              \

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/measure/frontier.h"
 #include "core/scene/flight_path.h"
+#include "core/stopwatch.h"
 
 namespace sightline {
 
@@ -21,6 +23,8 @@ struct Frontier {
     FrontierStudy<D> study{};
     std::string path{};                ///< what it goes along, for people
     std::vector<ViewSpec<D>> views{};  ///< the same as they are written down
+    double spent_ms = 0;               ///< on what is measured, the frames of the window between slices included
+    std::optional<Stopwatch> since{};  ///< the last slice
 };
 
 /// Frames of a path that are measured, spread evenly.
@@ -44,6 +48,14 @@ void restart_frontier(Workbench<D>& bench);
 /// stops it, and is its word.
 template <int D>
 bool advance_frontier(Workbench<D>& bench, double milliseconds);
+
+/// "30 of 112", and whether it goes on or how long it still takes, if the rest takes as long as what is done.
+template <int D>
+std::string frontier_progress_text(const Workbench<D>& bench);
+
+/// What is being measured, for people; empty: nothing.
+template <int D>
+std::string frontier_work_text(const Workbench<D>& bench);
 
 /// What the times of the frontier are, for an axis.
 template <int D>

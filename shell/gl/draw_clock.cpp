@@ -4,7 +4,7 @@
 namespace sightline {
 
 DrawTimes DrawClock::time(const ImageSize& size, const std::shared_ptr<const Scene<3>>& scene, const View<3>& view,
-                          std::span<const std::uint32_t> triangles, std::uint32_t repeats) {
+                          std::span<const std::uint32_t> triangles) {
     if (!target_ || target_->width() != size.width || target_->height() != size.height)
         target_.emplace(size.width, size.height, 1, true);
     if (scene_ != scene) {
@@ -14,24 +14,20 @@ DrawTimes DrawClock::time(const ImageSize& size, const std::shared_ptr<const Sce
         solids_.set(list);
     }
     const SolidList::Run one{0, 0, static_cast<std::uint32_t>(triangles.size())};
-    std::vector<double> uploads, draws;
+    DrawTimes times;
     glFinish();
-    for (std::uint32_t i = 0; i <= repeats; ++i) {
-        const Stopwatch upload;
-        solids_.set_triangles({&one, 1}, triangles);
-        glFinish();
-        const double uploaded = upload.milliseconds();
-        const Stopwatch draw;
-        target_->bind();
-        solids_.draw(view, 0, 0, size.width, size.height, 4.0 / 3);
-        target_->resolve();
-        glFinish();
-        if (i == 0) continue;
-        uploads.push_back(uploaded);
-        draws.push_back(draw.milliseconds());
-    }
+    const Stopwatch upload;
+    solids_.set_triangles({&one, 1}, triangles);
+    glFinish();
+    times.upload = upload.milliseconds();
+    const Stopwatch draw;
+    target_->bind();
+    solids_.draw(view, 0, 0, size.width, size.height, 4.0 / 3);
+    target_->resolve();
+    glFinish();
+    times.draw = draw.milliseconds();
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    return {median(std::move(uploads)), median(std::move(draws))};
+    return times;
 }
 
 }  // namespace sightline

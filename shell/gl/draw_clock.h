@@ -15,7 +15,7 @@ class DrawClock {
 public:
     /// As TimeDrawing, with glFinish before and after each time taken. Binds the default framebuffer.
     DrawTimes time(const ImageSize& size, const std::shared_ptr<const Scene<3>>& scene, const View<3>& view,
-                   std::span<const std::uint32_t> triangles, std::uint32_t repeats);
+                   std::span<const std::uint32_t> triangles);
 
 private:
     SolidRenderer solids_;

@@ -13,15 +13,6 @@ namespace {
 
 std::string per_cent(double share) { return std::isnan(share) ? "none" : short_number(100 * share) + "%"; }
 
-template <int D>
-std::string progress_text(const Workbench<D>& bench) {
-    const FrontierStudy<D>& study = bench.frontier.study;
-    if (study.finished()) return "measured, all " + std::to_string(study.total());
-    const std::string count = std::to_string(study.done()) + " of " + std::to_string(study.total()) + " measured";
-    if (bench.frontier.stopped) return count + ", stopped";
-    return count + (stands_still(bench) ? "" : ", waiting until nothing moves");
-}
-
 }  // namespace
 
 template <int D>
@@ -31,13 +22,15 @@ std::vector<Row> frontier_rows(const Workbench<D>& bench) {
     if (!study.task().scene)
         return {{"Speed against accuracy of this scene: shown, the panel fills itself; frontier finish does it at once",
                  Tone::faint}};
-    std::vector<Row> rows{{bench.session.scene().id + ", " + frontier.path, Tone::heading}};
-    Row progress{progress_text(bench)};
+    std::vector<Row> rows{{study.task().scene->id + ", " + frontier.path, Tone::heading}};
+    Row progress{study.finished() ? "measured, all " + std::to_string(study.total())
+                                  : "measured: " + frontier_progress_text(bench)};
     if (!study.finished()) {
         progress.command = frontier.stopped ? "frontier go" : "frontier stop";
         progress.text += frontier.stopped ? " (click: go on)" : " (click: stop)";
     }
     rows.push_back(std::move(progress));
+    if (const std::string work = frontier_work_text(bench); !work.empty()) rows.push_back({work, Tone::faint});
     if (!frontier.word.empty()) rows.push_back({frontier.word, Tone::lit});
     const std::vector<std::size_t> front = frontier_front(bench);
     for (std::size_t i = 0; i < study.dots().size(); ++i) {

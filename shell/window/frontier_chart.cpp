@@ -38,9 +38,19 @@ void bar(Ui& ui, Workbench<D>& bench) {
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("what is measured stays");
         ImGui::SameLine();
         const std::size_t done = frontier.study.done(), total = frontier.study.total();
-        const std::string count = std::to_string(done) + " of " + std::to_string(total);
-        ImGui::ProgressBar(total > 0 ? static_cast<float>(done) / static_cast<float>(total) : 0, {-1, 0},
-                           count.c_str());
+        ImGui::ProgressBar(total > 0 ? static_cast<float>(done) / static_cast<float>(total) : 0, {-1, 0}, "");
+        // Over the whole bar: ImGui's own text walks along with it, and out of it.
+        const ImVec2 from = ImGui::GetItemRectMin(), to = ImGui::GetItemRectMax();
+        const std::string words = frontier_progress_text(bench);
+        const ImVec2 size = ImGui::CalcTextSize(words.c_str());
+        ImDrawList& list = *ImGui::GetWindowDrawList();
+        list.PushClipRect(from, to, true);
+        list.AddText({std::max(from.x + 4 * ui.unit, (from.x + to.x - size.x) / 2), (from.y + to.y - size.y) / 2},
+                     colour(theme::ink), words.c_str());
+        list.PopClipRect();
+        note_place(bench, "frontier progress");
+        if (const std::string work = frontier_work_text(bench); !work.empty() && ImGui::IsItemHovered())
+            ImGui::SetTooltip("%s", work.c_str());
     } else {
         if (ImGui::Button("anew")) wanted = "frontier anew";
         note_place(bench, "frontier anew");
@@ -84,10 +94,6 @@ void draw_dots(ImDrawList& list, const Ui& ui, const Workbench<D>& bench, const 
         std::vector<FrontierPlot::Dot> dots;
         for (const FrontierPlot::Dot& dot : plot.dots)
             if (study.dots()[dot.index].method == m) dots.push_back(dot);
-        std::stable_sort(dots.begin(), dots.end(), [&](const auto& a, const auto& b) {
-            const std::size_t all = study.task().scene->primitives.size();
-            return study.dots()[a.index].budget.primitives(all) < study.dots()[b.index].budget.primitives(all);
-        });
         const bool current = study.task().methods[m].id == bench.session.settings().method;
         for (std::size_t i = 0; i + 1 < dots.size(); ++i)
             list.AddLine(dots[i].at, dots[i + 1].at, method_colour(m), (current ? 3.0f : 1.5f) * ui.unit);
@@ -139,6 +145,9 @@ void key(const Ui& ui, const Workbench<D>& bench) {
               (methods[m].id == bench.session.settings().method ? 3.0f : 1.5f) * ui.unit);
     entry("Pareto front", colour(front_colour), 7 * ui.unit);
     ImGui::Dummy({1, at.y + 1.3f * text - from.y});
+    ImGui::PushStyleColor(ImGuiCol_Text, colour(theme::faint));
+    ImGui::TextWrapped("A dot is one budget, the ringed one yours. A click on a dot sets its method and budget.");
+    ImGui::PopStyleColor();
 }
 
 }  // namespace
@@ -157,8 +166,10 @@ void frontier_chart(Ui& ui, Workbench<D>& bench) {
     const FrontierPlot plot =
         frontier_plot(bench, {at.x + left, at.y + 1.3f * text, w - left - 6 * ui.unit, h - under - 1.3f * text});
     draw_axes(list, ui, plot);
-    small_text(list, ui, at.x, at.y, bench.frontier.shown == Measure::wrong ? "wrong pixels, %" : "coverage, %",
-               theme::ink);
+    small_text(
+        list, ui, at.x, at.y,
+        bench.frontier.shown == Measure::wrong ? "wrong pixels, %: less is better" : "coverage, %: more is better",
+        theme::ink);
     small_text(list, ui, at.x + w, at.y + h - 1.1f * text, frontier_time_text(bench), theme::ink, 1);
     if (plot.dots.empty())
         small_text(list, ui, plot.area.x + plot.area.w / 2, plot.area.y + plot.area.h / 2, "nothing measured yet",

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/number.h"
 
@@ -44,6 +45,12 @@ FrontierPlot frontier_plot(const Workbench<D>& bench, const Area& area) {
     const double under = 0.05 * top;  // dots on the axis stand inside
     const auto y = [&](double share) { return area.y + area.h * static_cast<float>((top - share) / (top + under)); };
     for (std::size_t i = 0; i < trades.size(); ++i) plot.dots[i].at = {x(trades[i].ms), y(trades[i].value)};
+    const auto place = [&](const FrontierPlot::Dot& dot) {
+        const FrontierDot& of = study.dots()[dot.index];
+        return std::pair(of.method, of.budget.primitives(study.task().scene->primitives.size()));
+    };
+    std::stable_sort(plot.dots.begin(), plot.dots.end(),
+                     [&](const auto& a, const auto& b) { return place(a) < place(b); });
     // 1, 2, 5, 10, or where that would be too many, powers of ten only.
     const bool decades = most / least > 300;
     for (double ms = round_below(least / 1.3); ms <= most * 1.3; ms = decades ? ms * 10 : next_round(ms)) {

@@ -22,7 +22,7 @@ struct FrontierPlot {
         std::string text;
     };
     Area area;
-    std::vector<Dot> dots;  ///< that have a value
+    std::vector<Dot> dots;  ///< that have a value; by method, then by budget, as a line joins them
     std::vector<Tick> times, shares;
 };
 
