@@ -67,13 +67,15 @@ std::optional<Change> change_of(const Row& a, const Row& b, Measure measure) {
     change.measure = measure;
     std::vector<double> differences;
     std::vector<std::size_t> at;
-    double sum_a = 0, sum_b = 0;
+    double sum_a = 0, sum_b = 0, squared_errors = 0;
+    const auto error = error_of(measure);
     for (std::size_t i = 0; i < a.frames.size(); ++i) {
         const auto found = std::find(b.frames.begin(), b.frames.end(), a.frames[i]);
         if (found == b.frames.end()) continue;
-        const double x = a.values[i][measure];
-        const double y = b.values[static_cast<std::size_t>(found - b.frames.begin())][measure];
+        const Values &of_a = a.values[i], &of_b = b.values[static_cast<std::size_t>(found - b.frames.begin())];
+        const double x = of_a[measure], y = of_b[measure];
         if (std::isnan(x) || std::isnan(y)) continue;
+        if (error) squared_errors += of_a[*error] * of_a[*error] + of_b[*error] * of_b[*error];
         differences.push_back(y - x);
         at.push_back(i);
         sum_a += x;
@@ -86,6 +88,10 @@ std::optional<Change> change_of(const Row& a, const Row& b, Measure measure) {
     change.b = sum_b / n;
     for (const double d : differences) change.mean += d / n;
     change.half_width = confidence_half_width(differences);
+    if (error && std::isnan(squared_errors) && differences.size() == 1)
+        change.half_width = std::numeric_limits<double>::infinity();  // timed once: nothing says how well
+    else if (error && !std::isnan(squared_errors))
+        change.half_width = std::max(change.half_width, t_95(2 * differences.size()) * std::sqrt(squared_errors) / n);
     const auto [least, most] = std::minmax_element(differences.begin(), differences.end());
     const std::size_t low = at[static_cast<std::size_t>(least - differences.begin())];
     const std::size_t high = at[static_cast<std::size_t>(most - differences.begin())];

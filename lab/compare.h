@@ -15,10 +15,13 @@ namespace sightline::lab {
 /// Paired over frames: b - a.
 struct Change {
     Measure measure = Measure::wrong;
-    double a = 0, b = 0;     ///< means over the frames that both have a value for
-    double mean = 0;         ///< of the differences
-    double half_width = 0;   ///< of the 95 % confidence interval of that mean (Student's t); 0 with identical frames
-    std::size_t frames = 0;  ///< pairs
+    double a = 0, b = 0;  ///< means over the frames that both have a value for
+    double mean = 0;      ///< of the differences
+    /// Of the 95 % confidence interval of that mean, over frames (confidence_half_width) or, for times, over repeats
+    /// where that is wider: t √(Σ e²) / n with the errors e of both sides, which have two degrees of freedom a frame at
+    /// least. Infinite for a single time that was taken once.
+    double half_width = 0;
+    std::size_t frames = 0;            ///< pairs
     std::size_t lost = 0, gained = 0;  ///< indices into the frames where b is worst and best against a
     /// Times of two runs: as much as the machine alone may have changed them (machine_change).
     double machine = 0;

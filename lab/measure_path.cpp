@@ -155,19 +155,26 @@ private:
                 Frame<D> frame = frame_of(m, i);
                 frame.budget = methods_[m].budgets[b].primitives;
                 State<D>& state = states_[m];
-                Values& values = now.methods[m].values[b];
-                values[Measure::traverse_ms] = time_traversal<D>(*methods_[m].method, frame, state, study_.repeats);
-                values[Measure::total_ms] = values[Measure::traverse_ms];
-                if constexpr (D == 3) {
-                    if (!instruments_.time_drawing) continue;
-                    rendered_ids(state, ids);
-                    const DrawTimes times =
-                        median_drawing(instruments_.time_drawing, lab_.scene, lab_.views[i], ids, study_.repeats);
-                    values[Measure::upload_ms] = times.upload;
-                    values[Measure::draw_ms] = times.draw;
-                    values[Measure::total_ms] += times.upload + times.draw;
+                TimeSamples times;
+                for (std::uint32_t repeat = 0; repeat <= study_.repeats; ++repeat) {
+                    const double ms = run_milliseconds<D>(*methods_[m].method, frame, state);
+                    if (repeat > 0) times.traverse.push_back(ms);
                 }
+                if constexpr (D == 3)
+                    if (instruments_.time_drawing) time_drawing(i, state, ids, times);
+                set_times(times, now.methods[m].values[b]);
             }
+    }
+
+    /// Draws what the state's run rendered, after once to warm up.
+    void time_drawing(std::uint32_t i, const State<3>& state, std::vector<std::uint32_t>& ids, TimeSamples& times) {
+        rendered_ids(state, ids);
+        for (std::uint32_t repeat = 0; repeat <= study_.repeats; ++repeat) {
+            const DrawTimes once = instruments_.time_drawing(lab_.scene, lab_.views[i], ids);
+            if (repeat == 0) continue;
+            times.upload.push_back(once.upload);
+            times.draw.push_back(once.draw);
+        }
     }
 
     std::vector<Row> empty_rows() const {

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "core/measure/frame_change.h"
+#include "core/measure/frame_clock.h"
 #include "core/measure/wrong_region.h"
 #include "tests/session_3d_support.h"
 #include "tests/session_support.h"
@@ -248,6 +249,26 @@ TEST(MeasureTable, HasARowForEachMeasureInItsPlace) {
         EXPECT_FALSE(row.formula.empty() || row.unit.empty() || row.title.empty() || row.source.empty()) << row.id;
         EXPECT_EQ(row.is_time, row.unit == "ms") << row.id;
     }
+}
+
+TEST(FrameClock, SumsUpRepeats) {
+    Values values;
+    set_times({{3, 1, 2}, {0.5, 0.1, 0.3}, {9, 9, 12}}, values);
+    EXPECT_EQ(values[M::traverse_ms], 2);
+    EXPECT_EQ(values[M::upload_ms], 0.3);
+    EXPECT_EQ(values[M::draw_ms], 9);
+    EXPECT_DOUBLE_EQ(values[M::total_ms], 11.3);
+    EXPECT_DOUBLE_EQ(values[M::traverse_error], 1 / std::sqrt(3));
+    EXPECT_DOUBLE_EQ(values[M::upload_error], 0.2 / std::sqrt(3));
+    EXPECT_DOUBLE_EQ(values[M::draw_error], std::sqrt(3.0) / std::sqrt(3));
+    EXPECT_DOUBLE_EQ(values[M::total_error], std::sqrt((1 + 0.04 + 3) / 3));
+    Values in_2d;
+    set_times({{4}, {}, {}}, in_2d);
+    EXPECT_EQ(in_2d[M::total_ms], 4);
+    EXPECT_TRUE(std::isnan(in_2d[M::draw_ms]) && std::isnan(in_2d[M::draw_error]));
+    EXPECT_TRUE(std::isnan(in_2d[M::traverse_error])) << "once says nothing of the error";
+    for (const MeasureRow& row : measure_table())
+        EXPECT_EQ(error_of(row.measure).has_value(), row.is_time && row.better == Better::lower) << row.id;
 }
 
 }  // namespace

@@ -75,6 +75,32 @@ TEST(LabCompare, PairsFrames) {
     EXPECT_FALSE(change_of(a, a, M::pop)) << "neither has it";
 }
 
+TEST(LabCompare, TimesAreHeldAgainstTheirRepeats) {
+    const auto timed = [](std::vector<double> ms, double error) {
+        Row row = row_of("layers", 1, std::vector<double>(ms.size(), 0.1));
+        for (std::size_t i = 0; i < ms.size(); ++i) {
+            row.values[i][M::total_ms] = ms[i];
+            row.values[i][M::total_error] = error;
+        }
+        return row;
+    };
+    const auto change = [&](const Row& a, const Row& b) { return *change_of(a, b, M::total_ms); };
+    // One frame: t(2) = 4.303 times the root of 0.3² + 0.4².
+    const Row one = timed({10}, 0.3);
+    EXPECT_NEAR(change(one, timed({11}, 0.4)).half_width, 4.303 * 0.5, 1e-12);
+    EXPECT_FALSE(change(one, timed({11}, 0.4)).significant());
+    EXPECT_TRUE(change(one, timed({13}, 0.4)).significant());
+    const double unknown = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_FALSE(change(timed({10}, unknown), timed({99}, unknown)).significant()) << "timed once";
+    // Four frames that all changed by the same: only the repeats say how well that is known; t(8) = 2.306.
+    const Row four = timed({10, 20, 30, 40}, 0.3);
+    EXPECT_NEAR(change(four, timed({11, 21, 31, 41}, 0.4)).half_width, 2.306 * std::sqrt(4 * 0.25) / 4, 1e-12);
+    // Frames that changed differently are noisier than the repeats.
+    const Row uneven = timed({10, 25, 20, 45}, 0.4);
+    EXPECT_DOUBLE_EQ(change(four, uneven).half_width, confidence_half_width({0, 5, -10, 5}));
+    EXPECT_TRUE(change_of(one, timed({11}, 0.4), M::wrong)->half_width == 0) << "numbers have no repeats";
+}
+
 /// How often, of 4000 times, the interval holds the mean of the normal numbers that the values were drawn from; each
 /// value resembles the one before by `correlation`.
 double held(std::size_t n, double correlation, Random& random) {

@@ -23,18 +23,13 @@ struct DrawTimes {
 using TimeDrawing = std::function<DrawTimes(const std::shared_ptr<const Scene<3>>& scene, const View<3>& view,
                                             std::span<const std::uint32_t> triangles)>;
 
-/// Medians of `repeats` such drawings after one to warm up.
-inline DrawTimes median_drawing(const TimeDrawing& time_drawing, const std::shared_ptr<const Scene<3>>& scene,
-                                const View<3>& view, std::span<const std::uint32_t> triangles, std::uint32_t repeats) {
-    std::vector<double> uploads, draws;
-    for (std::uint32_t i = 0; i <= repeats; ++i) {
-        const DrawTimes times = time_drawing(scene, view, triangles);
-        if (i == 0) continue;
-        uploads.push_back(times.upload);
-        draws.push_back(times.draw);
-    }
-    return {median(std::move(uploads)), median(std::move(draws))};
-}
+/// What was timed of one frame, milliseconds each; a value per repeat.
+struct TimeSamples {
+    std::vector<double> traverse, upload, draw;  ///< upload and draw are empty in 2D
+};
+
+/// Sets the times of a frame: medians, their sum, and the standard errors of the samples' means.
+void set_times(const TimeSamples& samples, Values& values);
 
 /// Milliseconds of starting and running the method to the frame's budget, unrecorded. `state` is reused from frame to
 /// frame, as a flight does; it ends as the run leaves it.
@@ -44,17 +39,6 @@ double run_milliseconds(const Method<D>& method, const Frame<D>& frame, State<D>
     method.start(frame, state);
     method.run(frame, state, none);
     return stopwatch.milliseconds();
-}
-
-/// Median of `repeats` such runs after one to warm up.
-template <int D>
-double time_traversal(const Method<D>& method, const Frame<D>& frame, State<D>& state, std::uint32_t repeats) {
-    std::vector<double> times;
-    for (std::uint32_t i = 0; i <= repeats; ++i) {
-        const double time = run_milliseconds(method, frame, state);
-        if (i > 0) times.push_back(time);
-    }
-    return median(std::move(times));
 }
 
 /// The primitives that a state's run has rendered, in their order.

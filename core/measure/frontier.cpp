@@ -134,7 +134,7 @@ void FrontierStudy<D>::measure(const FrontierDot& dot) {
     work_->values = frame_numbers(*work_->run, truth_, budget, rendered, wrong, std::nullopt);
     work_->budget = dot.budget;
     work_->samples = 0;
-    for (auto* times : {&work_->traverse, &work_->upload, &work_->draw}) times->clear();
+    work_->times = {};
 }
 
 /// One sample: of the traversal, then of drawing what it left, each after one to warm up. The last one completes the
@@ -147,22 +147,17 @@ void FrontierStudy<D>::take_time(FrontierDot& dot) {
     if (sample <= repeats) {
         work.frame.budget = primitives(dot.budget);
         const double ms = run_milliseconds(task_.methods[dot.method], work.frame, state_);
-        if (sample > 0) work.traverse.push_back(ms);
+        if (sample > 0) work.times.traverse.push_back(ms);
         if (sample == repeats) rendered_ids(state_, ids_);
     } else if constexpr (D == 3) {
         const DrawTimes times = task_.time_drawing(task_.scene, task_.views[work.view], ids_);
         if (sample > repeats + 1) {
-            work.upload.push_back(times.upload);
-            work.draw.push_back(times.draw);
+            work.times.upload.push_back(times.upload);
+            work.times.draw.push_back(times.draw);
         }
     }
     if (work.samples < (drawn ? 2 : 1) * (repeats + 1)) return;
-    double total = work.values[Measure::traverse_ms] = median(work.traverse);
-    if (drawn) {
-        total += work.values[Measure::upload_ms] = median(work.upload);
-        total += work.values[Measure::draw_ms] = median(work.draw);
-    }
-    work.values[Measure::total_ms] = total;
+    set_times(work.times, work.values);
     dot.frames.push_back(work.values);
     work.budget.reset();
 }

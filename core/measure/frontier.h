@@ -73,7 +73,7 @@ private:
         std::optional<Budget> budget{};
         Values values{};
         std::uint32_t samples = 0;  ///< taken, those to warm up included
-        std::vector<double> traverse{}, upload{}, draw{};
+        TimeSamples times{};
     };
     void make_truth(std::size_t view);
     void measure(const FrontierDot& dot);

@@ -53,6 +53,14 @@ constexpr std::array<MeasureRow, measure_count> table{{
      Better::lower, true},
     {total_ms, "total_ms", "time per frame", "ms", "traversal + upload + drawing", "TVCG 4.4", Better::lower, true,
      true},
+    {traverse_error, "traverse_error_ms", "error of the traversal", "ms",
+     "s / √r of the r repeats, s being their standard deviation", "docs/measuring.md", Better::neither, true},
+    {upload_error, "upload_error_ms", "error of the upload", "ms", "s / √r of the r repeats", "docs/measuring.md",
+     Better::neither, true},
+    {draw_error, "draw_error_ms", "error of the drawing", "ms", "s / √r of the r repeats", "docs/measuring.md",
+     Better::neither, true},
+    {total_error, "total_error_ms", "error of the time per frame", "ms",
+     "root of the sum of the squares of the three errors", "docs/measuring.md", Better::neither, true},
 }};
 
 }  // namespace
@@ -60,5 +68,20 @@ constexpr std::array<MeasureRow, measure_count> table{{
 std::span<const MeasureRow> measure_table() { return table; }
 
 const MeasureRow& measure_row(Measure measure) { return table[static_cast<std::size_t>(measure)]; }
+
+std::optional<Measure> error_of(Measure time) {
+    switch (time) {
+        case traverse_ms:
+            return traverse_error;
+        case upload_ms:
+            return upload_error;
+        case draw_ms:
+            return draw_error;
+        case total_ms:
+            return total_error;
+        default:
+            return std::nullopt;
+    }
+}
 
 }  // namespace sightline

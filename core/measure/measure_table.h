@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -35,6 +36,10 @@ enum class Measure : std::uint8_t {
     upload_ms,
     draw_ms,
     total_ms,
+    traverse_error,
+    upload_error,
+    draw_error,
+    total_error,
     count
 };
 
@@ -65,5 +70,8 @@ struct MeasureRow {
 /// A row per measure, in their order.
 std::span<const MeasureRow> measure_table();
 const MeasureRow& measure_row(Measure measure);
+
+/// The measure that says how far the repeats of a time lie apart; nothing for what is no time.
+std::optional<Measure> error_of(Measure time);
 
 }  // namespace sightline

@@ -13,6 +13,15 @@ double median(std::vector<double> values) {
     return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
 }
 
+double standard_error(std::span<const double> values) {
+    if (values.size() < 2) return std::numeric_limits<double>::quiet_NaN();
+    const auto n = static_cast<double>(values.size());
+    double mean = 0, squares = 0;
+    for (const double v : values) mean += v / n;
+    for (const double v : values) squares += (v - mean) * (v - mean);
+    return std::sqrt(squares / (n - 1) / n);
+}
+
 double summary(std::span<const Values> frames, Measure measure) {
     std::vector<double> values;
     for (const Values& v : frames)

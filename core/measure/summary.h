@@ -13,6 +13,9 @@ namespace sightline {
 /// NaN of nothing.
 double median(std::vector<double> values);
 
+/// s / sqrt(n), s with n - 1; NaN for fewer than two values.
+double standard_error(std::span<const double> values);
+
 /// The mean over frames, the median for times; frames without a value are left out. NaN where none has one.
 double summary(std::span<const Values> frames, Measure measure);
 
