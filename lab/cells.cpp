@@ -22,7 +22,7 @@ bool at_least_as_good(Measure measure, double value, double target) {
 
 }  // namespace
 
-std::vector<double> default_error_bounds() { return {0.4, 0.28, 0.2, 0.14, 0.1, 0.07, 0.05, 0.035, 0.025}; }
+std::vector<double> default_error_bounds() { return {0.8, 0.4, 0.2, 0.1, 0.05, 0.025}; }
 
 Study sweep_study(Study study, std::vector<double> error_bounds) {
     std::erase_if(study.methods, [](const MethodChoice& choice) { return !orders_cells(choice.id); });
@@ -60,6 +60,13 @@ std::size_t knee(const CellsCurve& curve, Measure measure, double within) {
         any = true;
     }
     return found;
+}
+
+std::string knee_text(const CellsCurve& curve, std::size_t knee) {
+    const std::uint32_t cells = curve.points[knee].row.cells;
+    const bool coarsest = std::none_of(curve.points.begin(), curve.points.end(),
+                                       [&](const CellsPoint& point) { return point.row.cells < cells; });
+    return std::to_string(cells) + " cells" + (coarsest ? ", the coarsest that was tried" : "");
 }
 
 std::size_t complexity(const MethodChoice& method) {

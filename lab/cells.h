@@ -23,7 +23,7 @@ struct CellsCurve {
     std::vector<CellsPoint> points;
 };
 
-/// Error bounds that are swept unless others are asked for: each about 0.7 of the one before.
+/// Error bounds that are swept unless others are asked for: each half of the one before, as the sides of leaves are.
 std::vector<double> default_error_bounds();
 
 /// The study of a sweep: its approximate methods that order cells, at these error bounds from coarse to fine.
@@ -35,6 +35,9 @@ std::vector<CellsCurve> curves_of(const Results& results);
 /// The coarsest point (fewest cells) whose mean `measure` is at most `within` worse than the best of the curve; index
 /// into points. 0 for an empty curve or one without values.
 std::size_t knee(const CellsCurve& curve, Measure measure, double within);
+
+/// Like "380 cells, the coarsest that was tried": of the knee; nothing says that fewer would not do.
+std::string knee_text(const CellsCurve& curve, std::size_t knee);
 
 /// Methods from simple to elaborate: no order, sorted primitives, layers, then the others in the order of the table.
 std::size_t complexity(const MethodChoice& method);

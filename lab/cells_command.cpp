@@ -24,12 +24,13 @@ Measure measure_named(const std::string& id) {
 
 /// Writes the settings of a knee and says so.
 void write_knee(const CellsCurve& curve, Measure measure, double within, const std::filesystem::path& folder) {
-    const CellsPoint& point = curve.points[knee(curve, measure, within)];
+    const std::size_t at = knee(curve, measure, within);
+    const CellsPoint& point = curve.points[at];
     const std::filesystem::path file =
         folder / (file_stem(curve.scene + "-" + method_text(curve.method) + "-" + curve.budget) + ".settings.json");
     write_file(file, knee_settings(curve, measure, within));
     std::cout << curve.scene << ", " << method_text(curve.method) << " " << curve.budget << ": error bound "
-              << short_number(point.error_bound) << ", " << point.row.cells << " cells, " << measure_row(measure).title
+              << short_number(point.error_bound) << ", " << knee_text(curve, at) << ", " << measure_row(measure).title
               << " " << short_number(summary(point.row, measure)) << "; --settings " << file.string() << "\n";
 }
 

@@ -51,7 +51,7 @@ std::string table_of(const CellsCurve& curve, Measure measure, double within) {
                 cell(number(summary(row, Measure::traverse_ms))) + cell(number(summary(row, Measure::total_ms))) +
                 cell(i == at ? "knee" : "", true) + "</tr>";
     }
-    return html + "</table>";
+    return html + "</table><p>Knee: " + knee_text(curve, at) + ".</p>";
 }
 
 /// Curves of one scene, path and budget, in their order.
@@ -97,8 +97,9 @@ void write_cells_report(const std::vector<CellsCurve>& curves, Measure measure, 
 }
 
 std::string knee_settings(const CellsCurve& curve, Measure measure, double within) {
-    const CellsPoint& point = curve.points[knee(curve, measure, within)];
-    const std::string why = "The fewest cells (" + std::to_string(point.row.cells) + ") with " +
+    const std::size_t at = knee(curve, measure, within);
+    const CellsPoint& point = curve.points[at];
+    const std::string why = "The fewest cells (" + knee_text(curve, at) + ") with " +
                             std::string(measure_row(measure).title) + " within " + short_number(within) +
                             " of the best error bound tried, on " + curve.scene + ", path " + curve.path + ", budget " +
                             curve.budget + ".";

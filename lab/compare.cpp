@@ -58,8 +58,8 @@ double confidence_half_width(const std::vector<double>& values) {
     }
     if (squares == 0) return 0;
     const double r = std::max(neighbours / squares, 0.0);
-    const double count = std::max(n * (1 - r) / (1 + r), 2.0);
-    return t_95(static_cast<std::size_t>(count) - 1) * std::sqrt(squares / (n - 1) / count);
+    const double count = std::max(n * (1 - r) / (1 + r), 1.0);
+    return t_95(values.size() - 1) * std::sqrt(squares / (n - 1) / count);
 }
 
 std::optional<Change> change_of(const Row& a, const Row& b, Measure measure) {

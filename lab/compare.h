@@ -49,9 +49,9 @@ std::vector<Pair> compare_results(const Results& a, const Results& b);
 /// Rows of one study, by two of its methods. Throws InputError when one of them is not in it.
 std::vector<Pair> compare_methods(const Results& results, const MethodChoice& a, const MethodChoice& b);
 
-/// Half of the width of the 95 % interval of the mean of values in the order of frames: t(m - 1) s / sqrt(m). Frames
-/// that follow one another resemble each other, so they count as m = n (1 - r) / (1 + r) of them, but at least 2, with
-/// r the correlation of neighbours (0 where it is negative). 0 for fewer than two values.
+/// Half of the width of the 95 % interval of the mean of values in the order of frames: t(n - 1) s / sqrt(m). Frames
+/// that follow one another resemble each other, so they count as m = n (1 - r) / (1 + r) of them, with r the
+/// correlation of neighbours (0 where it is negative). 0 for fewer than two values.
 double confidence_half_width(const std::vector<double>& values);
 
 /// Nothing where the frames have no such measure in common.

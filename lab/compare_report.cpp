@@ -174,7 +174,7 @@ void write_comparison(const Comparison& comparison, const std::vector<SideBySide
                     cell(signed_text(c.measure, c.mean)) + cell(value_text(c.measure, c.half_width)) + "<td class='t " +
                     (says == "better"  ? "holds"
                      : says == "worse" ? "not"
-                                       : "") +
+                                       : "noise") +
                     "'>" + says + "</td>" + cell(std::to_string(pair.a->frames[c.lost])) +
                     cell(std::to_string(pair.a->frames[c.gained])) + "</tr>";
             one["changes"].push_back({{"measure", m.id},

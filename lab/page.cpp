@@ -23,7 +23,7 @@ th { background: #f3f5f9; } td.t, th.t { text-align: left; }
 figure { margin: 1rem 0; } figure img { width: 100%; } figcaption { color: #445; font-size: 13.5px; }
 .pictures { display: grid; grid-template-columns: 1fr 1fr; gap: 1rem; } .pictures img { width: 100%; border: 1px solid #ccd; }
 code { font-size: 12.5px; background: #f3f5f9; padding: .1rem .3rem; overflow-wrap: anywhere; }
-.holds { color: #00713a; } .not { color: #b3261e; font-weight: bold; }
+.holds, .not, .noise { white-space: nowrap; } .holds { color: #00713a; } .not { color: #b3261e; font-weight: bold; }
 .waits { color: #667; } .surprise { color: #fff; background: #b3261e; font-weight: bold; padding: 0 .3rem; }
 section { break-inside: avoid; margin-top: 2.4rem; } p.look { margin-bottom: 0; }
 .matrix th, .matrix td { padding: .1rem .45rem; } .matrix thead th { position: sticky; top: 0; }

@@ -71,7 +71,10 @@ Row read_row(const Json& json) {
     row.frames = json.at("per_frame").at("frame").get<std::vector<std::uint32_t>>();
     row.values.resize(row.frames.size());
     for (const MeasureRow& m : measure_table()) {
-        const Json& all = json.at("per_frame").at(std::string(m.id));
+        const Json& per_frame = json.at("per_frame");
+        const auto found = per_frame.find(std::string(m.id));
+        if (found == per_frame.end()) continue;  // older than the measure
+        const Json& all = *found;
         for (std::size_t i = 0; i < row.values.size(); ++i)
             if (!all.at(i).is_null()) row.values[i][m.measure] = all.at(i);
     }
@@ -154,7 +157,7 @@ Results read_results(std::string_view text, const std::string& name) {
         if (json.at("format") != "sightline-results") throw InputError(name + ": format: not sightline-results");
         if (json.at("version") != 1) throw InputError(name + ": version: only 1 can be read");
         const Json& c = json.at("conditions");
-        results.conditions = {c.at("study").dump(), c.at("build"),    c.at("program"),
+        results.conditions = {c.at("study").dump(), c.at("build"),    c.value("program", ""),
                               c.at("machine"),      c.at("renderer"), c.at("date")};
         for (const Json& row : json.at("rows")) results.rows.push_back(read_row(row));
     } catch (const Json::exception& error) {

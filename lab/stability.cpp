@@ -131,12 +131,12 @@ private:
         const auto spots = static_cast<double>(lab_.specs.size()), samples = spots * options_.repeats;
         std::vector<Stage> all;
         for (const double amount : {1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2})
-            all.push_back({"eye moved by " + short_number(amount), samples, [=, this] { move_eye(amount); }});
+            all.push_back({"eye moved by " + amount_text(amount), samples, [=, this] { move_eye(amount); }});
         all.push_back({"other orders of the primitives", samples, [this] {
                            for (std::uint32_t i = 0; i < options_.repeats; ++i) shuffle();
                        }});
         for (const double factor : {0x1p-20, 0x1p-1, 0x1p1, 0x1p20, 1e-6, 1e6})
-            all.push_back({"everything times " + short_number(factor), spots,
+            all.push_back({"everything times " + amount_text(factor), spots,
                            [=, this] { transform(Disturbance::scale, factor, factor, 0); }});
         all.push_back({"everything moved by 1e6", spots, [this] { transform(Disturbance::offset, 1e6, 1, 1e6); }});
         all.push_back({"other jitter seeds", samples, [this] {
@@ -357,6 +357,12 @@ private:
 };
 
 }  // namespace
+
+std::string amount_text(double amount) {
+    int exponent = 0;
+    const bool is_power = std::frexp(amount, &exponent) == 0.5;
+    return is_power && std::abs(exponent - 1) > 4 ? "2^" + std::to_string(exponent - 1) : number_text(amount);
+}
 
 template <int D>
 std::vector<StabilityRow> measure_stability(const LabScene<D>& lab, const Study& study, const StabilityOptions& options,

@@ -25,6 +25,9 @@ enum class Disturbance : std::uint8_t {
 inline constexpr auto disturbance_words =
     std::to_array<std::string_view>({"eye", "shuffle", "scale", "offset", "jitter", "grazing"});
 
+/// Like "2^-20", "0.1" or "1e-09".
+std::string amount_text(double amount);
+
 /// One disturbance of one amount, over frames and repetitions.
 struct StabilityRow {
     std::string scene, path;

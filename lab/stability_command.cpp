@@ -97,7 +97,7 @@ int stability_command(int argc, const char* const* argv) {
     say("");
     for (const StabilityRow& row : rows)
         std::cout << row.scene << "  " << method_text(row.method) << " " << row.budget << "  "
-                  << disturbance_words[static_cast<std::size_t>(row.disturbance)] << " " << short_number(row.amount)
+                  << disturbance_words[static_cast<std::size_t>(row.disturbance)] << " " << amount_text(row.amount)
                   << ": Jaccard " << short_number(row.jaccard, 4) << " (exact set "
                   << short_number(row.visible_jaccard, 4) << "), coverage changes by "
                   << short_number(100 * row.coverage_change) << " %" << (row.equal ? ", same order" : "")

@@ -45,10 +45,10 @@ Json rows_json(const std::vector<StabilityRow>& rows) {
 
 /// What was done, in words.
 std::string what(const StabilityRow& row) {
-    const std::string amount = short_number(row.amount);
+    const std::string amount = amount_text(row.amount);
     switch (row.disturbance) {
         case Disturbance::eye:
-            return "eye moved by " + amount + " of the scene's size";
+            return "eye moved by " + amount;
         case Disturbance::shuffle:
             return "primitives in another order";
         case Disturbance::scale:
@@ -189,7 +189,7 @@ void write_stability(const Conditions& conditions, const std::vector<StabilityRo
     std::string html =
         "<p>The set of primitives that a budget renders, before and after something that should not matter. Jaccard is "
         "|T ∩ T'| / |T ∪ T'|: 1 means the same set. Scaling by powers of two must keep the order bit by bit; NaN and "
-        "infinite keys must not occur.</p>";
+        "infinite keys must not occur. The eye moves by so much of the scene's longest side.</p>";
     for (const auto& [key, group] : groups) {
         html += "<h2>" + escaped(key.scene + ", path " + key.path + ", budget " + key.budget) + "</h2>";
         for (const bool coverage : {false, true}) {

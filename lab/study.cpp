@@ -99,7 +99,7 @@ Study read_study(std::string_view text) {
         study.frames = json.at("frames");
         study.settings = json.at("settings").get<std::vector<std::string>>();
         study.repeats = json.at("repeats");
-        study.error_bounds = json.at("error_bounds").get<std::vector<double>>();
+        study.error_bounds = json.value("error_bounds", std::vector<double>());
         Settings settings;
         apply_setting(settings, "reference_size=" + json.at("size").get<std::string>());
         study.size = settings.reference_size;

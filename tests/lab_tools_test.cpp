@@ -209,6 +209,8 @@ TEST(LabCells, TheKneeIsTheCoarsestThatWillDo) {
     EXPECT_EQ(knee(curve, M::wrong, 0.02), 1u) << "although the next finer one is worse";
     EXPECT_EQ(knee(curve, M::coverage, 0.02), 1u);
     EXPECT_EQ(knee(curve, M::wrong, 1), 0u);
+    EXPECT_EQ(knee_text(curve, 0), "10 cells, the coarsest that was tried");
+    EXPECT_EQ(knee_text(curve, 1), "50 cells");
     const auto settings = read_settings(knee_settings(curve, M::wrong, 0.02), "knee");
     EXPECT_EQ(settings,
               (std::vector<std::string>{"method=layers", "budget=5%", "tessellation=delaunay", "error_bound=0.25"}));
