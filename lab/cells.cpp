@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "core/traversal/methods.h"
 
@@ -29,6 +30,11 @@ Study sweep_study(Study study, std::vector<double> error_bounds) {
     std::sort(error_bounds.rbegin(), error_bounds.rend());
     error_bounds.erase(std::unique(error_bounds.begin(), error_bounds.end()), error_bounds.end());
     study.error_bounds = std::move(error_bounds);
+    return study;
+}
+
+Study cell_free_study(Study study) {
+    std::erase_if(study.methods, [](const MethodChoice& choice) { return orders_cells(choice.id); });
     return study;
 }
 
@@ -89,7 +95,7 @@ const Row* simplest(const std::vector<const Row*>& rows, Measure measure, double
     };
     for (const Row* row : rows) {
         if (!at_least_as_good(measure, summary(*row, measure), target)) continue;
-        const auto key = [&](const Row& r) { return std::pair(complexity(r.method), cost(r)); };
+        const auto key = [&](const Row& r) { return std::tuple(complexity(r.method), r.cells, cost(r)); };
         if (!found || key(*row) < key(*found)) found = row;
     }
     return found;

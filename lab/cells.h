@@ -29,7 +29,10 @@ std::vector<double> default_error_bounds();
 /// The study of a sweep: its approximate methods that order cells, at these error bounds from coarse to fine.
 Study sweep_study(Study study, std::vector<double> error_bounds);
 
-/// The rows of such a study: a curve per scene, path, method and budget, in their order.
+/// The study of its methods that need no cells, which no error bound changes.
+Study cell_free_study(Study study);
+
+/// The rows of a sweep: a curve per scene, path, method and budget, in their order.
 std::vector<CellsCurve> curves_of(const Results& results);
 
 /// The coarsest point (fewest cells) whose mean `measure` is at most `within` worse than the best of the curve; index
@@ -43,7 +46,8 @@ std::string knee_text(const CellsCurve& curve, std::size_t knee);
 std::size_t complexity(const MethodChoice& method);
 
 /// The simplest row whose mean `measure` reaches `target` (at most or at least, as the measure is better); of equally
-/// simple ones the fastest, or without times the one that renders least. nullptr when none does.
+/// simple methods that with the fewest cells, then the fastest, or without times the one that renders least. nullptr
+/// when none does.
 const Row* simplest(const std::vector<const Row*>& rows, Measure measure, double target);
 
 }  // namespace sightline::lab

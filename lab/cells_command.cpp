@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <iostream>
 
 #include "core/error.h"
 #include "core/file.h"
 #include "core/number.h"
+#include "core/traversal/methods.h"
 #include "lab/cells_report.h"
 #include "lab/chart.h"
 #include "lab/command.h"
@@ -34,6 +36,15 @@ void write_knee(const CellsCurve& curve, Measure measure, double within, const s
               << " " << short_number(summary(point.row, measure)) << "; --settings " << file.string() << "\n";
 }
 
+/// Empty for a method that needs none.
+std::string on_cells(const Row& row) {
+    const auto table = method_table<3>();
+    const auto method =
+        std::find_if(table.begin(), table.end(), [&](const Method<3>& m) { return m.id == row.method.id; });
+    if (method == table.end() || !method->orders_cells) return {};
+    return ", " + std::to_string(row.cells) + " cells (error bound " + short_number(row.error_bound) + ")";
+}
+
 }  // namespace
 
 int cells_command(int argc, const char* const* argv) {
@@ -42,7 +53,7 @@ int cells_command(int argc, const char* const* argv) {
         "lab cells"};
     StudyOptions options;
     options.budgets = {"5%"};
-    options.methods = {"published", "layers"};
+    options.methods = {"published", "layers", "centroid", "view"};
     add_study_options(app, options);
     std::vector<double> bounds = default_error_bounds();
     std::string measure_id = "wrong", out = "out/cells";
@@ -59,11 +70,18 @@ int cells_command(int argc, const char* const* argv) {
     app.add_option("--out", out, "folder of the results")->capture_default_str();
     if (!parse(app, argc, argv)) return 0;
     const Measure measure = measure_named(measure_id);
-    const Study study = sweep_study(study_of(options), bounds);
+    const Study asked = study_of(options), study = sweep_study(asked, bounds), cell_free = cell_free_study(asked);
     if (study.methods.empty()) throw InputError("lab cells: none of these methods orders cells");
     LabGraphics graphics;
     note_interrupts();
     const Results results = run_study(study, out, graphics, {.say = say, .stopped = interrupted});
+    Results simple = results;
+    if (reach && !cell_free.methods.empty() && !interrupted()) {
+        const std::filesystem::path folder = std::filesystem::path(out) / "without-cells";
+        const Results others = run_study(cell_free, folder, graphics, {.say = say, .stopped = interrupted});
+        write_results(others, folder);
+        simple.rows.insert(simple.rows.end(), others.rows.begin(), others.rows.end());
+    }
     if (interrupted()) return stopped();
     const std::vector<CellsCurve> curves = curves_of(results);
     write_results(results, out);
@@ -72,11 +90,11 @@ int cells_command(int argc, const char* const* argv) {
     say("");
     for (const CellsCurve& curve : curves) write_knee(curve, measure, within, out);
     if (reach)
-        for (const Group& group : groups(results)) {
+        for (const Group& group : groups(simple)) {
             const Row* found = simplest(group.rows, measure, *reach);
             std::cout << group.scene << ": "
-                      << (found ? "the simplest that reaches it is " + method_text(found->method) + " " +
-                                      found->budget + " with " + std::to_string(found->cells) + " cells"
+                      << (found ? "the simplest that reaches it is " + method_text(found->method) + ", budget " +
+                                      found->budget + on_cells(*found)
                                 : std::string("nothing that was tried reaches it"))
                       << "\n";
         }

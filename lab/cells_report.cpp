@@ -6,7 +6,7 @@
 #include "core/file.h"
 #include "core/number.h"
 #include "core/settings/settings_file.h"
-#include "lab/chart.h"
+#include "lab/method_looks.h"
 #include "lab/page.h"
 
 namespace sightline::lab {
@@ -22,12 +22,10 @@ Chart chart_of(const std::vector<const CellsCurve*>& curves, Measure measure, do
     chart.y = std::string(measure_row(measure).title) + ", " + (share ? "%" : std::string(measure_row(measure).unit));
     chart.log_x = true;
     Series marks{"knee", Series::Look::dots, "#000000", 2, {}, {}};
-    for (std::size_t i = 0; i < curves.size(); ++i) {
-        const CellsCurve& curve = *curves[i];
-        Series s;
-        s.name = method_text(curve.method);
-        s.colour = series_colour(i);
-        if (curve.method.tessellation == Tessellation::tree) s.look = Series::Look::dashed_and_rings;
+    MethodLooks looks;
+    for (const CellsCurve* at : curves) {
+        const CellsCurve& curve = *at;
+        Series s = looks.series(curve.method);
         for (const CellsPoint& point : curve.points)
             s.points.push_back({static_cast<double>(point.row.cells), summary(point.row, measure) * (share ? 100 : 1)});
         if (knees) marks.points.push_back(s.points[knee(curve, measure, within)]);

@@ -340,6 +340,7 @@ private:
             double squares = 0;
             for (const double c : sum.coverages) squares += (c - mean) * (c - mean);
             row.coverage_spread = std::sqrt(squares / n);
+            if (disturbance == Disturbance::grazing) row.sweep = sum.coverages;
             all.push_back(std::move(row));
         }
         return all;

@@ -42,6 +42,7 @@ struct StabilityRow {
     double visible_jaccard = 1;           ///< of the exact sets: what explains a change; 1 where V is the same
     bool equal = true;                    ///< the same primitives in the same order in every sample
     std::size_t not_finite = 0;           ///< keys that are NaN or infinite, in all samples
+    std::vector<double> sweep{};          ///< grazing: coverage at each view, `amount` degrees apart, up to 1°
 };
 
 struct StabilityOptions {

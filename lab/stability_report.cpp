@@ -2,14 +2,12 @@
 #include "lab/stability_report.h"
 
 #include <algorithm>
-#include <cmath>
-#include <map>
 #include <nlohmann/json.hpp>
 
 #include "core/file.h"
 #include "core/number.h"
-#include "lab/chart.h"
 #include "lab/page.h"
+#include "lab/stability_charts.h"
 
 namespace sightline::lab {
 
@@ -39,7 +37,8 @@ Json rows_json(const std::vector<StabilityRow>& rows) {
                        {"coverage_change", row.coverage_change},
                        {"coverage_spread", row.coverage_spread},
                        {"equal", row.equal},
-                       {"not_finite", row.not_finite}});
+                       {"not_finite", row.not_finite},
+                       {"sweep", row.sweep}});
     return all;
 }
 
@@ -61,42 +60,6 @@ std::string what(const StabilityRow& row) {
             return "past a wall in steps of " + amount + "°";
     }
     return {};
-}
-
-struct Key {
-    std::string scene, path, budget;
-    auto operator<=>(const Key&) const = default;
-};
-
-/// Curves over the distance that the eye moves: a line per method, grey for what the exact set explains.
-Chart eye_chart(const Key& key, const std::vector<const StabilityRow*>& rows, bool coverage) {
-    Chart chart;
-    chart.title =
-        key.scene + ", path " + key.path + ", budget " + key.budget +
-        (coverage ? ": change of coverage when the eye moves" : ": change of what is rendered when the eye moves");
-    chart.x = "distance, of the scene's longest side";
-    chart.y = coverage ? "mean |coverage - coverage'|, %" : "1 - Jaccard of the rendered sets, %";
-    chart.log_x = true;
-    std::map<std::string, std::size_t> of_method;
-    Series exact{"exact set", Series::Look::dashed, "#888888", 3, {}, {}};
-    std::map<std::string, std::size_t> colours;
-    for (const StabilityRow* row : rows) {
-        if (row->disturbance != Disturbance::eye) continue;
-        const std::string method = method_text(row->method);
-        const auto [at, is_new] = of_method.try_emplace(method, chart.series.size());
-        if (is_new) {
-            Series s;
-            s.name = method;
-            s.colour = series_colour(colours.try_emplace(row->method.id, colours.size()).first->second);
-            if (row->method.tessellation == Tessellation::tree) s.look = Series::Look::dashed_and_rings;
-            chart.series.push_back(std::move(s));
-        }
-        const double y = coverage ? row->coverage_change : 1 - row->jaccard;
-        chart.series[at->second].points.push_back({row->amount, 100 * y});
-        if (at->second == 0) exact.points.push_back({row->amount, 100 * (1 - row->visible_jaccard)});
-    }
-    if (!coverage) chart.series.push_back(std::move(exact));
-    return chart;
 }
 
 std::string table(const std::vector<const StabilityRow*>& rows) {
@@ -166,6 +129,7 @@ std::vector<StabilityRow> read_stability_rows(const std::string& text) {
         row.coverage_spread = json.at("coverage_spread");
         row.equal = json.at("equal");
         row.not_finite = json.at("not_finite");
+        row.sweep = json.at("sweep").get<std::vector<double>>();
     }
     return rows;
 }
@@ -184,24 +148,17 @@ void write_stability(const Conditions& conditions, const std::vector<StabilityRo
     std::filesystem::create_directories(folder / "charts");
     write_file(folder / "stability.json", stability_json(conditions, rows));
     write_file(folder / "stability.csv", stability_csv(rows));
-    std::map<Key, std::vector<const StabilityRow*>> groups;
-    for (const StabilityRow& row : rows) groups[{row.scene, row.path, row.budget}].push_back(&row);
     std::string html =
         "<p>The set of primitives that a budget renders, before and after something that should not matter. Jaccard is "
         "|T ∩ T'| / |T ∪ T'|: 1 means the same set. Scaling by powers of two must keep the order bit by bit; NaN and "
         "infinite keys must not occur. The eye moves by so much of the scene's longest side.</p>";
-    for (const auto& [key, group] : groups) {
-        html += "<h2>" + escaped(key.scene + ", path " + key.path + ", budget " + key.budget) + "</h2>";
-        for (const bool coverage : {false, true}) {
-            const std::string stem = file_stem("stability-" + key.scene + "-" + key.path + "-" + key.budget +
-                                               (coverage ? "-coverage" : "-rendered"));
-            const std::filesystem::path file = folder / "charts" / stem;
-            write_chart(eye_chart(key, group, coverage), file);
-            html += picture(file.string() + ".svg",
-                            coverage ? "How far a small step of the eye changes what is found."
-                                     : "Grey is what the exact set itself changes: a line above it is instability.");
+    for (const StabilityGroup& group : stability_groups(rows)) {
+        html += "<h2>" + escaped(group.scene + ", path " + group.path + ", budget " + group.budget) + "</h2>";
+        for (const NamedChart& chart : stability_charts(group, along_path)) {
+            write_chart(chart.chart, folder / "charts" / chart.id);
+            html += picture(folder / "charts" / (chart.id + ".svg"), escaped(chart.text));
         }
-        html += table(group);
+        html += table(group.rows);
     }
     write_file(folder / "stability.html", page("Stability", html + path_table(along_path)));
 }

@@ -7,6 +7,7 @@
 
 #include "core/measure/summary.h"
 #include "core/number.h"
+#include "lab/method_looks.h"
 
 namespace sightline::lab {
 
@@ -30,23 +31,6 @@ std::vector<std::vector<const Row*>> by_method(const Group& group) {
     return methods;
 }
 
-/// A colour per method, dashes and rings on the leaves of a tree.
-class Looks {
-public:
-    Series series(const MethodChoice& method) {
-        const auto [at, is_new] = index_.try_emplace(method.id, index_.size());
-        Series s;
-        s.name = method_text(method);
-        s.colour = series_colour(at->second);
-        s.look =
-            method.tessellation == Tessellation::tree ? Series::Look::dashed_and_rings : Series::Look::line_and_dots;
-        return s;
-    }
-
-private:
-    std::map<std::string, std::size_t> index_;
-};
-
 std::string heading(const Group& group) { return group.scene + ", path " + group.path; }
 
 const Row* largest_budget(const std::vector<const Row*>& rows) {
@@ -61,12 +45,12 @@ Chart per_frame(const Group& group, Measure measure) {
     chart.title = heading(group) + ": " + std::string(measure_row(measure).title);
     chart.x = "frame of the path";
     chart.y = axis(measure);
-    Looks looks;
+    MethodLooks looks;
     for (const auto& rows : by_method(group)) {
         const Row* row = largest_budget(rows);
         Series s = looks.series(row->method);
         if (row->budget != "unlimited") s.name += " " + row->budget;
-        s.look = row->method.tessellation == Tessellation::tree ? Series::Look::dashed : Series::Look::line;
+        s.look = line_of(row->method);
         for (std::size_t i = 0; i < row->frames.size(); ++i)
             s.points.push_back({static_cast<double>(row->frames[i]), scaled(measure, row->values[i][measure])});
         chart.series.push_back(std::move(s));
@@ -155,7 +139,7 @@ Chart frontier(const Group& group, Measure measure) {
         });
     };
 
-    Looks looks;
+    MethodLooks looks;
     Series oracle;
     oracle.name = "oracle (drawing alone)";
     oracle.look = Series::Look::dashed;

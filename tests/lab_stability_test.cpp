@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lab/lab_graphics.h"
+#include "lab/stability_charts.h"
 #include "lab/stability_report.h"
 
 namespace sightline::lab {
@@ -69,6 +70,7 @@ void expect_stable(const std::vector<StabilityRow>& rows) {
                 break;
             case Disturbance::grazing:
                 EXPECT_EQ(row.samples, 20u) << where;
+                EXPECT_EQ(row.sweep.size(), 20u) << where;
                 break;
         }
     }
@@ -106,6 +108,65 @@ TEST(LabStability, IsTheSameTwiceAndWritten) {
     const auto json = nlohmann::json::parse(stability_json(conditions_here("{}", ""), rows));
     ASSERT_EQ(json.at("rows").size(), rows.size());
     EXPECT_EQ(json.at("rows").at(0).at("jaccard"), rows.front().jaccard);
+}
+
+TEST(LabStability, ChartsShowWhatTheRowsSay) {
+    std::vector<StabilityRow> rows;
+    Results along_path;
+    for (const char* method : {"published", "layers@tree"})
+        for (const char* budget : {"5%", "10%"}) {
+            StabilityRow row;
+            row.scene = "city";
+            row.path = "test";
+            row.method = parse_method(method);
+            row.budget = budget;
+            row.amount = 1e-3;
+            row.jaccard = 0.9;
+            row.visible_jaccard = 0.8;
+            row.coverage_change = 0.3;
+            rows.push_back(row);
+            row.disturbance = Disturbance::grazing;
+            row.amount = 0.1;
+            row.sweep = {0.5, 0.6, 0.7};
+            rows.push_back(row);
+            Row path;
+            path.scene = "city";
+            path.path = "test";
+            path.method = row.method;
+            path.budget = budget;
+            path.frames = {0, 4};
+            path.values.resize(2);
+            path.values[1][Measure::pop] = 0.25;
+            path.values[1][Measure::visible_change] = 0.125;
+            along_path.rows.push_back(path);
+        }
+    const auto groups = stability_groups(rows);
+    ASSERT_EQ(groups.size(), 2u);
+    using Points = std::vector<std::array<double, 2>>;
+    for (const StabilityGroup& group : groups) {
+        EXPECT_EQ(group.rows.size(), 4u);
+        const auto charts = stability_charts(group, along_path);
+        ASSERT_EQ(charts.size(), 4u);
+        const auto expect = [&](std::size_t i, const char* id, const Points& lines, const Points& grey) {
+            const Chart& chart = charts[i].chart;
+            EXPECT_NE(charts[i].id.find(id), std::string::npos);
+            ASSERT_EQ(chart.series.size(), grey.empty() ? 2u : 3u) << id;
+            for (std::size_t line = 0; line < 2; ++line) {
+                ASSERT_EQ(chart.series[line].points.size(), lines.size()) << id;
+                for (std::size_t p = 0; p < lines.size(); ++p)
+                    for (std::size_t k = 0; k < 2; ++k)
+                        EXPECT_NEAR(chart.series[line].points[p][k], lines[p][k], 1e-12) << id;
+            }
+            EXPECT_EQ(chart.series[1].name, "layers@tree");
+            if (grey.empty()) return;
+            EXPECT_NEAR(chart.series[2].points.at(0)[1], grey[0][1], 1e-12) << id;
+        };
+        expect(0, "rendered", {{1e-3, 10}}, {{1e-3, 20}});
+        expect(1, "coverage", {{1e-3, 30}}, {});
+        expect(2, "grazing", {{0.8, 50}, {0.9, 60}, {1, 70}}, {});
+        expect(3, "path", {{4, 25}}, {{4, 12.5}});
+    }
+    EXPECT_EQ(stability_charts(groups[0], {}).size(), 3u) << "no path, no curve";
 }
 
 TEST(LabStability, StagesDoNotDependOnWhichOthersRan) {

@@ -248,6 +248,9 @@ TEST(LabCells, TheSimplestMethodThatWillDo) {
     EXPECT_EQ(simplest(all, M::wrong, 0.3), &rows[3]);
     EXPECT_EQ(simplest(all, M::wrong, 0.1), &rows[2]) << "as simple as the other, and faster";
     EXPECT_EQ(simplest(all, M::wrong, 0.02), &rows[0]);
+    const Row few = row_of("layers", 50, {0.05}, 9), many = row_of("layers", 900, {0.04}, 2);
+    EXPECT_EQ(simplest({&many, &few}, M::wrong, 0.1), &few) << "slower, but with fewer cells";
+    EXPECT_EQ(simplest({&many, &few}, M::wrong, 0.045), &many);
     EXPECT_EQ(simplest(all, M::wrong, 0.001), nullptr);
     EXPECT_EQ(simplest(all, M::coverage, 0.955), &rows[2]);
     std::set<std::size_t> places;
@@ -344,7 +347,7 @@ TEST(LabCommands, Run) {
     run("measure 3d:bottleneck 2d:rooms --repeats 1" + small + "/m", 0);
     run("merge " + folder.string() + "/m --out " + folder.string() + "/merged", 0);
     run("stability 2d:rooms --samples 1 --methods layers" + small + "/s", 0);
-    run("cells 3d:bottleneck --error-bounds 0.4,0.2 --repeats 0" + small + "/c", 0);
+    run("cells 3d:bottleneck --error-bounds 0.4,0.2 --repeats 0 --reach 0" + small + "/c", 0);
     run("measure 3d:bottleneck --repeats 0 --settings " + folder.string() + "/c/3d_bottleneck-layers-5_.settings.json" +
             small + "/m2",
         0);
@@ -357,6 +360,8 @@ TEST(LabCommands, Run) {
     const auto results = read_results(read_file(folder / "m2/results.json"), "m2");
     ASSERT_EQ(results.rows.size(), 1u) << "method and budget are those of the settings file";
     EXPECT_EQ(results.rows[0].method.id, "layers");
+    EXPECT_EQ(load_results((folder / "c/without-cells").string()).rows.size(), 2u) << "centroid and view";
+    EXPECT_EQ(load_results((folder / "c").string()).rows.size(), 4u);
 
     run("", 2);
     run("--help", 0);
