@@ -46,6 +46,13 @@ void print_table(const Results& results) {
                   << "\n";
 }
 
+/// 0 for a file that is not there.
+std::uintmax_t size_of(const std::filesystem::path& file) {
+    std::error_code error;
+    const std::uintmax_t size = std::filesystem::file_size(file, error);
+    return error ? 0 : size;
+}
+
 /// The report with its pictures; without them where a scene is not here, as on the machine that merges.
 void write_report_of(const Results& results, const Study& study, const std::filesystem::path& folder,
                      LabGraphics& graphics) {
@@ -88,17 +95,20 @@ int measure_command(int argc, const char* const* argv) {
     note_interrupts();
     run.stopped = interrupted;
     LabGraphics graphics;
+    const std::uintmax_t before = size_of(std::filesystem::path(out) / "frames.jsonl");
     const Results results = run_study(study, out, graphics, run);
-    say("");
+    const bool all_kept = before > 0 && before == size_of(std::filesystem::path(out) / "frames.jsonl");
     write_results(results, out);
+    if (interrupted()) return stopped();
     if (!results.rows.empty()) {
         write_report_of(results, study, out, graphics);
         if (!markdown.empty()) write_markdown(results, typed(argc, argv), markdown);
-        say("");
     }
+    say("");
     print_table(results);
+    if (all_kept) std::cout << "Every frame was measured before; to measure it again choose another --out.\n";
     std::cout << "Written: " << out << "/report.html, results.json, results.csv, charts/, pictures/\n";
-    return interrupted() ? stopped() : 0;
+    return 0;
 }
 
 int merge_command(int argc, const char* const* argv) {
