@@ -12,8 +12,11 @@
 #include "core/error.h"
 #include "core/file.h"
 #include "core/measure/frame_numbers.h"
+#include "core/measure/truth.h"
 #include "core/measure/wrong_region.h"
 #include "lab/lab_scene.h"
+#include "lab/measure_path.h"
+#include "lab/one_run.h"
 #include "lab/remaining.h"
 #include "lab/run_study.h"
 
@@ -283,6 +286,71 @@ TEST(LabStudyNames, SayWhichDimension) {
     EXPECT_THROW(parse_method("publishd"), InputError);
     EXPECT_EQ(parse_shard("2/5").index, 1u);
     for (const char* bad : {"", "2", "0/3", "4/3", "a/b", "1/0"}) EXPECT_THROW(parse_shard(bad), InputError) << bad;
+}
+
+/// One budget of one frame, found by a run of its own.
+struct Alone {
+    std::vector<std::uint8_t> visible, rendered, wrong;
+};
+
+template <int D>
+Alone alone(const LabScene<D>& lab, std::size_t frame, const Row& row, const DrawIds& draw_ids) {
+    const CellComplex<D>* cells = &lab.on(row.method.tessellation);
+    const Truth truth =
+        make_truths<D>(*lab.scene, {&cells, 1}, lab.views[frame], lab.settings.reference_size, draw_ids, false).front();
+    Settings settings = lab.settings_for(row.method);
+    settings.budget = parse_budget(row.budget);
+    Alone result{truth.reference.visible, one_run<D>(*lab.scene, *cells, lab.views[frame], settings).rendered, {}};
+    for (const std::uint32_t id : truth.reference.image.ids)
+        result.wrong.push_back(id != no_primitive && !result.rendered[id]);
+    return result;
+}
+
+/// What changes from frame to frame, against runs of their own that know nothing of each other. Another set in place of
+/// the right one gives another number: each row has to differ from what the other sets would give.
+template <int D>
+void expect_changes_of_separate_runs(const std::string& scene, std::size_t& told_apart) {
+    Study study;
+    study.scenes = {scene};
+    study.frames = 4;
+    study.methods = {parse_method("published"), parse_method("layers@tree"), parse_method("centroid")};
+    study.budgets = {parse_budget("2%"), parse_budget("8%")};
+    study.size = {D == 2 ? 2048 : 160, 120};
+    study.repeats = 0;
+    LabGraphics graphics;
+    Instruments instruments;
+    instruments.draw_ids = graphics.draw_ids();
+    const LabScene<D> lab = load_lab_scene<D>(scene, "", study);
+    for (const Row& row : measure_path<D>(lab, study, instruments)) {
+        EXPECT_TRUE(std::isnan(row.values[0][M::pop]) && std::isnan(row.values[0][M::flip]));
+        for (std::size_t i = 1; i < row.values.size(); ++i) {
+            const Alone before = alone<D>(lab, i - 1, row, instruments.draw_ids),
+                        now = alone<D>(lab, i, row, instruments.draw_ids);
+            std::size_t both = 0, either = 0, popped = 0, flipped = 0, rendered_changed = 0;
+            for (std::size_t p = 0; p < now.visible.size(); ++p) {
+                both += before.visible[p] && now.visible[p];
+                either += before.visible[p] || now.visible[p];
+                popped += before.visible[p] && now.visible[p] && before.rendered[p] != now.rendered[p];
+                rendered_changed += before.rendered[p] != now.rendered[p];
+            }
+            for (std::size_t p = 0; p < now.wrong.size(); ++p) flipped += before.wrong[p] != now.wrong[p];
+            const std::string where = scene + " " + method_text(row.method) + " " + row.budget;
+            const Values& v = row.values[i];
+            if (both > 0) {
+                EXPECT_DOUBLE_EQ(v[M::pop], double(popped) / double(both)) << where;
+            }
+            EXPECT_DOUBLE_EQ(v[M::flip], double(flipped) / double(now.wrong.size())) << where;
+            EXPECT_DOUBLE_EQ(v[M::visible_change], 1 - double(both) / double(either)) << where;
+            told_apart += popped > 0 && flipped > 0 && rendered_changed != popped && both != either;
+        }
+    }
+}
+
+TEST(LabChanges, AreThoseOfSeparateRuns) {
+    std::size_t told_apart = 0;
+    expect_changes_of_separate_runs<2>("2d:streets", told_apart);
+    expect_changes_of_separate_runs<3>("city:10k", told_apart);
+    EXPECT_GT(told_apart, 15u) << "else another set would give the same";
 }
 
 /// Draws only what was rendered, and counts the pixels that differ from the exact image.
