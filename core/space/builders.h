@@ -35,7 +35,7 @@ void assign_primitives(CellComplex<3>& cells, const std::vector<Primitive<3>>& p
 
 /// Word of the assignment, before each primitive; what takes time is said only now and then.
 inline void report_assigned(const Progress& progress, std::size_t done, std::size_t count) {
-    constexpr std::size_t block = std::size_t{1} << 16;
+    constexpr std::size_t block = std::size_t{1} << 12;
     if (done % block == 0)
         report(progress, "assigning to cells", static_cast<double>(done) / static_cast<double>(count));
 }
