@@ -99,14 +99,20 @@ inline std::string base64(const std::string& bytes) {
     return text;
 }
 
+/// The points and then the faces.
+inline std::string gltf_buffer(const Mesh& mesh) {
+    std::string buffer;
+    for (const Vec<3>& p : mesh.points) buffer += float_bytes(p);
+    for (const auto& f : mesh.faces)
+        for (const std::uint32_t k : f) buffer += little(k, 4);
+    return buffer;
+}
+
 /// Meshes 0 and 1 are the same but for the material: 1 is two-sided. Camera 0 is 45 degrees high, 1:2. The first node
 /// of `nodes` and those that nobody has as a child are shown.
 inline std::string gltf_of(const Mesh& mesh, const std::string& nodes = R"([{"mesh": 0}])") {
-    std::string buffer;
-    for (const Vec<3>& p : mesh.points) buffer += float_bytes(p);
-    const std::size_t indices = buffer.size();
-    for (const auto& f : mesh.faces)
-        for (const std::uint32_t k : f) buffer += little(k, 4);
+    const std::string buffer = gltf_buffer(mesh);
+    const std::size_t indices = 12 * mesh.points.size();
     const auto text = [](std::size_t number) { return std::to_string(number); };
     const bool flat = nodes.find("children") == std::string::npos;
     std::size_t count = 0;  // of nodes, when none has children
@@ -129,6 +135,19 @@ inline std::string gltf_of(const Mesh& mesh, const std::string& nodes = R"([{"me
            text(mesh.points.size()) +
            R"(, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 1]}, {"bufferView": 1, "componentType": 5125, "count": )" +
            text(mesh.faces.size() * 3) + R"(, "type": "SCALAR"}]})";
+}
+
+/// As gltf_of(), in the binary container.
+inline std::string glb_of(const Mesh& mesh) {
+    std::string json = gltf_of(mesh);
+    const std::string uri = R"(, "uri": ")";
+    const std::size_t from = json.find(uri);
+    json.erase(from, json.find('"', from + uri.size()) + 1 - from);
+    json.resize((json.size() + 3) / 4 * 4, ' ');
+    const std::string buffer = gltf_buffer(mesh);
+    const auto number = [](std::size_t n) { return little(static_cast<std::uint32_t>(n), 4); };
+    return "glTF" + number(2) + number(28 + json.size() + buffer.size()) + number(json.size()) + "JSON" + json +
+           number(buffer.size()) + std::string("BIN\0", 4) + buffer;
 }
 
 /// An empty folder that lives as long as the object.

@@ -53,7 +53,8 @@ TEST(SceneMesh, ReadsACubeInEveryFormat) {
                            {"cb.ply", "ply", 2, test::ply_of(cube, true)},
                            {"ca.stl", "stl", 2, test::stl_of(cube, false)},
                            {"cb.stl", "stl", 2, test::stl_of(cube, true)},
-                           {"c.gltf", "gltf", 1, test::gltf_of(cube)}}) {
+                           {"c.gltf", "gltf", 1, test::gltf_of(cube)},
+                           {"c.glb", "gltf", 1, test::glb_of(cube)}}) {
         SCOPED_TRACE(row.name);
         const TemporaryFile file(row.name, row.bytes);
         const Scene<3> scene = read(file);
@@ -67,11 +68,72 @@ TEST(SceneMesh, ReadsACubeInEveryFormat) {
     }
 }
 
-TEST(SceneMesh, ReadsWhatIsInAFileWhateverItsEnding) {
-    const TemporaryFile file("ply.glb", test::ply_of(test::cube(), true));
-    const Scene<3> scene = read(file);
-    expect_cube(scene, Vec<3>(0), Vec<3>(1));
-    EXPECT_EQ(scene.source, "ply");
+TEST(SceneMesh, EndingsAreOfAnyCase) {
+    for (const char* name : {"C.OBJ", "c.Off", "C.PLY", "c.STL"}) {
+        const std::string kind = fs::path(name).extension().string();
+        const TemporaryFile file(name, kind == ".OBJ"   ? test::obj_of(test::cube())
+                                       : kind == ".Off" ? test::off_of(test::cube())
+                                       : kind == ".PLY" ? test::ply_of(test::cube(), true)
+                                                        : test::stl_of(test::cube(), true));
+        EXPECT_EQ(read(file).primitives.size(), 12u) << name;
+    }
+}
+
+TEST(SceneMesh, AFormatBehindAnotherEndingIsRefused) {
+    const test::Mesh cube = test::cube();
+    const std::pair<std::string, std::string> formats[] = {
+        {"obj", test::obj_of(cube)},       {"off", test::off_of(cube)},        {"ply", test::ply_of(cube, false)},
+        {"ply", test::ply_of(cube, true)}, {"stl", test::stl_of(cube, false)}, {"stl", test::stl_of(cube, true)},
+        {"gltf", test::gltf_of(cube)},     {"glb", test::glb_of(cube)}};
+    for (const auto& [format, bytes] : formats)
+        for (const std::string ending :
+             {"obj", "off", "ply", "stl", "gltf", "glb", "x3d", "ase", "ogex", "fbx", "dae"}) {
+            SCOPED_TRACE(format + " as " + ending);
+            const TemporaryFile file("x." + ending, bytes);
+            if (ending == format)
+                expect_cube(read(file), Vec<3>(0), Vec<3>(1));
+            else
+                expect_input_error([&, &file = file] { read(file); }, "x: *");
+        }
+    const TemporaryFile ply("ply.glb", test::ply_of(cube, true));
+    expect_input_error([&] { read(ply); },
+                       "x: its ending is .glb, but it holds what belongs in .ply (it begins like PLY)");
+}
+
+TEST(SceneMesh, EndingsOfNoMeshAreRefused) {
+    const std::string read_are = "; read are .3d, .3ds, *";
+    for (const std::string ending : {"csm", "bvh", "md5anim", "md5camera", "mot", "vta", "txt"}) {
+        const TemporaryFile text("x." + ending, "Dear all,\nhere are 12 numbers.\n");
+        expect_input_error([&] { read(text); }, "x: ." + ending + " is no ending of a 3D format" + read_are);
+    }
+    const TemporaryFile large("x.CSM", "Dear all,\n");
+    expect_input_error([&] { read(large); }, "x: .csm is no ending of a 3D format*");
+    const TemporaryFile named("x.txt", test::ply_of(test::cube(), false));
+    expect_input_error([&] { read(named); }, "x: .txt is no ending of a 3D format (it begins like PLY)" + read_are);
+    const TemporaryFile none("cube", test::obj_of(test::cube()));
+    expect_input_error([&] { read(none); }, "x: its name has no ending*");
+    std::string line;
+    try {
+        read(none);
+    } catch (const InputError& error) {
+        line = error.what();
+    }
+    for (const char* ending : {".obj", ".ply", ".stl", ".off", ".gltf", ".glb", ".fbx", ".dae"})
+        EXPECT_NE(line.find(std::string(ending) + ","), std::string::npos) << ending;
+    EXPECT_EQ(line.find(".csm"), std::string::npos);
+}
+
+/// Readers that take any text, find nothing in it and say nothing, or make up bones.
+TEST(SceneMesh, WhatAReaderMakesNothingOfIsRefused) {
+    for (const std::string ending : {"ase", "ask", "ogex", "x3d", "x3db", "irr", "smd", "sib", "ac", "lwo", "ms3d"})
+        for (const std::string& bytes : {std::string("Dear all,\nhere are 12 numbers.\n"), std::string(3000, '\0'),
+                                         std::string("<?xml version=\"1.0\"?>\n<root><a b=\"1\"/></root>\n")}) {
+            SCOPED_TRACE(ending);
+            const TemporaryFile file("x." + ending, bytes);
+            expect_input_error([&] { read(file); }, "x: *");
+        }
+    const TemporaryFile text("x.ogex", "Dear all\n");
+    expect_input_error([&] { read(text); }, "x: no triangle is found in it, read as .ogex");
 }
 
 TEST(SceneMesh, CutsPolygonsAndLeavesOutPointsAndLines) {
@@ -329,6 +391,8 @@ TEST(SceneMesh, SaysWhatIsWrong) {
               "x: ends before the 8 vertices and 2000000000 *"},
              {"vertices.off", replaced(test::off_of(cube), "8 12", "400000000 12"), "x: ends before the 400000000 *"},
              {"short.stl", stl.substr(0, 600), "x: *"},
+             {"json.glb", R"({"asset": {"version": "2.0"}})", "x: *(it begins like JSON, as glTF of text)"},
+             {"glb.gltf", test::glb_of(cube), "x: *(it begins like binary glTF)"},
              {"faces.stl", stl.substr(0, 80) + test::little(0x7fffffff, 4) + stl.substr(84), "x: *"},
              {"buffer.gltf", replaced(test::gltf_of(cube), "data:application", "missing"), "x: *"},
              // Numbers beyond what floats can square.

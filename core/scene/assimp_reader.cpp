@@ -2,6 +2,7 @@
 #include "core/scene/assimp_reader.h"
 
 #include <assimp/DefaultIOSystem.h>
+#include <assimp/config.h>
 #include <assimp/importerdesc.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
@@ -19,6 +20,7 @@
 #include <string_view>
 
 #include "core/geometry/trig.h"
+#include "core/scene/file_kind.h"
 #include "core/scene/mesh_text.h"
 
 namespace sightline {
@@ -219,6 +221,23 @@ bool is_empty(std::string_view error) {
     return false;
 }
 
+/// Of Assimp's "gltf glb" or "mesh mesh.xml".
+bool lists(std::string_view endings, std::string_view ending) {
+    for (; !endings.empty(); endings.remove_prefix(std::min(endings.find(' '), endings.size() - 1) + 1)) {
+        const std::string_view one = endings.substr(0, endings.find(' '));
+        if (one == ending.substr(1) || one.ends_with(ending)) return true;
+    }
+    return false;
+}
+
+/// Why a file without triangles is not just empty; nothing where it is. What Assimp's readers of other formats than
+/// these make nothing of is more likely another kind of file.
+std::string why_no_triangles(const std::string& path, std::string_view format, bool said_to_be_empty) {
+    if (said_to_be_empty || format == "gltf" || format == "stl") return {};
+    if (format == "obj") return why_no_obj(path);  // the reader passes over lines that it does not know
+    return "no triangle is found in it, read as ." + std::string(format);
+}
+
 }  // namespace
 
 void read_with_assimp(const std::string& path, const ChildProcess::Send& send) {
@@ -231,13 +250,15 @@ void read_with_assimp(const std::string& path, const ChildProcess::Send& send) {
         return send(&header, sizeof header);
     }
     Assimp::Importer importer;
+    importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);                // bones are no scene
     if (prepared.text) importer.SetIOHandler(new FilesWithText(path, *prepared.text));  // which the importer then owns
     const aiScene* scene = importer.ReadFile(path, aiProcess_Triangulate);
     const aiScene nothing;
     const std::string error = importer.GetErrorString();
     const bool too_small = error == "OBJ-file is too small.";  // a comment, say
     const std::string why = too_small ? why_no_obj(path) : error;
-    if (!scene && (prepared.empty || (too_small && why.empty()) || is_empty(error))) {
+    const bool said_to_be_empty = prepared.empty || (too_small && why.empty()) || is_empty(error);
+    if (!scene && said_to_be_empty) {
         scene = &nothing;
         header.warning[0] = 0;
     }
@@ -248,14 +269,18 @@ void read_with_assimp(const std::string& path, const ChildProcess::Send& send) {
     const auto reader = static_cast<std::size_t>(importer.GetPropertyInteger("importerIndex", 0));
     const std::string_view endings = importer.GetImporterInfo(reader)->mFileExtensions;
     const std::string_view format = endings.substr(0, endings.find(' '));
+    const std::string ending = ending_of(path);
+    if (!lists(endings, ending)) {
+        refuse(header, "its ending is " + ending + ", but it holds what belongs in ." + std::string(format));
+        return send(&header, sizeof header);
+    }
     copy(format, header.text);
     header.up_axis = static_cast<std::uint8_t>(up_axis_of(*scene, format));
     const std::vector<Instance> instances = instances_of(*scene, format, prepared.shift, header);
     for (const Instance& instance : instances) header.any_two_sided |= is_two_sided(*scene, *instance.mesh, format);
     check_faces(instances, header);
-    // Assimp's OBJ reader passes over lines that it does not know, up to whole files of another kind.
-    if (header.triangles == 0 && format == "obj")
-        if (const std::string why = why_no_obj(path); !why.empty()) refuse(header, why);
+    if (header.triangles == 0 && !header.failed)
+        if (const std::string why = why_no_triangles(path, format, said_to_be_empty); !why.empty()) refuse(header, why);
     send(&header, sizeof header);
     if (header.failed) return;
     send_triangles(instances, send);

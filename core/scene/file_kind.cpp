@@ -38,6 +38,7 @@ constexpr Kind kinds[] = {
     {"solid "sv, "STL", ".stl"},
     {"v "sv, "OBJ", ".obj"},
     {"o "sv, "OBJ", ".obj"},
+    {"{"sv, "JSON, as glTF of text", ".gltf"},
     {"mtllib "sv, "OBJ", ".obj"},
     {"ISO-10303-21;"sv, "STEP", ".ifc .step .stp"},
     {"Kaydara FBX Binary"sv, "FBX", ".fbx"},
@@ -56,15 +57,20 @@ bool names(std::string_view endings, std::string_view ending) {
 
 }  // namespace
 
+std::string ending_of(const std::string& path) {
+    std::string ending = std::filesystem::path(path).extension().string();
+    for (char& c : ending)
+        if (c >= 'A' && c <= 'Z') c += 'a' - 'A';
+    return ending;
+}
+
 std::string kind_behind(const std::string& path) {
     char bytes[1024];
     std::ifstream file(path, std::ios::binary);
     file.read(bytes, sizeof bytes);
     std::string_view begin(bytes, static_cast<std::size_t>(file.gcount()));
     while (begin.starts_with('#')) begin.remove_prefix(std::min(begin.find('\n'), begin.size() - 1) + 1);  // comments
-    std::string ending = std::filesystem::path(path).extension().string();
-    for (char& c : ending)
-        if (c >= 'A' && c <= 'Z') c += 'a' - 'A';
+    const std::string ending = ending_of(path);
     for (const Kind& kind : kinds)
         if (begin.starts_with(kind.first)) return names(kind.endings, ending) ? "" : std::string(kind.name);
     return "";

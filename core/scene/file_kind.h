@@ -1,10 +1,13 @@
-// What a file holds, told by its first bytes.
+// What a file holds, told by its name and its first bytes.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <string>
 
 namespace sightline {
+
+/// ".obj": the ending of the path, in small letters; empty where it has none.
+std::string ending_of(const std::string& path);
 
 /// "a PNG picture", where the file begins like a format that its ending does not stand for; nothing where it does not,
 /// where it begins like none that is known, and where it cannot be read.

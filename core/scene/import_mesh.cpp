@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/import_mesh.h"
 
+#include <algorithm>
 #include <assimp/Importer.hpp>
 #include <chrono>
 #include <filesystem>
+#include <set>
+#include <sstream>
+#include <string_view>
 
 #include "core/scene/assimp_reader.h"
 #include "core/scene/file_kind.h"
@@ -19,7 +23,7 @@ namespace fs = std::filesystem;
 double bytes_to_read(const fs::path& path) {
     std::error_code no_error;
     double bytes = static_cast<double>(fs::file_size(path, no_error));
-    if (path.extension() != ".gltf") return bytes;
+    if (ending_of(path.string()) != ".gltf") return bytes;
     for (const fs::directory_entry& beside :
          fs::directory_iterator(path.parent_path().empty() ? "." : path.parent_path(), no_error))
         if (beside.path().extension() == ".bin") bytes += static_cast<double>(beside.file_size(no_error));
@@ -45,10 +49,35 @@ std::string with_kind(const std::string& reason, const std::string& path) {
     return kind.empty() ? reason : reason + " (it begins like " + kind + ")";
 }
 
+/// Of formats of Assimp that hold movement and no triangles; their readers take any text, or make up bones.
+constexpr std::string_view no_mesh[] = {".bvh", ".csm", ".md5anim", ".md5camera", ".mot", ".vta"};
+
+/// ".3d, .3ds, ..."
+std::string mesh_endings() {
+    std::string globs;
+    Assimp::Importer().GetExtensionList(globs);  // "*.3d;*.3ds"
+    std::set<std::string> endings;
+    std::istringstream words(globs);
+    for (std::string glob; std::getline(words, glob, ';');)
+        if (is_mesh_ending(glob.substr(1))) endings.insert(glob.substr(1));
+    std::string list;
+    for (const std::string& ending : endings) list += (list.empty() ? "" : ", ") + ending;
+    return list;
+}
+
+void check_ending(const std::string& path, const std::string& name, const std::string& place) {
+    const std::string ending = ending_of(path);
+    if (is_mesh_ending(ending)) return;
+    const std::string what =
+        ending.empty() ? "its name has no ending" : one_line(ending, 20) + " is no ending of a 3D format";
+    throw input_error(name, place, with_kind(what, path) + "; read are " + mesh_endings());
+}
+
 }  // namespace
 
 ImportedFile import_mesh(const std::string& path, const std::string& name, const std::string& place, Scene<3>& scene,
                          const std::function<void(double share)>& progress) {
+    check_ending(path, name, place);
     const double bytes = bytes_to_read(path);
     ChildProcess child([&](const ChildProcess::Send& send) { read_with_assimp(path, send); }, most_seconds(bytes),
                        most_memory(bytes));
@@ -61,7 +90,8 @@ ImportedFile import_mesh(const std::string& path, const std::string& name, const
         progress(share);
     };
     const auto receive = [&](void* to, std::size_t size) {
-        if (!child.read(to, size, tick)) throw input_error(name, place, "the reader (Assimp) " + child.end());
+        if (!child.read(to, size, tick))
+            throw input_error(name, place, with_kind("the reader (Assimp) " + child.end(), path));
     };
     AssimpHeader header;
     receive(&header, sizeof header);
@@ -87,6 +117,9 @@ ImportedFile import_mesh(const std::string& path, const std::string& name, const
     return file;
 }
 
-bool is_mesh_ending(const std::string& ending) { return Assimp::Importer().IsExtensionSupported(ending); }
+bool is_mesh_ending(const std::string& ending) {
+    return ending.size() > 1 && std::find(std::begin(no_mesh), std::end(no_mesh), ending) == std::end(no_mesh) &&
+           Assimp::Importer().IsExtensionSupported(ending);
+}
 
 }  // namespace sightline

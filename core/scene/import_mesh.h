@@ -28,13 +28,16 @@ struct ImportedFile {
 ///
 /// Assimp runs in a process of its own: bad files make it crash, and its memory is free when this returns.
 /// JoinIdenticalVertices is not asked for: a soup has no use for it, and it would double the memory and triple the
-/// time. `progress` takes a share in [0, 1], estimated from the file's size (Assimp says little). Throws InputError
-/// "name: place: reason".
+/// time. `progress` takes a share in [0, 1], estimated from the file's size (Assimp says little).
+///
+/// Throws InputError "name: place: reason", also where the ending is none of is_mesh_ending() or another one than that
+/// of the format that Assimp found inside, and where it found no triangle though the file does not say that it has
+/// none.
 ImportedFile import_mesh(const std::string& path, const std::string& name, const std::string& place, Scene<3>& scene,
                          const std::function<void(double share)>& progress);
 
-/// Whether Assimp reads files with this ending (".obj"; any case). Endings of formats that are mostly something else
-/// (".xml", ".raw") count as well.
+/// Whether files with this ending (".obj"; see ending_of()) hold triangles that Assimp reads: not ".csm", which is
+/// movement. Endings of formats that are mostly something else (".xml", ".raw") count as well.
 bool is_mesh_ending(const std::string& ending);
 
 }  // namespace sightline

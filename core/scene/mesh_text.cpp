@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/scene/clean.h"
+#include "core/scene/file_kind.h"
 #include "core/scene/text.h"
 
 namespace sightline {
@@ -217,8 +218,7 @@ std::string moved_text(const std::string& path, const std::string& ending, const
 }  // namespace
 
 MeshText prepare_mesh_text(const std::string& path) {
-    std::string ending = std::filesystem::path(path).extension().string();
-    for (char& c : ending) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c;
+    const std::string ending = ending_of(path);
     if (ending != ".obj" && ending != ".off" && ending != ".ply" && ending != ".stl") return {};
 
     Layout layout(ending);

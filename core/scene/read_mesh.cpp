@@ -6,6 +6,7 @@
 
 #include "core/file.h"
 #include "core/scene/clean.h"
+#include "core/scene/file_kind.h"
 #include "core/scene/import_mesh.h"
 #include "core/scene/text.h"
 
@@ -22,7 +23,7 @@ struct MeshFile {
 };
 
 /// Endings that mean a 3D format to Assimp and mostly something else to people.
-bool is_doubtful(const std::string& ending) { return ending == ".xml" || ending == ".raw" || ending == ".mot"; }
+bool is_doubtful(const std::string& ending) { return ending == ".xml" || ending == ".raw"; }
 
 std::vector<MeshFile> files_of(std::span<const std::string> paths, const std::string& name) {
     std::vector<MeshFile> files;
@@ -35,7 +36,7 @@ std::vector<MeshFile> files_of(std::span<const std::string> paths, const std::st
         std::vector<std::string> found;
         try {
             for (const fs::directory_entry& entry : fs::recursive_directory_iterator(path)) {
-                const std::string ending = entry.path().extension().string();
+                const std::string ending = ending_of(entry.path().string());
                 if (entry.is_regular_file() && is_mesh_ending(ending) && !is_doubtful(ending))
                     found.push_back(entry.path().string());
             }
