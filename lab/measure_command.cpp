@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <cmath>
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 
@@ -18,8 +18,11 @@ namespace sightline::lab {
 
 namespace {
 
+/// To so many characters, not bytes.
 std::string padded(std::string text, std::size_t width, bool left = false) {
-    if (text.size() < width) text.insert(left ? text.size() : 0, width - text.size(), ' ');
+    const auto size = static_cast<std::size_t>(
+        std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));
+    if (size < width) text.insert(left ? text.size() : 0, width - size, ' ');
     return text;
 }
 
@@ -32,18 +35,21 @@ std::string typed(int argc, const char* const* argv) {
 
 /// What a person wants to see at once.
 void print_table(const Results& results) {
-    std::cout << padded("scene", 16, true) << padded("method", 18, true) << padded("budget", 10)
+    std::size_t scene = 5, method = 6;  // widths, with the headings
+    for (const Row& row : results.rows) {
+        scene = std::max(scene, row.scene.size());
+        method = std::max(method, method_text(row.method).size());
+    }
+    std::cout << padded("scene", scene + 2, true) << padded("method", method + 2, true) << padded("budget", 10)
               << padded("coverage %", 12) << padded("wrong %", 9) << padded("worst %", 9) << padded("pop %", 8)
               << padded("ms", 9) << "\n";
-    for (const Row& row : results.rows)
-        std::cout << padded(row.scene, 16, true) << padded(method_text(row.method), 18, true) << padded(row.budget, 10)
-                  << padded(per_cent(summary(row, Measure::coverage)), 12)
-                  << padded(per_cent(summary(row, Measure::wrong)), 9)
-                  << padded(per_cent(worst(row, Measure::wrong)), 9) << padded(per_cent(summary(row, Measure::pop)), 8)
-                  << padded(std::isnan(summary(row, Measure::total_ms)) ? "-"
-                                                                        : short_number(summary(row, Measure::total_ms)),
-                            9)
-                  << "\n";
+    for (const Row& row : results.rows) {
+        const auto share = [&](Measure measure) { return per_cent(summary(row, measure)); };
+        std::cout << padded(row.scene, scene + 2, true) << padded(method_text(row.method), method + 2, true)
+                  << padded(row.budget, 10) << padded(share(Measure::coverage), 12) << padded(share(Measure::wrong), 9)
+                  << padded(per_cent(worst(row, Measure::wrong)), 9) << padded(share(Measure::pop), 8)
+                  << padded(number(summary(row, Measure::total_ms)), 9) << "\n";
+    }
 }
 
 /// 0 for a file that is not there.

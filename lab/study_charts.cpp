@@ -115,7 +115,10 @@ std::vector<FrontierPoint> pareto_front(const std::vector<const Row*>& rows, Mea
 Chart frontier(const Group& group, Measure measure) {
     Chart chart;
     chart.title = heading(group) + ": speed and accuracy";
-    chart.x = "time per frame, ms (traversal + upload + drawing; median over frames)";
+    const bool drawn = std::any_of(group.rows.begin(), group.rows.end(),
+                                   [](const Row* row) { return !std::isnan(summary(*row, Measure::draw_ms)); });
+    chart.x = std::string("time per frame, ms (") + (drawn ? "traversal + upload + drawing" : "traversal alone") +
+              "; median over frames)";
     chart.y = axis(measure) + " (mean over frames)";
     chart.log_x = true;
     if (measure_row(measure).better == Better::higher) chart.most_y = 105;

@@ -88,6 +88,14 @@ TEST(LabFrontier, IsWhatNothingBeats) {
     }
 }
 
+TEST(LabFrontier, SaysWhatItsTimesAre) {
+    Row row = row_of("2d:rooms", "layers", "5%", 1, 0.1, 0.9);
+    const auto axis = [&] { return frontier({row.scene, row.path, {&row}}, M::wrong).x; };
+    EXPECT_NE(axis().find("drawing"), std::string::npos);
+    for (Values& v : row.values) v[M::draw_ms] = v[M::upload_ms] = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_NE(axis().find("traversal alone"), std::string::npos) << axis();
+}
+
 TEST(LabFrontier, NamesTheBestWithinATime) {
     const std::vector<Row> rows{row_of("city", "published", "1%", 4, 0.3, 0), row_of("city", "layers", "1%", 6, 0.1, 0),
                                 row_of("city", "centroid", "1%", 5, 0.2, 0)};

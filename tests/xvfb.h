@@ -34,7 +34,7 @@ inline bool installed(const std::string& program) {
 }
 
 /// Polls; false after `seconds` without success. Waits are as short as the machine allows.
-inline bool await(const std::function<bool()>& holds, double seconds = 30) {
+inline bool await(const std::function<bool()>& holds, double seconds = 120) {
     const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
     while (!holds()) {
         if (std::chrono::steady_clock::now() > end) return false;

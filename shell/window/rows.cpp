@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shell/window/parts.h"
 #include "shell/window/theme.h"
+#include "shell/window/wrap.h"
 
 namespace sightline {
 
@@ -29,7 +30,12 @@ void draw_rows(Ui& ui, const std::vector<Row>& rows, std::uint32_t hovered_cell)
         if (row.tone == Tone::heading && i > 0) ImGui::Dummy({1, 4 * ui.unit});
         const ImVec2 at = ImGui::GetCursorScreenPos();
         const float wrap = std::max(room - indent, 40.0f);
-        const ImVec2 size = ImGui::CalcTextSize(row.text.c_str(), nullptr, false, wrap);
+        const auto width_of = [](std::string_view line) {
+            return ImGui::CalcTextSize(line.data(), line.data() + line.size()).x;
+        };
+        const bool fits = width_of(row.text) <= wrap;
+        const std::string text = fits ? row.text : wrapped_at_spaces(row.text, wrap, width_of);
+        const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, wrap);
         ImGui::PushID(static_cast<int>(i));
         ImGui::InvisibleButton("row", {room, std::max(size.y, 1.0f)});
         ImGui::PopID();
@@ -44,8 +50,8 @@ void draw_rows(Ui& ui, const std::vector<Row>& rows, std::uint32_t hovered_cell)
             const bool active = row.cell != none && row.cell == hovered_cell;
             if (row.tone == Tone::lit) list.AddRectFilled(at, end, colour(theme::lit));
             if (active || (hovered && !row.command.empty())) list.AddRectFilled(at, end, colour(theme::hover));
-            list.AddText(font, ImGui::GetFontSize(), {at.x + indent, at.y}, colour(tone_colour(row.tone)),
-                         row.text.c_str(), nullptr, wrap);
+            list.AddText(font, ImGui::GetFontSize(), {at.x + indent, at.y}, colour(tone_colour(row.tone)), text.c_str(),
+                         nullptr, wrap);
         }
         ImGui::PopFont();
         if (hovered && row.cell != none) ui.hovering = row.cell;
