@@ -52,6 +52,10 @@ void print_table(const Results& results) {
     }
 }
 
+void say_written(const std::string& out) {
+    std::cout << "Written: " << out << "/report.html, results.json, results.csv, charts/, pictures/\n";
+}
+
 /// 0 for a file that is not there.
 std::uintmax_t size_of(const std::filesystem::path& file) {
     std::error_code error;
@@ -113,7 +117,7 @@ int measure_command(int argc, const char* const* argv) {
     say("");
     print_table(results);
     if (all_kept) std::cout << "Every frame was measured before; to measure it again choose another --out.\n";
-    std::cout << "Written: " << out << "/report.html, results.json, results.csv, charts/, pictures/\n";
+    say_written(out);
     return 0;
 }
 
@@ -133,6 +137,7 @@ int merge_command(int argc, const char* const* argv) {
     write_report_of(all, read_study(all.conditions.study), out, graphics);
     say("");
     print_table(all);
+    say_written(out);
     return 0;
 }
 

@@ -338,9 +338,11 @@ TEST(StudyJson, ReadsWhatItWrites) {
 TEST(LabCommands, Run) {
     const fs::path folder = fs::temp_directory_path() / ("sightline-commands-" + std::to_string(getpid()));
     const auto run = [&](const std::string& arguments, int expected) {
-        const std::string line = std::string(SIGHTLINE_LAB) + " " + arguments + " > /dev/null 2>&1";
+        fs::create_directories(folder);
+        const fs::path said = folder / "said.txt";
+        const std::string line = std::string(SIGHTLINE_LAB) + " " + arguments + " > " + said.string() + " 2>&1";
         const int status = std::system(line.c_str());
-        EXPECT_EQ(WEXITSTATUS(status), expected) << arguments;
+        EXPECT_EQ(WEXITSTATUS(status), expected) << arguments << "\n" << read_file(said);
     };
     const std::string small = " --frames 2 --size 160x120 --out " + folder.string();
     run("measure 3d:bottleneck 2d:rooms --repeats 1" + small + "/m", 0);
