@@ -110,6 +110,10 @@ TEST(SceneMesh, EndingsOfNoMeshAreRefused) {
     expect_input_error([&] { read(large); }, "x: .csm is no ending of a 3D format*");
     const TemporaryFile named("x.txt", test::ply_of(test::cube(), false));
     expect_input_error([&] { read(named); }, "x: .txt is no ending of a 3D format (it begins like PLY)" + read_are);
+    const TemporaryFile level("x.wad", "IWAD and so on");
+    expect_input_error(
+        [&] { read(level); },
+        "x: .wad is no ending of a 3D format (it begins like a Doom WAD, which viewer2d reads)" + read_are);
     const TemporaryFile none("cube", test::obj_of(test::cube()));
     expect_input_error([&] { read(none); }, "x: its name has no ending*");
     std::string line;

@@ -27,8 +27,8 @@ constexpr Kind kinds[] = {
     {"\x7f"
      "ELF"sv,
      "a program", ""},
-    {"IWAD"sv, "a Doom WAD, which viewer2d reads", ".wad"},
-    {"PWAD"sv, "a Doom WAD, which viewer2d reads", ".wad"},
+    {"IWAD"sv, "a Doom WAD, which viewer2d reads", ""},
+    {"PWAD"sv, "a Doom WAD, which viewer2d reads", ""},
     {"glTF"sv, "binary glTF", ".glb .vrm"},
     {"ply\n"sv, "PLY", ".ply"},
     {"ply\r"sv, "PLY", ".ply"},
