@@ -120,7 +120,7 @@ void check_scenes(const Study& study, const std::function<void(const std::string
 }
 
 Results run_study(const Study& study, const std::filesystem::path& folder, LabGraphics& graphics, const StudyRun& run) {
-    if (study.scenes.size() > 1) check_scenes(study, run.say);
+    if (study.scenes.size() * study.paths.size() > 1) check_scenes(study, run.say);
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     if (error) throw WorkError(folder.string() + ": " + error.message());

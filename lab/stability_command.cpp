@@ -71,7 +71,7 @@ int stability_command(int argc, const char* const* argv) {
     if (!parse(app, argc, argv)) return 0;
     Study study = study_of(options);
     study.repeats = 0;
-    if (study.scenes.size() > 1) check_scenes(study, say);
+    if (study.scenes.size() * study.paths.size() > 1) check_scenes(study, say);
     LabGraphics graphics;
     const Conditions conditions =
         conditions_here(study_text(study, stability), has_3d(study) ? graphics.description() : std::string());

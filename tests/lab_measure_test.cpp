@@ -124,6 +124,10 @@ TEST_F(LabStudy, NamesWhatDoesNotExistBeforeItMeasures) {
     study.paths = {"street"};  // of the city only
     EXPECT_THROW(run_study(study, folder("a"), graphics_), InputError);
     EXPECT_FALSE(fs::exists(folder("a")));
+    study.scenes = {"2d:rooms"};
+    study.paths = {"turn", "nosuch"};
+    EXPECT_THROW(run_study(study, folder("a"), graphics_), InputError);
+    EXPECT_FALSE(fs::exists(folder("a")));
 }
 
 /// What changes under a study that was stopped must not be mixed with what it measured before.
