@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -25,7 +24,6 @@ public:
     const std::string* find(const std::string& key) const;
     /// `piece` is JSON of one line. Throws WorkError, e.g. for a full disk.
     void add(const std::string& key, const std::string& piece);
-    std::size_t size() const { return pieces_.size(); }
     /// Whether pieces of other conditions were put aside.
     bool began_anew() const { return began_anew_; }
 
