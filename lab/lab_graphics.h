@@ -7,8 +7,8 @@
 
 #include "core/draw/solid_list.h"
 #include "core/measure/frame_clock.h"
-#include "core/measure/id_image.h"
 #include "core/settings/settings.h"
+#include "core/truth/id_image.h"
 
 namespace sightline::lab {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/scene/scene.h"
+#include "core/scene/view.h"
 #include "core/space/cell_complex.h"
-#include "core/traversal/view.h"
 
 namespace sightline::lab {
 

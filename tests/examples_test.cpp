@@ -14,8 +14,8 @@
 #include <span>
 #include <sstream>
 
-#include "core/file.h"
-#include "core/scene/load.h"
+#include "core/base/file.h"
+#include "core/scene/read/load.h"
 #include "core/session/state_file.h"
 
 namespace sightline {

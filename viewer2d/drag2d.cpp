@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "viewer2d/drag2d.h"
 
+#include "core/base/error.h"
 #include "core/draw/notes.h"
-#include "core/error.h"
-#include "shell/bench/change.h"
-#include "shell/bench/edit.h"
-#include "shell/bench/moves.h"
-#include "shell/bench/zoom.h"
+#include "shell/desk/change.h"
+#include "shell/desk/edit.h"
+#include "shell/desk/moves.h"
+#include "shell/desk/zoom.h"
 
 namespace sightline {
 

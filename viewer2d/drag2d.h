@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "shell/bench/gesture.h"
+#include "shell/desk/gesture.h"
 #include "viewer2d/picking.h"
 
 namespace sightline {

@@ -3,11 +3,11 @@
 
 #include <cmath>
 
+#include "core/base/number.h"
 #include "core/draw/notes.h"
 #include "core/draw/palette.h"
-#include "core/number.h"
-#include "shell/bench/zoom.h"
 #include "shell/commands/arguments.h"
+#include "shell/desk/zoom.h"
 #include "shell/window/theme.h"
 
 namespace sightline {

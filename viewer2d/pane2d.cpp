@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/number.h"
 #include "core/draw/cell_number.h"
 #include "core/draw/legend.h"
 #include "core/draw/notes.h"
 #include "core/draw/palette.h"
-#include "core/number.h"
 
 namespace sightline {
 

@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "shell/bench/workbench.h"
+#include "shell/desk/workbench.h"
 #include "shell/window/stage.h"
 #include "viewer2d/mouse2d.h"
 #include "viewer2d/pane2d.h"

@@ -3,8 +3,8 @@
 
 #include <memory>
 
-#include "core/scene/catalogue.h"
-#include "core/scene/load.h"
+#include "core/scene/make/catalogue.h"
+#include "core/scene/read/load.h"
 #include "viewer2d/picture2d.h"
 #include "viewer2d/thumbnails.h"
 

@@ -6,9 +6,9 @@
 #include "core/draw/palette.h"
 #include "core/draw/picture.h"
 #include "core/draw/shown_world.h"
-#include "core/scene/catalogue.h"
-#include "core/scene/load.h"
-#include "shell/bench/open.h"
+#include "core/scene/make/catalogue.h"
+#include "core/scene/read/load.h"
+#include "shell/desk/open.h"
 
 namespace sightline {
 

@@ -3,8 +3,8 @@
 
 #include <iostream>
 
-#include "core/scene/catalogue.h"
-#include "core/scene/load.h"
+#include "core/scene/make/catalogue.h"
+#include "core/scene/read/load.h"
 #include "shell/start/start.h"
 #include "viewer2d/stage2d.h"
 

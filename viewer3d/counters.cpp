@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include "core/base/number.h"
 #include "core/measure/metrics.h"
-#include "core/number.h"
 #include "shell/window/theme.h"
 
 namespace sightline {

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
+#include "core/base/number.h"
 #include "core/draw/insets.h"
 #include "core/draw/shown_cells.h"
 #include "core/draw/wrong_picture.h"
-#include "core/number.h"
 #include "core/settings/settings_table.h"
 #include "shell/window/theme.h"
 

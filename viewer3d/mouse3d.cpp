@@ -3,14 +3,14 @@
 
 #include <cmath>
 
+#include "core/base/error.h"
+#include "core/base/number.h"
 #include "core/draw/projection.h"
-#include "core/error.h"
-#include "core/number.h"
-#include "shell/bench/camera.h"
-#include "shell/bench/change.h"
-#include "shell/bench/flight.h"
-#include "shell/bench/zoom.h"
 #include "shell/commands/arguments.h"
+#include "shell/desk/camera.h"
+#include "shell/desk/change.h"
+#include "shell/desk/flight.h"
+#include "shell/desk/zoom.h"
 #include "shell/window/theme.h"
 
 namespace sightline {

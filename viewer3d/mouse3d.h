@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-#include "shell/bench/gesture.h"
+#include "shell/desk/gesture.h"
 #include "shell/window/note_field.h"
 #include "viewer3d/pane3d.h"
 #include "viewer3d/picking3d.h"

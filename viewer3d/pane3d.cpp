@@ -4,14 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/number.h"
+#include "core/base/stopwatch.h"
 #include "core/draw/cell_number.h"
 #include "core/draw/legend.h"
 #include "core/draw/notes.h"
 #include "core/draw/palette.h"
 #include "core/draw/projection.h"
 #include "core/draw/shown_cells.h"
-#include "core/number.h"
-#include "core/stopwatch.h"
 
 namespace sightline {
 

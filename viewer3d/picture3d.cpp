@@ -12,9 +12,9 @@
 #include "core/draw/shown_cells.h"
 #include "core/session/substep.h"
 #include "core/settings/settings_table.h"
-#include "shell/bench/camera.h"
-#include "shell/bench/flight.h"
-#include "shell/bench/into.h"
+#include "shell/desk/camera.h"
+#include "shell/desk/flight.h"
+#include "shell/desk/into.h"
 #include "shell/window/theme.h"
 
 namespace sightline {

@@ -5,7 +5,7 @@
 #include <array>
 #include <string>
 
-#include "shell/bench/workbench.h"
+#include "shell/desk/workbench.h"
 #include "shell/window/stage.h"
 #include "viewer3d/counters.h"
 #include "viewer3d/eye_pictures.h"

@@ -5,7 +5,7 @@
 #include <memory>
 #include <optional>
 
-#include "shell/bench/graphics.h"
+#include "shell/desk/graphics.h"
 #include "shell/gl/context.h"
 #include "shell/gl/draw_clock.h"
 #include "shell/gl/id_renderer.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "viewer3d/stage3d.h"
 
-#include "core/scene/catalogue.h"
+#include "core/scene/make/catalogue.h"
 #include "viewer3d/picture3d.h"
 #include "viewer3d/thumbnails.h"
 

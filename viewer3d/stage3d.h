@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "shell/bench/workbench.h"
+#include "shell/desk/workbench.h"
 #include "shell/window/stage.h"
 #include "viewer3d/renderers.h"
 

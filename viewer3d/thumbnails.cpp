@@ -5,8 +5,8 @@
 #include <numeric>
 
 #include "core/draw/solid_palette.h"
-#include "core/scene/catalogue.h"
-#include "core/scene/load.h"
+#include "core/scene/make/catalogue.h"
+#include "core/scene/read/load.h"
 
 namespace sightline {
 

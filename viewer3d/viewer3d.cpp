@@ -3,7 +3,7 @@
 
 #include <iostream>
 
-#include "core/scene/catalogue.h"
+#include "core/scene/make/catalogue.h"
 #include "shell/start/start.h"
 #include "viewer3d/renderers.h"
 #include "viewer3d/stage3d.h"

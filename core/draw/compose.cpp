@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/base/number.h"
 #include "core/draw/cell_number.h"
 #include "core/draw/insets.h"
 #include "core/draw/legend.h"
@@ -12,7 +13,6 @@
 #include "core/draw/picture_3d.h"
 #include "core/draw/projection.h"
 #include "core/draw/shown_world.h"
-#include "core/number.h"
 #include "core/scene/flight_path.h"
 #include "core/session/report.h"
 

@@ -4,8 +4,8 @@
 
 #include <string>
 
+#include "core/base/number.h"
 #include "core/draw/draw_list.h"
-#include "core/number.h"
 
 namespace sightline {
 

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/number.h"
 #include "core/draw/cell_number.h"
 #include "core/draw/notes.h"
 #include "core/draw/palette.h"
 #include "core/draw/shown_world.h"
-#include "core/number.h"
 #include "core/session/explain.h"
 #include "core/traversal/facet_geometry.h"
 

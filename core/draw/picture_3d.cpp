@@ -5,13 +5,13 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/number.h"
 #include "core/draw/cell_number.h"
 #include "core/draw/notes.h"
 #include "core/draw/palette.h"
 #include "core/draw/projection.h"
 #include "core/draw/shown_cells.h"
 #include "core/draw/solid_cells.h"
-#include "core/number.h"
 #include "core/session/explain.h"
 #include "core/traversal/facet_geometry.h"
 #include "core/traversal/star_shape.h"

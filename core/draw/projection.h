@@ -5,7 +5,7 @@
 #include <array>
 #include <optional>
 
-#include "core/traversal/view.h"
+#include "core/scene/view.h"
 
 namespace sightline {
 

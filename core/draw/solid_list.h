@@ -11,7 +11,7 @@
 
 #include "core/draw/pixels.h"
 #include "core/scene/scene.h"
-#include "core/traversal/view.h"
+#include "core/scene/view.h"
 
 namespace sightline {
 

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "core/draw/pixels.h"
-#include "core/measure/reference.h"
+#include "core/truth/reference.h"
 
 namespace sightline {
 

@@ -6,8 +6,8 @@
 #include <optional>
 #include <span>
 
-#include "core/measure/reference.h"
 #include "core/traversal/timeline.h"
+#include "core/truth/reference.h"
 
 namespace sightline {
 

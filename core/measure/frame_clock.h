@@ -7,9 +7,9 @@
 #include <span>
 #include <vector>
 
+#include "core/base/stopwatch.h"
 #include "core/measure/summary.h"
 #include "core/scene/scene.h"
-#include "core/stopwatch.h"
 #include "core/traversal/methods.h"
 
 namespace sightline {

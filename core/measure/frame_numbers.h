@@ -8,8 +8,8 @@
 
 #include "core/measure/measure_table.h"
 #include "core/measure/metrics.h"
-#include "core/measure/truth.h"
 #include "core/traversal/methods.h"
+#include "core/truth/truth.h"
 
 namespace sightline {
 

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "core/measure/reference.h"
 #include "core/traversal/timeline.h"
+#include "core/truth/reference.h"
 
 namespace sightline {
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "core/measure/id_image.h"
+#include "core/truth/id_image.h"
 
 namespace sightline {
 

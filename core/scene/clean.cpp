@@ -4,9 +4,9 @@
 #include <cmath>
 #include <unordered_set>
 
-#include "core/error.h"
-#include "core/number.h"
-#include "core/scene/text.h"
+#include "core/base/error.h"
+#include "core/base/number.h"
+#include "core/base/text.h"
 
 namespace sightline {
 

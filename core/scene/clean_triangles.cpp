@@ -3,11 +3,11 @@
 #include <cmath>
 #include <utility>
 
-#include "core/geometry/float_value.h"
+#include "core/base/float_value.h"
+#include "core/base/number.h"
+#include "core/base/text.h"
 #include "core/geometry/predicates.h"
-#include "core/number.h"
 #include "core/scene/clean.h"
-#include "core/scene/text.h"
 
 namespace sightline {
 

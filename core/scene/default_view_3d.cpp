@@ -3,7 +3,7 @@
 #include <cmath>
 #include <optional>
 
-#include "core/geometry/trig.h"
+#include "core/base/trig.h"
 #include "core/scene/clean.h"
 #include "core/scene/ray_tree.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/flight_path.h"
 
+#include "core/base/json_input.h"
+#include "core/base/text.h"
 #include "core/scene/clean.h"
-#include "core/scene/json_input.h"
-#include "core/scene/text.h"
 
 namespace sightline {
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "core/geometry/hash.h"
+#include "core/base/hash.h"
 #include "core/geometry/vec.h"
 #include "core/scene/flight_path.h"
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/number.h"
+#include "core/base/number.h"
 #include "core/session/explain.h"
 #include "core/session/lanes.h"
 

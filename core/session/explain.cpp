@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/number.h"
+#include "core/base/number.h"
 
 namespace sightline {
 

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "core/error.h"
-#include "core/scene/text.h"
+#include "core/base/error.h"
+#include "core/base/text.h"
 
 namespace sightline {
 

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "core/measure/item_buffer.h"
-#include "core/number.h"
+#include "core/base/number.h"
 #include "core/session/explain.h"
+#include "core/truth/item_buffer.h"
 
 namespace sightline {
 

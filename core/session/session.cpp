@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/error.h"
+#include "core/base/error.h"
+#include "core/base/number.h"
+#include "core/base/stopwatch.h"
 #include "core/measure/first_wrong.h"
-#include "core/number.h"
+#include "core/scene/scene_view.h"
 #include "core/space/builders.h"
-#include "core/stopwatch.h"
-#include "core/traversal/scene_view.h"
 
 namespace sightline {
 

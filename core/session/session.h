@@ -11,8 +11,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/progress.h"
 #include "core/measure/metrics.h"
-#include "core/progress.h"
 #include "core/session/note.h"
 #include "core/settings/settings_table.h"
 #include "core/traversal/methods.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/start_settings.h"
 
-#include "core/scene/catalogue.h"
+#include "core/scene/make/catalogue.h"
 #include "core/settings/settings_table.h"
 
 namespace sightline {

@@ -5,11 +5,11 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "core/error.h"
-#include "core/scene/json_input.h"
-#include "core/scene/load.h"
-#include "core/scene/read_json.h"
-#include "core/scene/text.h"
+#include "core/base/error.h"
+#include "core/base/text.h"
+#include "core/scene/read/load.h"
+#include "core/scene/read/parsed_scene.h"
+#include "core/scene/read/read_json.h"
 #include "core/session/condition.h"
 
 namespace sightline {

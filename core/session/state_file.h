@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/progress.h"
+#include "core/base/progress.h"
 #include "core/session/comparison.h"
 #include "core/session/figure_spec.h"
 #include "core/session/session.h"

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "core/error.h"
-#include "core/number.h"
+#include "core/base/error.h"
+#include "core/base/number.h"
 
 namespace sightline {
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <charconv>
 
-#include "core/error.h"
-#include "core/number.h"
+#include "core/base/error.h"
+#include "core/base/number.h"
 
 namespace sightline {
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <string>
 
-#include "core/error.h"
-#include "core/geometry/random.h"
+#include "core/base/error.h"
+#include "core/base/random.h"
 #include "core/space/builders.h"
 #include "core/space/triangle_test.h"
 

@@ -10,9 +10,9 @@
 #include <bit>
 #include <cstring>
 
-#include "core/error.h"
-#include "core/file.h"
-#include "core/output_file.h"
+#include "core/base/error.h"
+#include "core/base/file.h"
+#include "core/base/output_file.h"
 #include "core/settings/settings_table.h"
 #include "core/space/builders.h"
 #include "core/space/cells_check.h"

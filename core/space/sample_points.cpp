@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/space/sample_points.h"
 
-#include "core/geometry/random.h"
+#include "core/base/random.h"
 
 namespace sightline {
 

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/traversal/heuristics/layers.h"
 #include "core/traversal/heuristics/published.h"
 #include "core/traversal/orders.h"

@@ -6,10 +6,10 @@
 #include <span>
 #include <vector>
 
+#include "core/scene/view.h"
 #include "core/settings/settings.h"
 #include "core/space/cell_complex.h"
 #include "core/traversal/front.h"
-#include "core/traversal/view.h"
 
 namespace sightline {
 

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "core/error.h"
-#include "core/number.h"
+#include "core/base/error.h"
+#include "core/base/number.h"
 
 namespace sightline {
 

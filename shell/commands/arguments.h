@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "shell/bench/workbench.h"
+#include "shell/desk/workbench.h"
 
 namespace sightline {
 

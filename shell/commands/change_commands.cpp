@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 
-#include "core/error.h"
-#include "shell/bench/change.h"
+#include "core/base/error.h"
 #include "shell/commands/arguments.h"
 #include "shell/commands/groups.h"
+#include "shell/desk/change.h"
 
 namespace sightline {
 

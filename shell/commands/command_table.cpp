@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "shell/commands/arguments.h"
 #include "shell/commands/groups.h"
 

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "core/error.h"
-#include "shell/bench/comparison.h"
-#include "shell/bench/open.h"
+#include "core/base/error.h"
 #include "shell/commands/arguments.h"
 #include "shell/commands/groups.h"
+#include "shell/desk/comparison.h"
+#include "shell/desk/open.h"
 
 namespace sightline {
 

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 
-#include "core/error.h"
-#include "core/number.h"
-#include "shell/bench/moves.h"
+#include "core/base/error.h"
+#include "core/base/number.h"
 #include "shell/commands/arguments.h"
 #include "shell/commands/groups.h"
+#include "shell/desk/moves.h"
 #include "shell/panels/panel.h"
 
 namespace sightline {

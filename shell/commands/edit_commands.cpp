@@ -1,10 +1,10 @@
 // Commands that edit the scene.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/error.h"
-#include "shell/bench/edit.h"
+#include "core/base/error.h"
 #include "shell/commands/arguments.h"
 #include "shell/commands/command_table.h"
 #include "shell/commands/groups.h"
+#include "shell/desk/edit.h"
 
 namespace sightline {
 

@@ -1,14 +1,14 @@
 // Commands that read and write files.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/session/report.h"
-#include "shell/bench/export.h"
-#include "shell/bench/film.h"
-#include "shell/bench/launch.h"
-#include "shell/bench/open.h"
-#include "shell/bench/recent.h"
 #include "shell/commands/arguments.h"
 #include "shell/commands/groups.h"
+#include "shell/desk/launch.h"
+#include "shell/desk/open.h"
+#include "shell/desk/recent.h"
+#include "shell/export/export.h"
+#include "shell/export/film.h"
 
 namespace sightline {
 

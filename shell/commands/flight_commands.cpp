@@ -4,14 +4,14 @@
 #include <cmath>
 #include <cstdint>
 
-#include "core/error.h"
-#include "core/file.h"
-#include "core/number.h"
-#include "shell/bench/camera.h"
-#include "shell/bench/change.h"
-#include "shell/bench/flight.h"
+#include "core/base/error.h"
+#include "core/base/file.h"
+#include "core/base/number.h"
 #include "shell/commands/arguments.h"
 #include "shell/commands/groups.h"
+#include "shell/desk/camera.h"
+#include "shell/desk/change.h"
+#include "shell/desk/flight.h"
 
 namespace sightline {
 

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <limits>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/settings/settings_table.h"
-#include "shell/bench/change.h"
 #include "shell/commands/arguments.h"
 #include "shell/commands/groups.h"
+#include "shell/desk/change.h"
 
 namespace sightline {
 

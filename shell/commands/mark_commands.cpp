@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/session/condition.h"
-#include "shell/bench/history.h"
-#include "shell/bench/moves.h"
 #include "shell/commands/arguments.h"
 #include "shell/commands/groups.h"
+#include "shell/desk/history.h"
+#include "shell/desk/moves.h"
 
 namespace sightline {
 

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <tuple>
 
-#include "core/error.h"
-#include "shell/bench/history.h"
-#include "shell/bench/moves.h"
+#include "core/base/error.h"
 #include "shell/commands/arguments.h"
 #include "shell/commands/groups.h"
+#include "shell/desk/history.h"
+#include "shell/desk/moves.h"
 
 namespace sightline {
 

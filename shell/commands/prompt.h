@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "shell/bench/workbench.h"
+#include "shell/desk/workbench.h"
 
 namespace sightline {
 

@@ -1,11 +1,11 @@
 // Commands that answer in words.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/session/explain.h"
-#include "shell/bench/export.h"
-#include "shell/bench/flight.h"
 #include "shell/commands/arguments.h"
 #include "shell/commands/groups.h"
+#include "shell/desk/flight.h"
+#include "shell/export/export.h"
 #include "shell/panels/panel_table.h"
 
 namespace sightline {

@@ -1,11 +1,11 @@
 // Commands that change where the traversal looks from, and how much of it the picture shows.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/error.h"
-#include "shell/bench/change.h"
-#include "shell/bench/moves.h"
-#include "shell/bench/zoom.h"
+#include "core/base/error.h"
 #include "shell/commands/arguments.h"
 #include "shell/commands/groups.h"
+#include "shell/desk/change.h"
+#include "shell/desk/moves.h"
+#include "shell/desk/zoom.h"
 
 namespace sightline {
 

@@ -4,7 +4,7 @@
 #include <cairo-ft.h>
 #include <cairo.h>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "shell/figure/handle.h"
 
 namespace sightline {

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/error.h"
-#include "core/output_file.h"
+#include "core/base/error.h"
+#include "core/base/output_file.h"
 #include "shell/figure/cairo_canvas.h"
 #include "shell/figure/layout.h"
 #include "shell/figure/paint.h"

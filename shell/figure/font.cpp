@@ -8,7 +8,7 @@
 
 #include <array>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "shell/figure/handle.h"
 
 namespace sightline {

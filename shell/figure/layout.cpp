@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "shell/figure/cover.h"
 #include "shell/figure/grid.h"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "shell/figure/inset.h"
 #include "shell/figure/label.h"
 #include "shell/figure/outline.h"

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "core/error.h"
+#include "core/base/error.h"
 
 namespace sightline {
 

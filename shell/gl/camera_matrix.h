@@ -4,7 +4,7 @@
 
 #include <glm/mat4x4.hpp>
 
-#include "core/measure/image_plane.h"
+#include "core/truth/image_plane.h"
 
 namespace sightline {
 

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <string>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "shell/gl/program.h"
 
 namespace sightline {

@@ -5,8 +5,8 @@
 
 #include <vector>
 
-#include "core/measure/id_image.h"
-#include "core/measure/image_triangles.h"
+#include "core/truth/id_image.h"
+#include "core/truth/image_triangles.h"
 #include "shell/gl/handles.h"
 
 namespace sightline {

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <numeric>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "shell/gl/reversed_depth.h"
 #include "shell/gl/solid_shader.h"
 #include "shell/gl/target.h"

@@ -1,6 +1,6 @@
 // Two sessions beside each other: what is different between them, and what comes of it.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/number.h"
+#include "core/base/number.h"
 #include "shell/panels/panel_table.h"
 
 namespace sightline {

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 
-#include "core/number.h"
+#include "core/base/number.h"
 #include "core/session/explain.h"
-#include "shell/bench/into.h"
+#include "shell/desk/into.h"
 #include "shell/panels/panel_table.h"
 
 namespace sightline {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/number.h"
+#include "core/base/number.h"
 #include "core/settings/settings_table.h"
 #include "shell/panels/panel_table.h"
 

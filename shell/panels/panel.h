@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "shell/bench/workbench.h"
+#include "shell/desk/workbench.h"
 
 namespace sightline {
 

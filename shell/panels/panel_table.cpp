@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "core/number.h"
+#include "core/base/number.h"
 
 namespace sightline {
 

@@ -1,9 +1,9 @@
 // Where the run stands, and under which conditions.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/number.h"
+#include "core/base/number.h"
 #include "core/session/report.h"
 #include "core/session/substep.h"
-#include "shell/bench/into.h"
+#include "shell/desk/into.h"
 #include "shell/panels/panel_table.h"
 
 namespace sightline {

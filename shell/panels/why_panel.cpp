@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 
-#include "core/number.h"
+#include "core/base/number.h"
 #include "core/session/explain.h"
 #include "core/session/explain_primitive.h"
-#include "shell/bench/into.h"
+#include "shell/desk/into.h"
 #include "shell/panels/panel_table.h"
 
 namespace sightline {

@@ -4,12 +4,12 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
-#include "core/error.h"
-#include "core/number.h"
+#include "core/base/error.h"
+#include "core/base/number.h"
 #include "core/session/condition.h"
 #include "core/settings/settings_table.h"
-#include "shell/bench/desk.h"
 #include "shell/commands/command_table.h"
+#include "shell/desk/desk.h"
 #include "shell/window/placement.h"
 
 namespace sightline {

@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-#include "shell/bench/workbench.h"
+#include "shell/desk/workbench.h"
 #include "shell/window/stage.h"
 
 namespace sightline {

@@ -6,7 +6,7 @@
 #include <iostream>
 #include <memory>
 
-#include "core/stopwatch.h"
+#include "core/base/stopwatch.h"
 
 namespace sightline {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "core/number.h"
+#include "core/base/number.h"
 #include "core/settings/budget.h"
 #include "shell/window/frontier_plot.h"
 #include "shell/window/parts.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "shell/bench/workbench.h"
+#include "shell/desk/workbench.h"
 #include "shell/window/ui.h"
 
 namespace sightline {

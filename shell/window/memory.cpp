@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "core/error.h"
-#include "core/file.h"
-#include "core/scene/json_input.h"
-#include "core/scene/text.h"
-#include "shell/bench/recent.h"
+#include "core/base/error.h"
+#include "core/base/file.h"
+#include "core/base/json_input.h"
+#include "core/base/text.h"
+#include "shell/desk/recent.h"
 #include "shell/panels/panel.h"
 
 namespace sightline {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "shell/bench/desk.h"
+#include "shell/desk/desk.h"
 #include "shell/window/placement.h"
 
 namespace sightline {

@@ -4,8 +4,8 @@
 #include <array>
 #include <string>
 
-#include "shell/bench/flight.h"
 #include "shell/commands/prompt.h"
+#include "shell/desk/flight.h"
 #include "shell/window/buttons.h"
 #include "shell/window/parts.h"
 #include "shell/window/theme.h"

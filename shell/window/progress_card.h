@@ -6,7 +6,7 @@
 
 #include <string_view>
 
-#include "core/stopwatch.h"
+#include "core/base/stopwatch.h"
 #include "shell/window/ui.h"
 
 namespace sightline {
@@ -15,7 +15,7 @@ class ProgressCard {
 public:
     /// Something begins that may take long.
     void begin() { since_ = {}; }
-    /// A word of it (core/progress.h); draws from half a second on, at most ten times a second, and takes in the
+    /// A word of it (core/base/progress.h); draws from half a second on, at most ten times a second, and takes in the
     /// window's events, which wait for the next frame. Leaves the default framebuffer bound and cleared.
     void show(SDL_Window* window, const Ui& ui, std::string_view what, double share);
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "core/number.h"
+#include "core/base/number.h"
 #include "core/session/explain.h"
 #include "core/session/substep.h"
 #include "shell/window/parts.h"

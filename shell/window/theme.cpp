@@ -5,7 +5,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "shell/figure/font.h"
 #include "shell/window/halo.h"
 #include "shell/window/imgui_backend.h"

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/number.h"
-#include "shell/bench/moves.h"
+#include "core/base/number.h"
+#include "shell/desk/moves.h"
 #include "shell/window/parts.h"
 #include "shell/window/theme.h"
 #include "shell/window/timeline_lanes.h"

@@ -6,8 +6,8 @@
 #include <numeric>
 
 #include "core/session/lanes.h"
-#include "shell/bench/comparison.h"
-#include "shell/bench/flight.h"
+#include "shell/desk/comparison.h"
+#include "shell/desk/flight.h"
 
 namespace sightline {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "core/number.h"
+#include "core/base/number.h"
 #include "shell/window/theme.h"
 
 namespace sightline {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/number.h"
-#include "shell/bench/comparison.h"
+#include "core/base/number.h"
+#include "shell/desk/comparison.h"
 
 namespace sightline {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/draw/draw_list.h"
-#include "shell/bench/workbench.h"
+#include "shell/desk/workbench.h"
 #include "shell/window/timeline_axis.h"
 
 namespace sightline {

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/number.h"
-#include "shell/bench/transport.h"
+#include "core/base/number.h"
+#include "shell/desk/transport.h"
 #include "shell/window/buttons.h"
 #include "shell/window/parts.h"
 #include "shell/window/theme.h"

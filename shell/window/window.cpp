@@ -5,13 +5,13 @@
 #include <cmath>
 #include <utility>
 
-#include "core/error.h"
-#include "core/stopwatch.h"
-#include "shell/bench/change.h"
-#include "shell/bench/flight.h"
-#include "shell/bench/frontier.h"
+#include "core/base/error.h"
+#include "core/base/stopwatch.h"
 #include "shell/commands/command_table.h"
 #include "shell/commands/prompt.h"
+#include "shell/desk/change.h"
+#include "shell/desk/flight.h"
+#include "shell/desk/frontier.h"
 #include "shell/window/imgui_backend.h"
 #include "shell/window/keys.h"
 #include "shell/window/parts.h"

@@ -5,7 +5,7 @@
 
 #include <optional>
 
-#include "shell/bench/workbench.h"
+#include "shell/desk/workbench.h"
 #include "shell/gl/context.h"
 #include "shell/window/mouse_state.h"
 #include "shell/window/placement.h"

@@ -6,9 +6,9 @@
 
 #include <numeric>
 
-#include "core/scene/generators_3d.h"
+#include "core/base/stopwatch.h"
+#include "core/scene/make/generators_3d.h"
 #include "core/space/builders.h"
-#include "core/stopwatch.h"
 #include "core/traversal/methods.h"
 #include "shell/gl/context.h"
 #include "shell/gl/solid_renderer.h"

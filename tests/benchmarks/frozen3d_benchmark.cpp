@@ -4,8 +4,8 @@
 #include <benchmark/benchmark.h>
 
 #include "core/draw/picture_3d.h"
-#include "core/scene/catalogue.h"
-#include "shell/bench/camera.h"
+#include "core/scene/make/catalogue.h"
+#include "shell/desk/camera.h"
 #include "shell/gl/context.h"
 #include "shell/gl/id_renderer.h"
 #include "shell/gl/solid_renderer.h"

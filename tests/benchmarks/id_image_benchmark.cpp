@@ -4,8 +4,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <benchmark/benchmark.h>
 
-#include "core/measure/reference.h"
-#include "core/scene/generators_3d.h"
+#include "core/scene/make/generators_3d.h"
+#include "core/truth/reference.h"
 #include "shell/gl/context.h"
 #include "shell/gl/id_renderer.h"
 #include "shell/gl/scene_mesh.h"

@@ -3,7 +3,7 @@
 #include <benchmark/benchmark.h>
 
 #include "core/draw/picture.h"
-#include "core/scene/generators.h"
+#include "core/scene/make/generators.h"
 #include "shell/gl/context.h"
 #include "shell/gl/list_renderer.h"
 #include "shell/gl/target.h"

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <benchmark/benchmark.h>
 
-#include "core/geometry/trig.h"
+#include "core/base/trig.h"
 #include "shell/gl/context.h"
 #include "shell/gl/solid_renderer.h"
 #include "shell/gl/target.h"
-#include "tests/solid_samples.h"
+#include "tests/draw/solid_samples.h"
 
 namespace sightline {
 namespace {

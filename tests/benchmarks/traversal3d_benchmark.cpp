@@ -9,7 +9,7 @@
 #include <map>
 #include <tuple>
 
-#include "core/scene/generators_3d.h"
+#include "core/scene/make/generators_3d.h"
 #include "core/space/builders.h"
 #include "core/traversal/methods.h"
 

@@ -1,14 +1,14 @@
-// The traversal beside the papers' structure (tests/reference_traversal.h), tessellation, and seeking.
+// The traversal beside the papers' structure (tests/run/reference_traversal.h), tessellation, and seeking.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <benchmark/benchmark.h>
 
 #include <chrono>
 
-#include "core/geometry/random.h"
-#include "core/scene/generators.h"
+#include "core/base/random.h"
+#include "core/scene/make/generators.h"
 #include "core/session/session.h"
 #include "core/space/builders.h"
-#include "tests/reference_traversal.h"
+#include "tests/run/reference_traversal.h"
 
 namespace sightline {
 namespace {

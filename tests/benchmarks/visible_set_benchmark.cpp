@@ -7,10 +7,10 @@
 #include <CGAL/Triangular_expansion_visibility_2.h>
 #include <benchmark/benchmark.h>
 
-#include "core/geometry/random.h"
-#include "core/geometry/trig.h"
-#include "core/measure/item_buffer.h"
-#include "core/measure/visible_set.h"
+#include "core/base/random.h"
+#include "core/base/trig.h"
+#include "core/truth/item_buffer.h"
+#include "core/truth/visible_set.h"
 
 namespace sightline {
 namespace {

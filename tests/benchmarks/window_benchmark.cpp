@@ -5,9 +5,9 @@
 
 #include "core/draw/cell_number.h"
 #include "core/draw/picture.h"
-#include "core/scene/generators.h"
-#include "shell/bench/change.h"
-#include "shell/bench/moves.h"
+#include "core/scene/make/generators.h"
+#include "shell/desk/change.h"
+#include "shell/desk/moves.h"
 #include "shell/window/window.h"
 #include "viewer2d/picture2d.h"
 

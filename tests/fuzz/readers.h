@@ -6,10 +6,10 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "core/error.h"
-#include "core/scene/read_geojson.h"
-#include "core/scene/read_json.h"
-#include "core/scene/read_wad.h"
+#include "core/base/error.h"
+#include "core/scene/read/read_geojson.h"
+#include "core/scene/read/read_json.h"
+#include "core/scene/read/read_wad.h"
 
 namespace sightline::fuzz {
 

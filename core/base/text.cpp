@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/text.h"
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+#include <fstream>
+
+namespace sightline {
+
+std::string one_line(std::string_view text, std::size_t most) {
+    std::string line(text.substr(0, most));
+    for (char& c : line)
+        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+    if (text.size() > most) {
+        while (!line.empty() && (static_cast<unsigned char>(line.back()) & 0xc0) == 0x80) line.pop_back();
+        if (!line.empty() && static_cast<unsigned char>(line.back()) >= 0xc0) line.pop_back();  // half a character
+        line += "...";
+    }
+    return line;
+}
+
+InputError input_error(std::string_view name, std::string_view place, std::string_view reason) {
+    // A long path must not hide the reason.
+    std::string line = one_line(name, 4096) + ": ";
+    if (!place.empty()) line += one_line(place) + ": ";
+    return InputError(line + one_line(reason, 4096));
+}
+
+std::string line_and_column(std::string_view text, std::size_t offset) {
+    const std::string_view before = text.substr(0, std::min(offset, text.size()));
+    const auto lines = std::count(before.begin(), before.end(), '\n');
+    const std::size_t last = before.rfind('\n');
+    const std::size_t column = before.size() - (last == std::string_view::npos ? 0 : last + 1);
+    return "line " + std::to_string(lines + 1) + ", column " + std::to_string(column + 1);
+}
+
+}  // namespace sightline

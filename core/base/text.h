@@ -1,0 +1,22 @@
+// Small helpers for readers: error lines of one form.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "core/base/error.h"
+
+namespace sightline {
+
+/// The text on one line: control characters become '?', and what is beyond `most` bytes is cut with "...".
+std::string one_line(std::string_view text, std::size_t most = 160);
+
+/// "name: place: reason" on one line; the place may be empty.
+InputError input_error(std::string_view name, std::string_view place, std::string_view reason);
+
+/// "line 3, column 14" of a byte offset; both count from 1, columns in bytes.
+std::string line_and_column(std::string_view text, std::size_t offset);
+
+}  // namespace sightline

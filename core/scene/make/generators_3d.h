@@ -1,0 +1,29 @@
+// The generated 3D scenes. Every function returns the same bits on every machine for the same seed and size; lengths
+// are metres, z is up, the ground is at z = 0.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/scene/make/catalogue.h"
+
+namespace sightline::generate {
+
+/// Furnished houses between streets. A larger city has more of the same: what stands near the origin stays, bit for
+/// bit. Paths "street" (stays near the origin whatever the size) and "air".
+Generated city(std::uint64_t seed, std::size_t triangles);
+/// Five parked cars: sheet bodies round engines of many small parts, one hood open. A larger scene has finer bodies and
+/// fuller engines. Path "round".
+Generated cars(std::uint64_t seed, std::size_t triangles);
+/// A closed hall with rows of chairs, seen from inside. A larger one has more chairs, up to a thousand, then finer
+/// ones. Path "walk".
+Generated room(std::uint64_t seed, std::size_t triangles);
+/// Loose two-sided leaves in bushes and tree tops, of which more stand farther out the larger the scene. Path "trail".
+Generated jungle(std::uint64_t seed, std::size_t triangles);
+/// Steel frames with tanks, tubes and pipes between lanes; grows in area as the city does. Path "round".
+Generated plant(std::uint64_t seed, std::size_t triangles);
+/// The 2D scene of this name as a hall: two blocks full of crates from floor to ceiling, a gap between them, hidden
+/// crates behind and a house front beyond the gap. One size. Path "test".
+Generated bottleneck(std::uint64_t seed, std::size_t);
+/// A wall of two triangles with a store behind it. One size. Path "test".
+Generated wall2(std::uint64_t seed, std::size_t);
+
+}  // namespace sightline::generate

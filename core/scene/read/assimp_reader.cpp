@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/scene/read/assimp_reader.h"
+
+#include <assimp/DefaultIOSystem.h>
+#include <assimp/config.h>
+#include <assimp/importerdesc.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+
+#include <algorithm>
+#include <assimp/DefaultLogger.hpp>
+#include <assimp/IOStream.hpp>
+#include <assimp/Importer.hpp>
+#include <assimp/LogStream.hpp>
+#include <cstring>
+#include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/matrix.hpp>
+#include <span>
+#include <string_view>
+
+#include "core/base/trig.h"
+#include "core/scene/read/file_kind.h"
+#include "core/scene/read/mesh_text.h"
+
+namespace sightline {
+
+namespace {
+
+template <std::size_t N>
+void copy(std::string_view text, char (&to)[N]) {
+    std::memcpy(to, text.data(), std::min(text.size(), N - 1));
+}
+
+void refuse(AssimpHeader& header, std::string_view reason) {
+    header.failed = 1;
+    copy(reason, header.text);
+}
+
+/// Text that has been moved, read as if it were the file.
+class TextStream : public Assimp::IOStream {
+public:
+    explicit TextStream(const std::string& text) : text_(text) {}
+    std::size_t Read(void* to, std::size_t size, std::size_t count) override {
+        if (size == 0) return 0;
+        const std::size_t whole = std::min(count, (text_.size() - at_) / size);
+        std::memcpy(to, text_.data() + at_, whole * size);
+        at_ += whole * size;
+        return whole;
+    }
+    std::size_t Write(const void*, std::size_t, std::size_t) override { return 0; }
+    aiReturn Seek(std::size_t offset, aiOrigin origin) override {
+        const std::size_t base = origin == aiOrigin_SET ? 0 : origin == aiOrigin_CUR ? at_ : text_.size();
+        const std::size_t to = origin == aiOrigin_END ? base - offset : base + offset;
+        if (to > text_.size()) return aiReturn_FAILURE;
+        at_ = to;
+        return aiReturn_SUCCESS;
+    }
+    std::size_t Tell() const override { return at_; }
+    std::size_t FileSize() const override { return text_.size(); }
+    void Flush() override {}
+
+private:
+    const std::string& text_;
+    std::size_t at_ = 0;
+};
+
+/// The file system, with one file's text replaced.
+class FilesWithText : public Assimp::DefaultIOSystem {
+public:
+    FilesWithText(std::string path, const std::string& text) : path_(std::move(path)), text_(text) {}
+    Assimp::IOStream* Open(const char* path, const char* mode) override {
+        if (path == path_) return new TextStream(text_);
+        return DefaultIOSystem::Open(path, mode);
+    }
+
+private:
+    std::string path_;
+    const std::string& text_;
+};
+
+struct Instance {
+    const aiMesh* mesh;
+    glm::dmat4 to_scene;
+};
+
+glm::dmat4 matrix(const aiMatrix4x4& m) {
+    glm::dmat4 out;
+    for (unsigned row = 0; row < 4; ++row)
+        for (unsigned column = 0; column < 4; ++column)
+            out[static_cast<int>(column)][static_cast<int>(row)] = m[row][column];
+    return out;
+}
+
+Vec<3> vector(const aiVector3D& v) { return {v.x, v.y, v.z}; }
+Vec<3> transformed(const glm::dmat4& m, const Vec<3>& p) { return Vec<3>(m * glm::dvec4(p, 1)); }
+
+/// Every use of a mesh, in the order of the nodes, and the first camera.
+std::vector<Instance> instances_of(const aiScene& scene, std::string_view format, const Vec<3>& shift,
+                                   AssimpHeader& header) {
+    std::vector<Instance> instances;
+    struct Visit {
+        const aiNode* node;
+        glm::dmat4 to_scene;
+    };
+    std::vector<Visit> visits;
+    if (scene.mRootNode) visits.push_back({scene.mRootNode, matrix(scene.mRootNode->mTransformation)});
+    glm::dmat4 unshift(1);
+    unshift[3] = glm::dvec4(shift, 1);
+    const aiCamera* camera = scene.mNumCameras > 0 ? scene.mCameras[0] : nullptr;
+    while (!visits.empty()) {
+        const Visit visit = visits.back();
+        visits.pop_back();
+        for (unsigned i = 0; i < visit.node->mNumMeshes; ++i) {
+            const unsigned mesh = visit.node->mMeshes[i];
+            if (mesh < scene.mNumMeshes) instances.push_back({scene.mMeshes[mesh], visit.to_scene * unshift});
+        }
+        if (camera && camera->mName == visit.node->mName && !header.has_camera) {
+            header.has_camera = 1;
+            // glTF cameras stand at their node's origin; Assimp gives the node's translation once more as position.
+            const Vec<3> position = format == "gltf" ? Vec<3>(0) : vector(camera->mPosition);
+            header.camera.eye = transformed(visit.to_scene, position);
+            const Vec<3> ahead = glm::dmat3(visit.to_scene) * vector(camera->mLookAt);
+            header.camera.look_at = header.camera.eye + ahead / std::sqrt(glm::dot(ahead, ahead));
+            // Assimp's glTF reader multiplies the vertical angle by the aspect.
+            const double aspect = camera->mAspect > 0 ? static_cast<double>(camera->mAspect) : 1;
+            header.camera.fov =
+                std::clamp(static_cast<double>(camera->mHorizontalFOV) / aspect * 180 / pi, 10.0, 120.0);
+        }
+        for (unsigned i = visit.node->mNumChildren; i-- > 0;)
+            visits.push_back(
+                {visit.node->mChildren[i], visit.to_scene * matrix(visit.node->mChildren[i]->mTransformation)});
+    }
+    return instances;
+}
+
+bool is_triangle(const aiFace& face) { return face.mNumIndices == 3; }
+
+bool is_two_sided(const aiScene& scene, const aiMesh& mesh, std::string_view format) {
+    if (format == "ply" || format == "off") return false;  // no materials: what Assimp hands out is its own
+    int two_sided = 0;
+    if (mesh.mMaterialIndex < scene.mNumMaterials)
+        scene.mMaterials[mesh.mMaterialIndex]->Get(AI_MATKEY_TWOSIDED, two_sided);
+    return two_sided != 0;
+}
+
+int up_axis_of(const aiScene& scene, std::string_view format) {
+    int axis = 0;
+    if (scene.mMetaData && scene.mMetaData->Get("UpAxis", axis) && (axis == 1 || axis == 2)) return axis;
+    for (const std::string_view z : {"ply", "stl", "off", "3mf", "amf", "raw"})
+        if (format == z) return 2;
+    return 1;
+}
+
+/// Counts the triangles and makes sure that they refer to vertices that exist.
+void check_faces(const std::vector<Instance>& instances, AssimpHeader& header) {
+    for (const Instance& instance : instances)
+        for (unsigned f = 0; f < instance.mesh->mNumFaces; ++f) {
+            const aiFace& face = instance.mesh->mFaces[f];
+            if (!is_triangle(face)) continue;
+            ++header.triangles;
+            for (unsigned c = 0; c < 3; ++c)
+                if (face.mIndices[c] >= instance.mesh->mNumVertices)
+                    return refuse(header, "a face refers to vertex " + std::to_string(face.mIndices[c]) + " of " +
+                                              std::to_string(instance.mesh->mNumVertices));
+        }
+}
+
+void send_triangles(const std::vector<Instance>& instances, const ChildProcess::Send& send) {
+    std::vector<Primitive<3>> batch;
+    const auto flush = [&] {
+        send(batch.data(), batch.size() * sizeof(Primitive<3>));
+        batch.clear();
+    };
+    for (const Instance& instance : instances) {
+        const bool mirrored = glm::determinant(glm::dmat3(instance.to_scene)) < 0;
+        for (unsigned f = 0; f < instance.mesh->mNumFaces; ++f) {
+            const aiFace& face = instance.mesh->mFaces[f];
+            if (!is_triangle(face)) continue;
+            Primitive<3>& triangle = batch.emplace_back();
+            for (unsigned c = 0; c < 3; ++c)
+                triangle[c] = transformed(instance.to_scene, vector(instance.mesh->mVertices[face.mIndices[c]]));
+            if (mirrored) std::swap(triangle[1], triangle[2]);
+            if (batch.size() == 4096) flush();
+        }
+    }
+    flush();
+}
+
+void send_sides(const aiScene& scene, const std::vector<Instance>& instances, std::string_view format,
+                const ChildProcess::Send& send) {
+    for (const Instance& instance : instances) {
+        const std::span<const aiFace> faces(instance.mesh->mFaces, instance.mesh->mNumFaces);
+        const auto triangles = static_cast<std::size_t>(std::count_if(faces.begin(), faces.end(), is_triangle));
+        const std::vector<std::uint8_t> sides(triangles, is_two_sided(scene, *instance.mesh, format));
+        send(sides.data(), sides.size());
+    }
+}
+
+/// The first complaint about damage; Assimp calls harmless things errors, too.
+class Complaints : public Assimp::LogStream {
+public:
+    explicit Complaints(AssimpHeader& header) : header_(header) {}
+    void write(const char* message) override {
+        std::string_view line(message);
+        line.remove_prefix(std::min(line.find(": ") + 2, line.size()));  // "Error, T0: "
+        for (const char* damage : {"out of range", "nvalid", "nexpected", "orrupt"})
+            if (header_.warning[0] == 0 && line.find(damage) != std::string_view::npos)
+                copy(line.substr(0, line.find('\n')), header_.warning);
+    }
+
+private:
+    AssimpHeader& header_;
+};
+
+/// Files that are well-formed and hold nothing; Assimp calls that an error.
+bool is_empty(std::string_view error) {
+    for (const std::string_view empty : {"OFF: There are no valid vertices", "OFF: There are no valid faces",
+                                         "GLTF: No scene", "STL: file is empty. There are no facets defined"})
+        if (error == empty) return true;
+    return false;
+}
+
+/// Of Assimp's "gltf glb" or "mesh mesh.xml".
+bool lists(std::string_view endings, std::string_view ending) {
+    for (; !endings.empty(); endings.remove_prefix(std::min(endings.find(' '), endings.size() - 1) + 1)) {
+        const std::string_view one = endings.substr(0, endings.find(' '));
+        if (one == ending.substr(1) || one.ends_with(ending)) return true;
+    }
+    return false;
+}
+
+/// Why a file without triangles is not just empty; nothing where it is. What Assimp's readers of other formats than
+/// these make nothing of is more likely another kind of file.
+std::string why_no_triangles(const std::string& path, std::string_view format, bool said_to_be_empty) {
+    if (said_to_be_empty || format == "gltf" || format == "stl") return {};
+    if (format == "obj") return why_no_obj(path);  // the reader passes over lines that it does not know
+    return "no triangle is found in it, read as ." + std::string(format);
+}
+
+}  // namespace
+
+void read_with_assimp(const std::string& path, const ChildProcess::Send& send) {
+    AssimpHeader header;
+    Assimp::DefaultLogger::create(nullptr, Assimp::Logger::NORMAL, 0);
+    Assimp::DefaultLogger::get()->attachStream(new Complaints(header), Assimp::Logger::Err);
+    const MeshText prepared = prepare_mesh_text(path);
+    if (!prepared.error.empty()) {
+        refuse(header, prepared.error);
+        return send(&header, sizeof header);
+    }
+    Assimp::Importer importer;
+    importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);                // bones are no scene
+    if (prepared.text) importer.SetIOHandler(new FilesWithText(path, *prepared.text));  // which the importer then owns
+    const aiScene* scene = importer.ReadFile(path, aiProcess_Triangulate);
+    const aiScene nothing;
+    const std::string error = importer.GetErrorString();
+    const bool too_small = error == "OBJ-file is too small.";  // a comment, say
+    const std::string why = too_small ? why_no_obj(path) : error;
+    const bool said_to_be_empty = prepared.empty || (too_small && why.empty()) || is_empty(error);
+    if (!scene && said_to_be_empty) {
+        scene = &nothing;
+        header.warning[0] = 0;
+    }
+    if (!scene) {
+        refuse(header, why);
+        return send(&header, sizeof header);
+    }
+    const auto reader = static_cast<std::size_t>(importer.GetPropertyInteger("importerIndex", 0));
+    const std::string_view endings = importer.GetImporterInfo(reader)->mFileExtensions;
+    const std::string_view format = endings.substr(0, endings.find(' '));
+    const std::string ending = ending_of(path);
+    if (!lists(endings, ending)) {
+        refuse(header, "its ending is " + ending + ", but it holds what belongs in ." + std::string(format));
+        return send(&header, sizeof header);
+    }
+    copy(format, header.text);
+    header.up_axis = static_cast<std::uint8_t>(up_axis_of(*scene, format));
+    const std::vector<Instance> instances = instances_of(*scene, format, prepared.shift, header);
+    for (const Instance& instance : instances) header.any_two_sided |= is_two_sided(*scene, *instance.mesh, format);
+    check_faces(instances, header);
+    if (header.triangles == 0 && !header.failed)
+        if (const std::string why = why_no_triangles(path, format, said_to_be_empty); !why.empty()) refuse(header, why);
+    send(&header, sizeof header);
+    if (header.failed) return;
+    send_triangles(instances, send);
+    if (header.any_two_sided) send_sides(*scene, instances, format, send);
+}
+
+}  // namespace sightline

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/scene/view.h"
+
+#include "core/base/error.h"
+#include "core/base/trig.h"
+#include "core/geometry/predicates.h"
+
+namespace sightline {
+
+namespace {
+
+template <int D>
+void check(const ViewSpec<D>& spec) {
+    if (!is_finite(spec.eye) || !is_finite(spec.look_at)) throw InputError("view: eye and look-at must be finite");
+    if (spec.eye == spec.look_at) throw InputError("view: look-at coincides with the eye, so there is no direction");
+    const bool all_round = D == 2 && spec.fov == 360;
+    if (!(spec.fov > 0 && spec.fov < 180) && !all_round)
+        throw InputError(D == 2 ? "view: fov must lie strictly between 0 and 180 degrees, or be 360 for all round"
+                                : "view: fov must lie strictly between 0 and 180 degrees");
+}
+
+/// +1 on the inner side of the cone's right border, 0 on it.
+int side_of_right(const View<2>& view, const Vec<2>& p) { return orient(view.eye, view.corners[0], p); }
+/// +1 on the inner side of the cone's left border, 0 on it.
+int side_of_left(const View<2>& view, const Vec<2>& p) { return -orient(view.eye, view.corners[1], p); }
+
+/// Whether the closed segment ab, whose ends lie on the given sides of the line through the eye and a corner, meets
+/// the ray from the eye through that corner.
+bool meets_ray(const View<2>& view, int side_a, int side_b, const Vec<2>& a, const Vec<2>& b) {
+    if (side_a * side_b > 0 || (side_a == 0 && side_b == 0)) return false;
+    const int turn = orient(a, b, view.eye);
+    return side_a > side_b ? turn <= 0 : turn >= 0;
+}
+
+/// More than products of coordinates lose when they underflow.
+constexpr double smallest_product = 1e-300;
+
+/// The plane through the eye, a and b, with the inner point on its inner side. The exact normal is the cross product of
+/// the exact differences; each of its components is computed with an error below 4 u (|p| + |r|), where p and r are its
+/// two products and u = 2^-53. A difference q and the three products and two sums with it add less than 4 u to that
+/// factor. Twice the sum is kept.
+ViewPlane plane_through(const Vec<3>& eye, const Vec<3>& a, const Vec<3>& b, const Vec<3>& inner) {
+    const Vec<3> u = a - eye, v = b - eye;
+    const Vec<3> p(u.y * v.z, u.z * v.x, u.x * v.y), r(u.z * v.y, u.x * v.z, u.y * v.x);
+    // Where the eye, a, b and the inner point lie in one plane after rounding, nothing is outside.
+    return {(p - r) * static_cast<double>(orient(eye, a, b, inner)), (glm::abs(p) + glm::abs(r)) * 0x1p-49};
+}
+
+}  // namespace
+
+View<2> make_view(const ViewSpec<2>& spec) {
+    check(spec);
+    View<2> view{spec.eye, spec.look_at, spec.fov, spec.fov == 360, {}, {}};
+    if (view.all_round) return view;
+    const SinCos half = sincos_degrees(spec.fov / 2);
+    const Vec<2> d = spec.look_at - spec.eye;
+    view.corners[0] = spec.eye + Vec<2>(half.cos * d.x + half.sin * d.y, half.cos * d.y - half.sin * d.x);
+    view.corners[1] = spec.eye + Vec<2>(half.cos * d.x - half.sin * d.y, half.cos * d.y + half.sin * d.x);
+    if (orient(view.eye, view.corners[0], view.corners[1]) <= 0)
+        throw InputError("view: eye and look-at are so close that the view cone vanishes in rounding");
+    return view;
+}
+
+View<3> make_view(const ViewSpec<3>& spec, double aspect, int up_axis) {
+    check(spec);
+    View<3> view{spec.eye, spec.look_at, spec.fov, false, {}, {}};
+    const Vec<3> forward = view.forward();
+    Vec<3> up_hint(0);
+    up_hint[std::abs(forward[up_axis]) < 0.999999 ? up_axis : 3 - up_axis] = 1;
+    const Vec<3> right =
+        glm::cross(forward, up_hint) / std::sqrt(glm::dot(glm::cross(forward, up_hint), glm::cross(forward, up_hint)));
+    const Vec<3> up = glm::cross(right, forward);
+    const SinCos half = sincos_degrees(spec.fov / 2);
+    const double distance = std::sqrt(glm::dot(spec.look_at - spec.eye, spec.look_at - spec.eye));
+    const double h = distance * half.sin / half.cos, w = h * aspect;
+    const Vec<3> centre = spec.look_at;
+    view.corners = {centre - right * w - up * h, centre + right * w - up * h, centre + right * w + up * h,
+                    centre - right * w + up * h};
+    for (const Vec<3>& corner : view.corners)
+        if (!is_finite(corner)) throw InputError("view: eye and look-at are too far apart");
+    for (std::size_t i = 0; i < 4; ++i)
+        view.planes[i] = plane_through(view.eye, view.corners[i], view.corners[(i + 1) % 4], view.look_at);
+    return view;
+}
+
+bool in_view(const View<2>& view, const Primitive<2>& segment) {
+    if (view.all_round) return true;
+    const auto& [a, b] = segment;
+    const int right_a = side_of_right(view, a), left_a = side_of_left(view, a);
+    if (right_a >= 0 && left_a >= 0) return true;
+    const int right_b = side_of_right(view, b), left_b = side_of_left(view, b);
+    if (right_b >= 0 && left_b >= 0) return true;
+    // Both borders, because a segment may pass through the eye along one of them.
+    return meets_ray(view, right_a, right_b, a, b) || meets_ray(view, -left_a, -left_b, a, b);
+}
+
+bool in_view(const View<2>& view, std::span<const Vec<2>> cell_corners) {
+    // A bounded cell that meets the unbounded cone has a border that meets it too.
+    for (std::size_t i = 0; i < cell_corners.size(); ++i)
+        if (in_view(view, Primitive<2>{cell_corners[i], cell_corners[(i + 1) % cell_corners.size()]})) return true;
+    return false;
+}
+
+bool in_view(const View<3>& view, std::span<const Vec<3>> cell_corners) {
+    const auto beyond = [&](const ViewPlane& plane, const Vec<3>& p) {
+        const Vec<3> q = p - view.eye;
+        return glm::dot(plane.inward, q) < -(glm::dot(plane.uncertainty, glm::abs(q)) + smallest_product);
+    };
+    for (const ViewPlane& plane : view.planes) {
+        std::size_t outside = 0;
+        while (outside < cell_corners.size() && beyond(plane, cell_corners[outside])) ++outside;
+        if (outside == cell_corners.size()) return false;
+    }
+    return true;
+}
+
+bool in_view(const View<3>& view, const Primitive<3>& triangle) {
+    return in_view(view, std::span<const Vec<3>>(triangle));
+}
+
+}  // namespace sightline

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/truth/image_triangles.h"
+
+#include <span>
+
+namespace sightline {
+
+namespace {
+
+constexpr double reach = 2;  ///< what lies beyond the image's border by more than its half size is cut off
+/// How far a rasteriser may move a corner, in pixels: to the next of 256 places, and a little for floats.
+constexpr double snap = 1.0 / 128;
+constexpr double nearness_unit = 0x1p-63;  ///< in the middle between the smallest float and 1
+
+/// Points of the image as (x w, y w, w); what is in front of the eye is where they turn positive by w.
+using Polygon = std::array<Vec<3>, 7>;
+
+/// Cuts a convex polygon to the side where sign * p[axis] <= reach * w. An edge is cut from its inner end, so that both
+/// triangles that share it get the same point.
+std::size_t cut(std::span<const Vec<3>> polygon, int axis, double sign, Polygon& inside) {
+    std::size_t count = 0;
+    const auto depth = [&](const Vec<3>& p) { return reach * p.z - sign * p[axis]; };
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Vec<3>&a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+        const double in_a = depth(a), in_b = depth(b);
+        if (in_a >= 0) inside[count++] = a;
+        if (in_a > 0 && in_b < 0) inside[count++] = a + (b - a) * (in_a / (in_a - in_b));
+        if (in_b > 0 && in_a < 0) inside[count++] = b + (a - b) * (in_b / (in_b - in_a));
+    }
+    return count;
+}
+
+/// The part of the triangle in the widened cone. Its four sides leave nothing behind the eye.
+std::size_t cut_to_cone(const std::array<Vec<3>, 3>& triangle, Polygon& polygon) {
+    Polygon other;
+    std::size_t count = cut(triangle, 0, 1, other);
+    count = cut(std::span(other).first(count), 0, -1, polygon);
+    count = cut(std::span(polygon).first(count), 1, 1, other);
+    return cut(std::span(other).first(count), 1, -1, polygon);
+}
+
+/// Whether all three lie beyond one side of the cone itself.
+bool beyond(const std::array<Vec<3>, 3>& p) {
+    const auto all = [&](const auto& outside) { return outside(p[0]) && outside(p[1]) && outside(p[2]); };
+    return all([](const Vec<3>& q) { return q.x > q.z; }) || all([](const Vec<3>& q) { return -q.x > q.z; }) ||
+           all([](const Vec<3>& q) { return q.y > q.z; }) || all([](const Vec<3>& q) { return -q.y > q.z; });
+}
+
+bool within_reach(const std::array<Vec<3>, 3>& p) {
+    for (const Vec<3>& q : p)
+        if (!(std::max(std::abs(q.x), std::abs(q.y)) <= reach * q.z)) return false;
+    return true;
+}
+
+/// Whether a pixel's centre lies in the range from low to high (-1 to 1) of `pixels` pixels, or close to it.
+bool meets_centre(double low, double high, int pixels) {
+    const double scale = pixels * 0.5;
+    const double first = std::ceil((low + 1) * scale - 0.5 - snap), last = std::floor((high + 1) * scale - 0.5 + snap);
+    return std::max(first, 0.0) <= std::min(last, pixels - 1.0);
+}
+
+bool meets_centre(std::span<const Vec<3>> seen, const ImageSize& size) {
+    Box<2> box;
+    for (const Vec<3>& p : seen) box.add({p.x, p.y});
+    return meets_centre(box.min.x, box.max.x, size.width) && meets_centre(box.min.y, box.max.y, size.height);
+}
+
+}  // namespace
+
+void append_image_triangles(const Scene<3>& scene, const View<3>& view, const ImageSize& size, std::size_t& next,
+                            std::size_t limit, std::vector<ImageCorner>& corners) {
+    const ImagePlane plane = image_plane(view);
+    Polygon polygon;
+    for (; next < scene.primitives.size() && corners.size() < limit; ++next) {
+        const Primitive<3>& triangle = scene.primitives[next];
+        const std::array<Vec<3>, 3> projected{plane.project(triangle[0]), plane.project(triangle[1]),
+                                              plane.project(triangle[2])};
+        if (beyond(projected)) continue;
+        if (!faces(view, triangle) && (scene.two_sided.empty() || !scene.two_sided[next])) continue;
+        std::size_t count = 3;
+        if (within_reach(projected))
+            std::copy(projected.begin(), projected.end(), polygon.begin());
+        else
+            count = cut_to_cone(projected, polygon);
+        const auto seen = std::span(polygon).first(count);
+        // Only one that holds the eye comes so near; it is seen edge-on.
+        if (std::any_of(seen.begin(), seen.end(), [](const Vec<3>& p) { return !(p.z > nearness_unit); })) continue;
+        for (Vec<3>& p : seen) p = {p.x / p.z, -p.y / p.z, nearness_unit / p.z};
+        if (!meets_centre(seen, size)) continue;
+        const auto append = [&](const Vec<3>& p) {
+            corners.push_back({static_cast<float>(p.x), static_cast<float>(p.y),
+                               static_cast<float>(std::max(p.z, 0x1p-126)), static_cast<std::uint32_t>(next)});
+        };
+        for (std::size_t i = 2; i < count; ++i) {
+            append(seen[0]);
+            append(seen[i - 1]);
+            append(seen[i]);
+        }
+    }
+}
+
+}  // namespace sightline

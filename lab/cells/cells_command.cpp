@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <iostream>
+
+#include "core/base/error.h"
+#include "core/base/file.h"
+#include "core/base/number.h"
+#include "core/traversal/methods.h"
+#include "lab/cells/cells_report.h"
+#include "lab/command.h"
+#include "lab/measure/run_study.h"
+#include "lab/measure/study_options.h"
+#include "lab/report/chart.h"
+#include "lab/report/say.h"
+#include "lab/report/study_charts.h"
+
+namespace sightline::lab {
+
+namespace {
+
+Measure measure_named(const std::string& id) {
+    for (const MeasureRow& row : measure_table())
+        if (row.id == id && row.better != Better::neither) return row.measure;
+    throw InputError("--measure '" + id + "': not a measure that can be better or worse, such as wrong or coverage");
+}
+
+/// Writes the settings of a knee and says so.
+void write_knee(const CellsCurve& curve, Measure measure, double within, const std::filesystem::path& folder) {
+    const std::size_t at = knee(curve, measure, within);
+    const CellsPoint& point = curve.points[at];
+    const std::filesystem::path file =
+        folder / (file_stem(curve.scene + "-" + method_text(curve.method) + "-" + curve.budget) + ".settings.json");
+    write_file(file, knee_settings(curve, measure, within));
+    std::cout << curve.scene << ", " << method_text(curve.method) << " " << curve.budget << ": error bound "
+              << short_number(point.error_bound) << ", " << knee_text(curve, at) << ", " << measure_row(measure).title
+              << " " << short_number(summary(point.row, measure)) << "; --settings " << file.string() << "\n";
+}
+
+/// Empty for a method that needs none.
+std::string on_cells(const Row& row) {
+    const auto table = method_table<3>();
+    const auto method =
+        std::find_if(table.begin(), table.end(), [&](const Method<3>& m) { return m.id == row.method.id; });
+    if (method == table.end() || !method->orders_cells) return {};
+    return ", " + std::to_string(row.cells) + " cells (error bound " + short_number(row.error_bound) + ")";
+}
+
+}  // namespace
+
+int cells_command(int argc, const char* const* argv) {
+    CLI::App app{
+        "Sweeps the size of the cells and names the coarsest tessellation, and the simplest method, that will do.",
+        "lab cells"};
+    StudyOptions options;
+    options.budgets = {"5%"};
+    options.methods = {"published", "layers", "centroid", "view"};
+    add_study_options(app, options);
+    std::vector<double> bounds = default_error_bounds();
+    std::string measure_id = "wrong", out = "out/cells";
+    double within = 0.01;
+    std::optional<double> reach;
+    app.add_option("--error-bounds", bounds, "with commas between, each in (0, 1]")
+        ->delimiter(',')
+        ->check(CLI::Range(1e-3, 1.0));
+    app.add_option("--measure", measure_id, "what is looked at, such as wrong, coverage or total_ms")
+        ->capture_default_str();
+    app.add_option("--within", within, "how much worse than the best the knee may be; a share is of 1")
+        ->capture_default_str();
+    app.add_option("--reach", reach, "also name the simplest method that reaches this value of the measure");
+    app.add_option("--out", out, "folder of the results")->capture_default_str();
+    if (!parse(app, argc, argv)) return 0;
+    const Measure measure = measure_named(measure_id);
+    const Study asked = study_of(options), study = sweep_study(asked, bounds), cell_free = cell_free_study(asked);
+    if (study.methods.empty()) throw InputError("lab cells: none of these methods orders cells");
+    LabGraphics graphics;
+    note_interrupts();
+    const Results results = run_study(study, out, graphics, {.say = say, .stopped = interrupted});
+    Results simple = results;
+    if (reach && !cell_free.methods.empty() && !interrupted()) {
+        const std::filesystem::path folder = std::filesystem::path(out) / "without-cells";
+        const Results others = run_study(cell_free, folder, graphics, {.say = say, .stopped = interrupted});
+        write_results(others, folder);
+        simple.rows.insert(simple.rows.end(), others.rows.begin(), others.rows.end());
+    }
+    if (interrupted()) return stopped();
+    const std::vector<CellsCurve> curves = curves_of(results);
+    write_results(results, out);
+    say("drawing the charts");
+    write_cells_report(curves, measure, within, out);
+    say("");
+    for (const CellsCurve& curve : curves) write_knee(curve, measure, within, out);
+    if (reach)
+        for (const Group& group : groups(simple)) {
+            const Row* found = simplest(group.rows, measure, *reach);
+            std::cout << group.scene << ": "
+                      << (found ? "the simplest that reaches it is " + method_text(found->method) + ", budget " +
+                                      found->budget + on_cells(*found)
+                                : std::string("nothing that was tried reaches it"))
+                      << "\n";
+        }
+    std::cout << "Written: " << out << "/cells.html, results.json, results.csv, charts/, *.settings.json\n";
+    return 0;
+}
+
+}  // namespace sightline::lab

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lab/cells/cells_report.h"
+
+#include <algorithm>
+
+#include "core/base/file.h"
+#include "core/base/number.h"
+#include "core/settings/settings_file.h"
+#include "lab/report/method_looks.h"
+#include "lab/report/page.h"
+
+namespace sightline::lab {
+
+namespace {
+
+/// Curves of one scene and path over the number of cells.
+Chart chart_of(const std::vector<const CellsCurve*>& curves, Measure measure, double within, bool knees) {
+    const bool share = measure_row(measure).unit == "share";
+    Chart chart;
+    chart.title = curves.front()->scene + ", path " + curves.front()->path + ", budget " + curves.front()->budget;
+    chart.x = "cells";
+    chart.y = std::string(measure_row(measure).title) + ", " + (share ? "%" : std::string(measure_row(measure).unit));
+    chart.log_x = true;
+    Series marks{"knee", Series::Look::dots, "#000000", 2, {}, {}};
+    MethodLooks looks;
+    for (const CellsCurve* at : curves) {
+        const CellsCurve& curve = *at;
+        Series s = looks.series(curve.method);
+        for (const CellsPoint& point : curve.points)
+            s.points.push_back({static_cast<double>(point.row.cells), summary(point.row, measure) * (share ? 100 : 1)});
+        if (knees) marks.points.push_back(s.points[knee(curve, measure, within)]);
+        chart.series.push_back(std::move(s));
+    }
+    if (knees) chart.series.push_back(std::move(marks));
+    return chart;
+}
+
+std::string table_of(const CellsCurve& curve, Measure measure, double within) {
+    const std::size_t at = knee(curve, measure, within);
+    std::string html =
+        "<h3>" + escaped(method_text(curve.method)) +
+        "</h3><table><tr><th>error bound</th><th>cells</th><th>memory, KB</th><th>coverage, %</th>"
+        "<th>wrong pixels, %</th><th>worst, %</th><th>traversal, ms</th><th>ms per frame</th><th></th></tr>";
+    for (std::size_t i = 0; i < curve.points.size(); ++i) {
+        const Row& row = curve.points[i].row;
+        html += "<tr>" + cell(short_number(curve.points[i].error_bound)) + cell(std::to_string(row.cells)) +
+                cell(std::to_string(row.memory_bytes / 1024)) + cell(per_cent(summary(row, Measure::coverage))) +
+                cell(per_cent(summary(row, Measure::wrong))) + cell(per_cent(worst(row, Measure::wrong))) +
+                cell(number(summary(row, Measure::traverse_ms))) + cell(number(summary(row, Measure::total_ms))) +
+                cell(i == at ? "knee" : "", true) + "</tr>";
+    }
+    return html + "</table><p>Knee: " + knee_text(curve, at) + ".</p>";
+}
+
+/// Curves of one scene, path and budget, in their order.
+std::vector<std::vector<const CellsCurve*>> grouped(const std::vector<CellsCurve>& curves) {
+    std::vector<std::vector<const CellsCurve*>> groups;
+    for (const CellsCurve& curve : curves) {
+        const auto same = [&](const std::vector<const CellsCurve*>& group) {
+            const CellsCurve& first = *group.front();
+            return first.scene == curve.scene && first.path == curve.path && first.budget == curve.budget;
+        };
+        const auto at = std::find_if(groups.begin(), groups.end(), same);
+        at == groups.end() ? groups.push_back({&curve}) : at->push_back(&curve);
+    }
+    return groups;
+}
+
+}  // namespace
+
+void write_cells_report(const std::vector<CellsCurve>& curves, Measure measure, double within,
+                        const std::filesystem::path& folder) {
+    std::filesystem::create_directories(folder / "charts");
+    std::string html =
+        "<p>Accuracy and time against the number of cells, mean over the frames of the path. The knee is "
+        "the coarsest tessellation whose " +
+        escaped(std::string(measure_row(measure).title)) + " is within " + per_cent(within) +
+        " points of the best.</p>";
+    std::vector<Measure> shown{measure};
+    for (const Measure m : {Measure::coverage, Measure::traverse_ms, Measure::total_ms})
+        if (m != measure) shown.push_back(m);
+    for (const auto& group : grouped(curves)) {
+        const CellsCurve& first = *group.front();
+        html += "<h2>" + escaped(first.scene + ", path " + first.path + ", budget " + first.budget) + "</h2>";
+        for (const Measure m : shown) {
+            const std::filesystem::path stem = folder / "charts" /
+                                               file_stem("cells-" + first.scene + "-" + first.path + "-" +
+                                                         first.budget + "-" + std::string(measure_row(m).id));
+            write_chart(chart_of(group, m, within, m == measure), stem);
+            html += picture(stem.string() + ".svg", "");
+        }
+        for (const CellsCurve* curve : group) html += table_of(*curve, measure, within);
+    }
+    write_file(folder / "cells.html", page("How many cells a scene needs", html));
+}
+
+std::string knee_settings(const CellsCurve& curve, Measure measure, double within) {
+    const std::size_t at = knee(curve, measure, within);
+    const CellsPoint& point = curve.points[at];
+    const std::string why = "The fewest cells (" + knee_text(curve, at) + ") with " +
+                            std::string(measure_row(measure).title) + " within " + short_number(within) +
+                            " of the best error bound tried, on " + curve.scene + ", path " + curve.path + ", budget " +
+                            curve.budget + ".";
+    const auto tessellation = words<Tessellation>[static_cast<std::size_t>(curve.method.tessellation)];
+    return write_settings(
+        {"method=" + curve.method.id, "budget=" + curve.budget, "tessellation=" + std::string(tessellation),
+         "error_bound=" + number_text(point.error_bound)},
+        why);
+}
+
+}  // namespace sightline::lab

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lab/measure/conditions.h"
+
+#include <cstring>
+#include <ctime>
+#include <fstream>
+#include <thread>
+
+#include "core/base/file.h"
+#include "core/base/hash.h"
+
+namespace sightline::lab {
+
+namespace {
+
+std::string program_hash() {
+    const std::string bytes = read_file("/proc/self/exe");
+    Hash hash;
+    for (std::size_t i = 0; i < bytes.size(); i += sizeof(std::uint64_t)) {
+        std::uint64_t word = 0;
+        std::memcpy(&word, bytes.data() + i, std::min(sizeof word, bytes.size() - i));
+        hash.add(word);
+    }
+    return hash_text(hash.value());
+}
+
+std::string machine() {
+    std::string text;
+    std::ifstream cpu("/proc/cpuinfo");
+    for (std::string line; std::getline(cpu, line);)
+        if (line.starts_with("model name")) {
+            text = line.substr(line.find(':') + 2) + ", ";
+            break;
+        }
+    return text + std::to_string(std::thread::hardware_concurrency()) + " cores";
+}
+
+std::string today() {
+    const std::time_t now = std::time(nullptr);
+    std::tm utc{};
+    gmtime_r(&now, &utc);
+    char date[16];
+    std::strftime(date, sizeof date, "%Y-%m-%d", &utc);
+    return date;
+}
+
+}  // namespace
+
+Conditions conditions_here(std::string study, std::string renderer) {
+    Conditions c{std::move(study),    std::string("compiler ") + __VERSION__,
+                 program_hash(),      machine(),
+                 std::move(renderer), today()};
+#ifdef NDEBUG
+    c.build += ", optimised";
+#else
+    c.build += ", not optimised";
+#endif
+    return c;
+}
+
+}  // namespace sightline::lab

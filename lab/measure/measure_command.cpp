@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+
+#include "core/base/error.h"
+#include "core/base/file.h"
+#include "core/base/number.h"
+#include "lab/command.h"
+#include "lab/measure/run_study.h"
+#include "lab/measure/study_options.h"
+#include "lab/report/markdown.h"
+#include "lab/report/page.h"
+#include "lab/report/report.h"
+#include "lab/report/say.h"
+
+namespace sightline::lab {
+
+namespace {
+
+/// To so many characters, not bytes.
+std::string padded(std::string text, std::size_t width, bool left = false) {
+    const auto size = static_cast<std::size_t>(
+        std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));
+    if (size < width) text.insert(left ? text.size() : 0, width - size, ' ');
+    return text;
+}
+
+/// The command as it was given, to the start script.
+std::string typed(int argc, const char* const* argv) {
+    std::string text = "./run lab";
+    for (int i = 0; i < argc; ++i) text += std::string(" ") + argv[i];
+    return text;
+}
+
+/// What a person wants to see at once.
+void print_table(const Results& results) {
+    std::size_t scene = 5, method = 6;  // widths, with the headings
+    for (const Row& row : results.rows) {
+        scene = std::max(scene, row.scene.size());
+        method = std::max(method, method_text(row.method).size());
+    }
+    std::cout << padded("scene", scene + 2, true) << padded("method", method + 2, true) << padded("budget", 10)
+              << padded("coverage %", 12) << padded("wrong %", 9) << padded("worst %", 9) << padded("pop %", 8)
+              << padded("ms", 9) << "\n";
+    for (const Row& row : results.rows) {
+        const auto share = [&](Measure measure) { return per_cent(summary(row, measure)); };
+        std::cout << padded(row.scene, scene + 2, true) << padded(method_text(row.method), method + 2, true)
+                  << padded(row.budget, 10) << padded(share(Measure::coverage), 12) << padded(share(Measure::wrong), 9)
+                  << padded(per_cent(worst(row, Measure::wrong)), 9) << padded(share(Measure::pop), 8)
+                  << padded(number(summary(row, Measure::total_ms)), 9) << "\n";
+    }
+}
+
+void say_written(const std::string& out) {
+    std::cout << "Written: " << out << "/report.html, results.json, results.csv, charts/, pictures/\n";
+}
+
+/// 0 for a file that is not there.
+std::uintmax_t size_of(const std::filesystem::path& file) {
+    std::error_code error;
+    const std::uintmax_t size = std::filesystem::file_size(file, error);
+    return error ? 0 : size;
+}
+
+/// The report with its pictures; without them where a scene is not here, as on the machine that merges.
+void write_report_of(const Results& results, const Study& study, const std::filesystem::path& folder,
+                     LabGraphics& graphics) {
+    say("drawing the worst frames and the charts");
+    const std::vector<Claim> claims = judge_claims(results);
+    ReportPictures pictures;
+    try {
+        pictures = draw_report_pictures(results, claims, study, folder / "pictures", graphics);
+    } catch (const InputError& error) {
+        say("");
+        std::cerr << "lab: warning: the report has no pictures: " << error.what() << "\n";
+    }
+    write_report(results, claims, pictures, folder);
+}
+
+}  // namespace
+
+int measure_command(int argc, const char* const* argv) {
+    CLI::App app{"Measures methods on scenes along paths: accuracy, stability and time.", "lab measure"};
+    StudyOptions options;
+    add_study_options(app, options);
+    std::string out = "out/lab", shard, markdown;
+    const CLI::Option* out_option =
+        app.add_option("--out", out, "folder of the results; a study that was stopped goes on there")
+            ->capture_default_str();
+    app.add_option("--shard", shard,
+                   "I/N: only every N-th pair of scene and path, from the I-th on; in out/lab-I-of-N");
+    app.add_option("--markdown", markdown,
+                   "also a page of documentation, FILE.md, with its charts in images/ beside it");
+    if (!parse(app, argc, argv)) return 0;
+    const Study study = study_of(options);
+    StudyRun run;
+    if (!shard.empty()) {
+        run.shard = parse_shard(shard);
+        // Parts that run at once must not write to one folder.
+        if (out_option->empty())
+            out += "-" + std::to_string(run.shard.index + 1) + "-of-" + std::to_string(run.shard.count);
+    }
+    run.say = say;
+    note_interrupts();
+    run.stopped = interrupted;
+    LabGraphics graphics;
+    const std::uintmax_t before = size_of(std::filesystem::path(out) / "frames.jsonl");
+    const Results results = run_study(study, out, graphics, run);
+    const bool all_kept = before > 0 && before == size_of(std::filesystem::path(out) / "frames.jsonl");
+    write_results(results, out);
+    if (interrupted()) return stopped();
+    if (!results.rows.empty()) {
+        write_report_of(results, study, out, graphics);
+        if (!markdown.empty()) write_markdown(results, typed(argc, argv), markdown);
+    }
+    say("");
+    print_table(results);
+    if (all_kept) std::cout << "Every frame was measured before; to measure it again choose another --out.\n";
+    say_written(out);
+    return 0;
+}
+
+int merge_command(int argc, const char* const* argv) {
+    CLI::App app{"Puts the parts of a study together that were measured apart.", "lab merge"};
+    std::vector<std::string> parts;
+    std::string out = "out/lab";
+    app.add_option("RESULTS", parts, "folder or results.json of each part")->required();
+    app.add_option("--out", out, "folder of the results")->capture_default_str();
+    if (!parse(app, argc, argv)) return 0;
+    std::vector<Results> read;
+    for (const std::string& part : parts) read.push_back(load_results(part));
+    std::filesystem::create_directories(out);
+    const Results all = merge(read);
+    write_results(all, out);
+    LabGraphics graphics;
+    write_report_of(all, read_study(all.conditions.study), out, graphics);
+    say("");
+    print_table(all);
+    say_written(out);
+    return 0;
+}
+
+}  // namespace sightline::lab

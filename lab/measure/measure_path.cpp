@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lab/measure/measure_path.h"
+
+#include <oneapi/tbb/parallel_for.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "core/base/error.h"
+#include "core/measure/frame_change.h"
+#include "core/measure/frame_numbers.h"
+#include "core/measure/wrong_region.h"
+#include "core/settings/settings_table.h"
+
+namespace sightline::lab {
+
+namespace {
+
+/// What a method drew at one budget in one frame, kept until the next.
+struct Drawn {
+    std::vector<std::uint8_t> rendered, wrong;
+};
+
+/// A frame of one method at all budgets.
+struct Shown {
+    std::vector<Drawn> at;  ///< per budget
+    std::vector<Values> values;
+};
+
+/// All methods in one frame.
+struct FrameOfAll {
+    std::vector<std::uint8_t> visible;
+    std::vector<Shown> methods;
+};
+
+template <int D>
+class PathStudy {
+public:
+    PathStudy(const LabScene<D>& lab, const Study& study, const Instruments& instruments)
+        : lab_(lab), study_(study), instruments_(instruments) {
+        const auto all = static_cast<std::uint32_t>(lab.scene->primitives.size());
+        for (const Budget& budget : study.budgets)
+            if (budget.kind == Budget::Kind::milliseconds)
+                throw InputError("budget " + budget_text(budget) +
+                                 ": a study takes primitives or shares; times are what it measures");
+        for (const MethodChoice& choice : study.methods)
+            for (const Method<D>& method : method_table<D>()) {
+                if (method.id != choice.id) continue;
+                Choice c{&method, choice, {}};
+                if (method.guarantee == Guarantee::conservative)
+                    c.budgets.push_back({"unlimited", all});
+                else
+                    for (const Budget& budget : study.budgets)
+                        c.budgets.push_back({budget_text(budget), std::min(all, budget.primitives(all))});
+                methods_.push_back(std::move(c));
+            }
+        states_.resize(methods_.size());
+    }
+
+    std::vector<Row> run() {
+        if (methods_.empty()) return {};
+        std::vector<Row> rows = empty_rows();
+        FrameOfAll before;
+        bool has_before = false;
+        for (std::uint32_t i = 0; i < lab_.frames.size(); ++i) {
+            FrameResult result{i, {}};
+            if (auto finished = instruments_.finished ? instruments_.finished(i) : std::nullopt) {
+                result = std::move(*finished);
+                has_before = false;
+            } else {
+                if (i > 0 && !has_before) before = numbers(i - 1);
+                FrameOfAll now = numbers(i);
+                if (i > 0) compare(before, now);
+                take_times(i, now);
+                for (const Shown& shown : now.methods)
+                    result.values.insert(result.values.end(), shown.values.begin(), shown.values.end());
+                before = std::move(now);
+                has_before = true;
+            }
+            for (std::size_t r = 0; r < rows.size(); ++r) {
+                rows[r].frames.push_back(lab_.frames[i]);
+                rows[r].values.push_back(result.values.at(r));
+            }
+            if (instruments_.frame_done && !instruments_.frame_done(result)) break;
+        }
+        return rows;
+    }
+
+private:
+    struct AtBudget {
+        std::string text;
+        std::uint32_t primitives;
+    };
+    struct Choice {
+        const Method<D>* method;
+        MethodChoice choice;
+        std::vector<AtBudget> budgets;
+    };
+
+    Frame<D> frame_of(std::size_t method, std::uint32_t i) const {
+        return make_frame<D>(lab_.scene->primitives, lab_.on(methods_[method].choice.tessellation), lab_.views[i],
+                             lab_.settings_for(methods_[method].choice), lab_.scene->two_sided);
+    }
+
+    FrameOfAll numbers(std::uint32_t i) {
+        std::vector<const CellComplex<D>*> tessellations;
+        std::array<std::size_t, 2> truth_of{};
+        for (std::size_t t = 0; t < 2; ++t)
+            if (lab_.cells[t]) {
+                truth_of[t] = tessellations.size();
+                tessellations.push_back(&*lab_.cells[t]);
+            }
+        const std::vector<Truth> truths = make_truths<D>(*lab_.scene, tessellations, lab_.views[i],
+                                                         lab_.settings.reference_size, instruments_.draw_ids);
+        FrameOfAll frame;
+        frame.visible = truths.front().reference.visible;
+        frame.methods.resize(methods_.size());
+        tbb::parallel_for(std::size_t{0}, methods_.size(), [&](std::size_t m) {
+            const Truth& truth = truths[truth_of[static_cast<std::size_t>(methods_[m].choice.tessellation)]];
+            Frame<D> whole = frame_of(m, i);
+            const WholeRun run = whole_run<D>(*methods_[m].method, whole, truth.reference);
+            Shown& shown = frame.methods[m];
+            for (const AtBudget& budget : methods_[m].budgets) {
+                const std::uint32_t k = whole.budget = budget.primitives;
+                const auto best =
+                    methods_[m].method->orders_cells ? cell_oracle<D>(truth.reference, whole) : std::nullopt;
+                Drawn drawn;
+                drawn.rendered = rendered_by(run, cut_at(run, k).touched, lab_.scene->primitives.size());
+                drawn.wrong = wrong_mask(truth.reference.image, drawn.rendered);
+                shown.values.push_back(frame_numbers(run, truth, k, drawn.rendered, drawn.wrong, best));
+                shown.at.push_back(std::move(drawn));
+            }
+        });
+        return frame;
+    }
+
+    static void compare(const FrameOfAll& before, FrameOfAll& now) {
+        const double change = 1 - jaccard(before.visible, now.visible);
+        for (std::size_t m = 0; m < now.methods.size(); ++m)
+            for (std::size_t b = 0; b < now.methods[m].at.size(); ++b) {
+                const Drawn &a = before.methods[m].at[b], &c = now.methods[m].at[b];
+                Values& values = now.methods[m].values[b];
+                if (const auto share = pop(before.visible, a.rendered, now.visible, c.rendered))
+                    values[Measure::pop] = *share;
+                values[Measure::flip] = difference(a.wrong, c.wrong);
+                values[Measure::visible_change] = change;
+            }
+    }
+
+    void take_times(std::uint32_t i, FrameOfAll& now) {
+        if (study_.repeats == 0) return;
+        std::vector<std::uint32_t> ids;
+        for (std::size_t m = 0; m < methods_.size(); ++m)
+            for (std::size_t b = 0; b < methods_[m].budgets.size(); ++b) {
+                Frame<D> frame = frame_of(m, i);
+                frame.budget = methods_[m].budgets[b].primitives;
+                State<D>& state = states_[m];
+                TimeSamples times;
+                for (std::uint32_t repeat = 0; repeat <= study_.repeats; ++repeat) {
+                    const double ms = run_milliseconds<D>(*methods_[m].method, frame, state);
+                    if (repeat > 0) times.traverse.push_back(ms);
+                }
+                if constexpr (D == 3)
+                    if (instruments_.time_drawing) time_drawing(i, state, ids, times);
+                set_times(times, now.methods[m].values[b]);
+            }
+    }
+
+    /// Draws what the state's run rendered, after once to warm up.
+    void time_drawing(std::uint32_t i, const State<3>& state, std::vector<std::uint32_t>& ids, TimeSamples& times) {
+        rendered_ids(state, ids);
+        for (std::uint32_t repeat = 0; repeat <= study_.repeats; ++repeat) {
+            const DrawTimes once = instruments_.time_drawing(lab_.scene, lab_.views[i], ids);
+            if (repeat == 0) continue;
+            times.upload.push_back(once.upload);
+            times.draw.push_back(once.draw);
+        }
+    }
+
+    std::vector<Row> empty_rows() const {
+        std::vector<Row> rows;
+        const std::string size = image_size_text(image_size<D>(lab_.settings.reference_size));
+        for (std::size_t m = 0; m < methods_.size(); ++m)
+            for (const AtBudget& budget : methods_[m].budgets) {
+                const CellComplex<D>& cells = lab_.on(methods_[m].choice.tessellation);
+                Row row;
+                row.scene = lab_.name;
+                row.path = lab_.path;
+                row.method = methods_[m].choice;
+                row.approximate = methods_[m].method->guarantee == Guarantee::approximate;
+                row.budget = budget.text;
+                row.error_bound = lab_.settings.error_bound;
+                row.primitives = static_cast<std::uint32_t>(lab_.scene->primitives.size());
+                row.cells = cells.cell_count();
+                row.memory_bytes = cells.memory_bytes() + cells.reference_memory_bytes();
+                row.reference = D == 2 ? "exact, item buffer " + size.substr(0, size.find('x')) : "item buffer " + size;
+                rows.push_back(std::move(row));
+            }
+        return rows;
+    }
+
+    const LabScene<D>& lab_;
+    const Study& study_;
+    const Instruments& instruments_;
+    std::vector<Choice> methods_;
+    std::vector<State<D>> states_;  ///< of methods_, for times
+};
+
+}  // namespace
+
+template <int D>
+std::vector<Row> measure_path(const LabScene<D>& lab, const Study& study, const Instruments& instruments) {
+    return PathStudy<D>(lab, study, instruments).run();
+}
+
+template std::vector<Row> measure_path<2>(const LabScene<2>&, const Study&, const Instruments&);
+template std::vector<Row> measure_path<3>(const LabScene<3>&, const Study&, const Instruments&);
+
+}  // namespace sightline::lab

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lab/measure/results.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <tuple>
+
+#include "core/base/error.h"
+#include "core/base/file.h"
+#include "core/base/number.h"
+#include "core/measure/summary.h"
+
+namespace sightline::lab {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+std::string extreme_id(const MeasureRow& m) {
+    return std::string(m.id) + (m.better == Better::higher ? "_min" : "_max");
+}
+
+Json budget_share(const Row& row) {
+    if (row.primitives == 0 || row.values.empty()) return nullptr;
+    return row.values.front()[Measure::budget] / row.primitives;
+}
+
+Json to_json(const Row& row) {
+    Json json{{"scene", row.scene},
+              {"path", row.path},
+              {"frames", row.frames.size()},
+              {"method", row.method.id},
+              {"tessellation", words<Tessellation>[static_cast<std::size_t>(row.method.tessellation)]},
+              {"approximate", row.approximate},
+              {"primitives", row.primitives},
+              {"error_bound", row.error_bound},
+              {"cells", row.cells},
+              {"memory_bytes", row.memory_bytes},
+              {"reference", row.reference},
+              {"budget_text", row.budget},
+              {"budget_share", budget_share(row)}};
+    for (const MeasureRow& m : measure_table()) {
+        json[std::string(m.id)] = or_null(summary(row, m.measure));
+        if (m.has_extreme) json[extreme_id(m)] = or_null(worst(row, m.measure));
+    }
+    json["likeness"] = or_null(likeness(row));
+    json["per_frame"]["frame"] = row.frames;
+    for (const MeasureRow& m : measure_table()) {
+        Json& all = json["per_frame"][std::string(m.id)] = Json::array();
+        for (const Values& v : row.values) all.push_back(or_null(v[m.measure]));
+    }
+    return json;
+}
+
+Row read_row(const Json& json) {
+    Row row;
+    row.scene = json.at("scene");
+    row.path = json.at("path");
+    row.method.id = json.at("method");
+    row.method.tessellation = json.at("tessellation") == "tree" ? Tessellation::tree : Tessellation::delaunay;
+    row.approximate = json.at("approximate");
+    row.primitives = json.at("primitives");
+    row.error_bound = json.at("error_bound");
+    row.cells = json.at("cells");
+    row.memory_bytes = json.at("memory_bytes");
+    row.reference = json.at("reference");
+    row.budget = json.at("budget_text");
+    row.frames = json.at("per_frame").at("frame").get<std::vector<std::uint32_t>>();
+    row.values.resize(row.frames.size());
+    for (const MeasureRow& m : measure_table()) {
+        const Json& per_frame = json.at("per_frame");
+        const auto found = per_frame.find(std::string(m.id));
+        if (found == per_frame.end()) continue;  // older than the measure
+        const Json& all = *found;
+        for (std::size_t i = 0; i < row.values.size(); ++i)
+            if (!all.at(i).is_null()) row.values[i][m.measure] = all.at(i);
+    }
+    return row;
+}
+
+std::filesystem::path results_file(const std::string& name) {
+    std::error_code error;
+    const std::filesystem::path path = name;
+    return std::filesystem::is_directory(path, error) ? path / "results.json" : path;
+}
+
+bool same_row(const Row& a, const Row& b) {
+    return a.scene == b.scene && a.path == b.path && a.method == b.method && a.budget == b.budget &&
+           a.error_bound == b.error_bound;
+}
+
+}  // namespace
+
+double summary(const Row& row, Measure measure) { return sightline::summary(row.values, measure); }
+
+std::size_t worst_frame(const Row& row, Measure measure) {
+    const bool least = measure_row(measure).better == Better::higher;
+    std::size_t found = 0;
+    for (std::size_t i = 1; i < row.values.size(); ++i) {
+        const double a = row.values[i][measure], b = row.values[found][measure];
+        if (std::isnan(b) ? !std::isnan(a) : least ? a < b : a > b) found = i;
+    }
+    return found;
+}
+
+double worst(const Row& row, Measure measure) {
+    return row.values.empty() ? std::numeric_limits<double>::quiet_NaN()
+                              : row.values[worst_frame(row, measure)][measure];
+}
+
+double likeness(const Row& row) {
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    std::vector<double> found, visible;
+    for (const Values& v : row.values) {
+        visible.push_back(v[Measure::visible]);
+        found.push_back(v[Measure::visible] > 0 ? v[Measure::coverage] * v[Measure::visible] : 0);
+    }
+    const auto n = static_cast<double>(found.size());
+    if (found.size() < 3) return unknown;
+    double mean_x = 0, mean_y = 0, xx = 0, yy = 0, xy = 0;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        mean_x += found[i] / n;
+        mean_y += visible[i] / n;
+    }
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        const double x = found[i] - mean_x, y = visible[i] - mean_y;
+        xx += x * x;
+        yy += y * y;
+        xy += x * y;
+    }
+    return xx > 0 && yy > 0 ? xy / std::sqrt(xx * yy) : unknown;
+}
+
+std::string results_json(const Results& results) {
+    const Conditions& c = results.conditions;
+    Json json{{"format", "sightline-results"},
+              {"version", 1},
+              {"conditions",
+               {{"study", Json::parse(c.study)},
+                {"build", c.build},
+                {"program", c.program},
+                {"machine", c.machine},
+                {"renderer", c.renderer},
+                {"date", c.date}}},
+              {"rows", Json::array()}};
+    for (const Row& row : results.rows) json["rows"].push_back(to_json(row));
+    return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+Results read_results(std::string_view text, const std::string& name) {
+    Results results;
+    try {
+        const Json json = Json::parse(text);
+        if (json.at("format") != "sightline-results") throw InputError(name + ": format: not sightline-results");
+        if (json.at("version") != 1) throw InputError(name + ": version: only 1 can be read");
+        const Json& c = json.at("conditions");
+        results.conditions = {c.at("study").dump(), c.at("build"),    c.value("program", ""),
+                              c.at("machine"),      c.at("renderer"), c.at("date")};
+        for (const Json& row : json.at("rows")) results.rows.push_back(read_row(row));
+    } catch (const Json::exception& error) {
+        throw InputError(name + ": not results of a study: " + error.what());
+    }
+    return results;
+}
+
+Results load_results(const std::string& name) {
+    const std::string file = results_file(name).string();
+    return read_results(read_file(file), file);
+}
+
+bool has_results(const std::string& name) {
+    std::error_code error;
+    return std::filesystem::is_regular_file(results_file(name), error);
+}
+
+std::string results_csv(const Results& results) {
+    std::string text =
+        "scene,path,frames,method,tessellation,error_bound,primitives,cells,memory_bytes,budget_text,budget_share";
+    for (const MeasureRow& m : measure_table()) {
+        text += ',' + std::string(m.id);
+        if (m.has_extreme) text += ',' + extreme_id(m);
+    }
+    text += ",likeness\n";
+    const auto quoted = [](const std::string& s) {
+        if (s.find_first_of(",\"\n") == std::string::npos) return s;
+        std::string q = "\"";
+        for (const char c : s) q += c == '"' ? std::string("\"\"") : std::string(1, c);
+        return q + '"';
+    };
+    const auto number = [](double value) { return std::isfinite(value) ? number_text(value) : std::string(); };
+    for (const Row& row : results.rows) {
+        const Json share = budget_share(row);
+        text += quoted(row.scene) + ',' + quoted(row.path) + ',' + std::to_string(row.frames.size()) + ',' +
+                row.method.id + ',' +
+                std::string(words<Tessellation>[static_cast<std::size_t>(row.method.tessellation)]) + ',' +
+                number(row.error_bound) + ',' + std::to_string(row.primitives) + ',' + std::to_string(row.cells) + ',' +
+                std::to_string(row.memory_bytes) + ',' + row.budget + ',' + (share.is_null() ? "" : number(share));
+        for (const MeasureRow& m : measure_table()) {
+            text += ',' + number(summary(row, m.measure));
+            if (m.has_extreme) text += ',' + number(worst(row, m.measure));
+        }
+        text += ',' + number(likeness(row)) + '\n';
+    }
+    return text;
+}
+
+void write_results(const Results& results, const std::filesystem::path& folder) {
+    write_file(folder / "results.json", results_json(results));
+    write_file(folder / "results.csv", results_csv(results));
+}
+
+Results merge(const std::vector<Results>& parts) {
+    Results all;
+    std::vector<std::string> machines;
+    for (const Results& part : parts) {
+        if (all.conditions.study.empty()) all.conditions = part.conditions;
+        if (part.conditions.study != all.conditions.study)
+            throw InputError("merge: two parts belong to different studies: " + all.conditions.study + " and " +
+                             part.conditions.study);
+        if (part.conditions.program != all.conditions.program)
+            throw InputError("merge: two parts were measured by different builds of the program");
+        if (std::find(machines.begin(), machines.end(), part.conditions.machine) == machines.end())
+            machines.push_back(part.conditions.machine);
+        for (const Row& row : part.rows) {
+            if (std::any_of(all.rows.begin(), all.rows.end(), [&](const Row& r) { return same_row(r, row); }))
+                throw InputError("merge: two parts hold " + row.scene + ", " + row.path + ", " +
+                                 method_text(row.method) + ", " + row.budget);
+            all.rows.push_back(row);
+        }
+    }
+    if (all.conditions.study.empty()) return all;
+    all.conditions.machine.clear();
+    for (const std::string& machine : machines)
+        all.conditions.machine += (all.conditions.machine.empty() ? "" : " and ") + machine;
+    const Study study = read_study(all.conditions.study);
+    const auto place = [&](const Row& row) {
+        const auto in = [](const auto& list, const auto& value) {
+            return std::find(list.begin(), list.end(), value) - list.begin();
+        };
+        // A path that was asked for by no name is that which none of the others names.
+        auto path = in(study.paths, row.path);
+        if (static_cast<std::size_t>(path) == study.paths.size()) path = in(study.paths, "");
+        return std::tuple(in(study.scenes, row.scene), path, in(study.error_bounds, row.error_bound));
+    };
+    std::stable_sort(all.rows.begin(), all.rows.end(), [&](const Row& a, const Row& b) { return place(a) < place(b); });
+    return all;
+}
+
+}  // namespace sightline::lab

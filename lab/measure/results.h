@@ -1,0 +1,67 @@
+// What a study found: a row per scene, method and budget, with every frame. Written and read as results.json.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/measure/measure_table.h"
+#include "lab/measure/conditions.h"
+#include "lab/measure/study.h"
+
+namespace sightline::lab {
+
+/// One scene, path, method and budget.
+struct Row {
+    std::string scene, path;
+    MethodChoice method;
+    bool approximate = true;
+    std::string budget;      ///< as asked for, e.g. "5%"
+    double error_bound = 0;  ///< of the tessellation
+    std::uint32_t primitives = 0, cells = 0;
+    std::size_t memory_bytes = 0;       ///< tessellation and references
+    std::string reference;              ///< "exact, item buffer 8192" or "item buffer 1024x768"
+    std::vector<std::uint32_t> frames;  ///< of the path
+    std::vector<Values> values;         ///< one per frame
+};
+
+struct Results {
+    Conditions conditions;
+    std::vector<Row> rows;
+};
+
+/// sightline::summary of the frames.
+double summary(const Row& row, Measure measure);
+/// That of the worst frame: the least for what is better when higher, else the largest.
+double worst(const Row& row, Measure measure);
+/// The frame (index into Row::frames) that has it; 0 where none has a value.
+std::size_t worst_frame(const Row& row, Measure measure);
+/// Pearson's r between the visible primitives that were rendered and the visible ones, over frames (field notes C2);
+/// NaN for fewer than 3 frames or where either does not vary.
+double likeness(const Row& row);
+
+/// {"format": "sightline-results", "version": 1, "conditions": {…}, "rows": […]}, fields as in design.md: each row has
+/// the summaries by id, ID_min or ID_max of the worst frame and per_frame arrays. NaN is null.
+std::string results_json(const Results& results);
+/// Throws InputError "name: place: reason".
+Results read_results(std::string_view text, const std::string& name);
+
+/// Those of a file, or of the results.json in a folder.
+Results load_results(const std::string& name);
+/// Whether load_results would find something to read.
+bool has_results(const std::string& name);
+
+/// A line per row, the summaries; numbers as they are in results.json.
+std::string results_csv(const Results& results);
+
+/// results.json and results.csv. Throws WorkError.
+void write_results(const Results& results, const std::filesystem::path& folder);
+
+/// Rows of several parts of one study, e.g. shards, in the order of the study. Throws InputError where two parts belong
+/// to different studies, were measured by different builds or hold the same row.
+Results merge(const std::vector<Results>& parts);
+
+}  // namespace sightline::lab

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lab/measure/run_study.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "core/base/error.h"
+#include "core/base/number.h"
+#include "lab/measure/checkpoint.h"
+#include "lab/measure/measure_path.h"
+#include "lab/report/remaining.h"
+
+namespace sightline::lab {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string frame_json(const FrameResult& result) {
+    Json values = Json::array();
+    for (const Values& v : result.values) {
+        Json one = Json::array();
+        for (const double value : v.all) one.push_back(std::isfinite(value) ? Json(value) : Json(nullptr));
+        values.push_back(std::move(one));
+    }
+    return values.dump();
+}
+
+FrameResult read_frame(std::uint32_t frame, const std::string& text) {
+    FrameResult result{frame, {}};
+    for (const Json& one : Json::parse(text)) {
+        Values& v = result.values.emplace_back();
+        for (std::size_t i = 0; i < measure_count; ++i)
+            if (!one.at(i).is_null()) v.all[i] = one.at(i);
+    }
+    return result;
+}
+
+/// One scene, path and, where the study has several, error bound.
+struct Unit {
+    std::string scene, path;
+    double error_bound = 0;
+    Study study;  ///< at that bound
+};
+
+std::vector<Unit> units_of(const Study& study, const Shard& shard) {
+    const std::vector<double> bounds = study.error_bounds.empty() ? std::vector<double>{0} : study.error_bounds;
+    std::vector<Unit> units;
+    std::size_t index = 0;
+    for (const std::string& scene : study.scenes)
+        for (const std::string& path : study.paths)
+            for (const double bound : bounds)
+                if (index++ % shard.count == shard.index)
+                    units.push_back({scene, path, bound, at_error_bound(study, bound)});
+    return units;
+}
+
+/// False when it was stopped: then no rows were added.
+template <int D>
+bool measure(const Unit& unit, LabGraphics& graphics, const StudyRun& run, Checkpoint& checkpoint, Remaining& remaining,
+             Results& results) {
+    std::string what = unit.scene;
+    if (unit.error_bound > 0) what += ", error bound " + short_number(unit.error_bound);
+    if (run.say) run.say(what + ": reading and tessellating" + remaining.text());
+    const LabScene<D> lab = load_lab_scene<D>(unit.scene, unit.path, unit.study);
+    what += ", path " + lab.path;
+    const std::size_t frames = lab.frames.size();
+    const double share = 1 / static_cast<double>(frames);
+    const std::string key = checkpoint_key(lab);
+    const auto key_of = [&](std::uint32_t frame) { return key + ", frame " + std::to_string(frame); };
+
+    Instruments instruments;
+    instruments.draw_ids = graphics.draw_ids();
+    instruments.time_drawing = graphics.time_drawing(unit.study.size);
+    bool complete = frames == 0;
+    instruments.finished = [&](std::uint32_t frame) -> std::optional<FrameResult> {
+        const std::string* piece = checkpoint.find(key_of(frame));
+        return piece ? std::optional(read_frame(frame, *piece)) : std::nullopt;
+    };
+    instruments.frame_done = [&](const FrameResult& frame) {
+        if (checkpoint.find(key_of(frame.frame))) {
+            remaining.kept(share);
+        } else {
+            checkpoint.add(key_of(frame.frame), frame_json(frame));
+            remaining.done(share);
+        }
+        complete = frame.frame + 1 == frames;
+        if (run.say)
+            run.say(what + ": frame " + std::to_string(frame.frame + 1) + " of " + std::to_string(frames) +
+                    remaining.text());
+        return complete || !run.stopped || !run.stopped();
+    };
+    const std::vector<Row> rows = measure_path<D>(lab, unit.study, instruments);
+    if (!complete) return false;
+    results.rows.insert(results.rows.end(), rows.begin(), rows.end());
+    return !run.stopped || !run.stopped();
+}
+
+}  // namespace
+
+Shard parse_shard(const std::string& text) {
+    const std::size_t slash = text.find('/');
+    const auto index = parse_whole(std::string_view(text).substr(0, slash));
+    const auto count =
+        slash == std::string::npos ? std::nullopt : parse_whole(std::string_view(text).substr(slash + 1));
+    if (!index || !count || *index < 1 || *index > *count)
+        throw InputError("--shard '" + text + "': write I/N with I from 1 to N, such as 2/5");
+    return {*index - 1, *count};
+}
+
+void check_scenes(const Study& study, const std::function<void(const std::string& line)>& say) {
+    for (const std::string& scene : study.scenes) {
+        if (say) say(scene + ": checking");
+        if (parse_scene(scene).dimension == 2)
+            check_scene<2>(scene, study.paths, study);
+        else
+            check_scene<3>(scene, study.paths, study);
+    }
+}
+
+Results run_study(const Study& study, const std::filesystem::path& folder, LabGraphics& graphics, const StudyRun& run) {
+    if (study.scenes.size() * study.paths.size() > 1) check_scenes(study, run.say);
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error) throw WorkError(folder.string() + ": " + error.message());
+    Results results{conditions_here(study_json(study), has_3d(study) ? graphics.description() : ""), {}};
+    Checkpoint checkpoint(folder / "frames.jsonl", results.conditions);
+    if (run.say && checkpoint.began_anew())
+        run.say("frames of another build, machine or renderer are measured again; the old ones: frames.jsonl.old");
+    const std::vector<Unit> units = units_of(study, run.shard);
+    Remaining remaining(static_cast<double>(units.size()));
+    for (const Unit& unit : units) {
+        const bool go_on = parse_scene(unit.scene).dimension == 2
+                               ? measure<2>(unit, graphics, run, checkpoint, remaining, results)
+                               : measure<3>(unit, graphics, run, checkpoint, remaining, results);
+        if (!go_on) break;
+    }
+    return results;
+}
+
+}  // namespace sightline::lab

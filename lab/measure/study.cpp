@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lab/measure/study.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "core/base/error.h"
+#include "core/base/number.h"
+#include "core/scene/make/catalogue.h"
+#include "core/scene/read/load.h"
+#include "core/settings/settings_table.h"
+#include "core/traversal/methods.h"
+
+namespace sightline::lab {
+
+namespace {
+
+constexpr std::string_view on_tree = "@tree";
+
+template <int D>
+bool has_method(std::string_view id) {
+    const auto table = method_table<D>();
+    return std::any_of(table.begin(), table.end(), [&](const Method<D>& method) { return method.id == id; });
+}
+
+bool is_2d_file(const std::string& name) {
+    const std::string file = name.substr(0, name.find('#'));
+    std::string ending = std::filesystem::path(file).extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
+    if (ending == ".json" || ending == ".geojson" || ending == ".wad") return true;
+    return ending.empty() && file.starts_with("freedoom");
+}
+
+}  // namespace
+
+MethodChoice parse_method(std::string_view text) {
+    MethodChoice choice{std::string(text), Tessellation::delaunay};
+    if (text.ends_with(on_tree)) {
+        choice.id.resize(text.size() - on_tree.size());
+        choice.tessellation = Tessellation::tree;
+    }
+    if (!has_method<2>(choice.id) && !has_method<3>(choice.id)) find_method<3>(method_table<3>(), choice.id);
+    return choice;
+}
+
+std::string method_text(const MethodChoice& choice) {
+    return choice.id + (choice.tessellation == Tessellation::tree ? std::string(on_tree) : "");
+}
+
+std::vector<MethodChoice> all_methods() {
+    std::vector<MethodChoice> choices;
+    for (const Method<3>& method : method_table<3>()) {
+        choices.push_back({std::string(method.id), Tessellation::delaunay});
+        if (method.orders_cells) choices.push_back({std::string(method.id), Tessellation::tree});
+    }
+    return choices;
+}
+
+SceneName parse_scene(const std::string& text) {
+    if (text.starts_with("2d:")) return {2, text.substr(3)};
+    if (text.starts_with("3d:")) return {3, text.substr(3)};
+    if (find_in_catalogue<3>(text)) return {3, text};
+    return {find_in_catalogue<2>(text) || is_2d_file(text) ? 2 : 3, text};
+}
+
+bool has_3d(const Study& study) {
+    return std::any_of(study.scenes.begin(), study.scenes.end(),
+                       [](const std::string& scene) { return parse_scene(scene).dimension == 3; });
+}
+
+Study at_error_bound(const Study& study, double error_bound) {
+    Study one = study;
+    if (!study.error_bounds.empty()) one.settings.push_back("error_bound=" + number_text(error_bound));
+    return one;
+}
+
+std::string study_json(const Study& study) {
+    Settings asked;
+    asked.reference_size = study.size;
+    nlohmann::ordered_json json{{"scenes", study.scenes},
+                                {"paths", study.paths},
+                                {"frames", study.frames},
+                                {"size", setting_row("reference_size").get(asked)},
+                                {"settings", study.settings},
+                                {"repeats", study.repeats},
+                                {"error_bounds", study.error_bounds}};
+    for (const MethodChoice& choice : study.methods) json["methods"].push_back(method_text(choice));
+    for (const Budget& budget : study.budgets) json["budgets"].push_back(budget_text(budget));
+    return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+Study read_study(std::string_view text) {
+    Study study;
+    try {
+        const auto json = nlohmann::ordered_json::parse(text);
+        study.scenes = json.at("scenes").get<std::vector<std::string>>();
+        study.paths = json.at("paths").get<std::vector<std::string>>();
+        study.frames = json.at("frames");
+        study.settings = json.at("settings").get<std::vector<std::string>>();
+        study.repeats = json.at("repeats");
+        study.error_bounds = json.value("error_bounds", std::vector<double>());
+        Settings settings;
+        apply_setting(settings, "reference_size=" + json.at("size").get<std::string>());
+        study.size = settings.reference_size;
+        study.methods.clear();
+        study.budgets.clear();
+        for (const auto& method : json.at("methods")) study.methods.push_back(parse_method(method.get<std::string>()));
+        for (const auto& budget : json.at("budgets")) study.budgets.push_back(parse_budget(budget.get<std::string>()));
+    } catch (const nlohmann::json::exception& error) {
+        throw InputError(std::string("not a study: ") + error.what());
+    }
+    return study;
+}
+
+}  // namespace sightline::lab

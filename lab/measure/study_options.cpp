@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lab/measure/study_options.h"
+
+#include <iostream>
+
+#include "core/base/error.h"
+#include "core/base/file.h"
+#include "core/settings/settings_file.h"
+#include "core/settings/settings_table.h"
+
+namespace sightline::lab {
+
+namespace {
+
+/// The five generated scenes of the papers' kind, at a size that a study of minutes can bear.
+const std::vector<std::string> default_scenes{"city", "cars", "room", "jungle", "plant"};
+
+/// What a settings file says where the command line says nothing.
+void add_file(StudyOptions& o, const std::vector<std::string>& assignments) {
+    Settings settings;
+    bool has_method = false, has_budget = false;
+    std::vector<std::string> others;
+    for (const std::string& assignment : assignments) {
+        apply_setting(settings, assignment);
+        const bool method = assignment.starts_with("method="), budget = assignment.starts_with("budget=");
+        has_method |= method;
+        has_budget |= budget;
+        if (!method && !budget && !assignment.starts_with("tessellation=")) others.push_back(assignment);
+    }
+    if (o.methods.empty() && has_method) o.methods = {method_text({settings.method, settings.tessellation})};
+    if (o.budgets.empty() && has_budget) o.budgets = {budget_text(settings.budget)};
+    o.settings.insert(o.settings.begin(), others.begin(), others.end());
+}
+
+}  // namespace
+
+void add_study_options(CLI::App& app, StudyOptions& o) {
+    app.add_option("SCENE", o.scenes,
+                   "catalogue ids, with a size if you like (city:100k), or files; 2d: or 3d: before a name that both "
+                   "dimensions have; default: city cars room jungle plant");
+    app.add_option("--path", o.paths,
+                   "id of a path of the scene, a file, start (the start view) or turn (once round on the spot); "
+                   "default: test, else turn; may be given several times")
+        ->allow_extra_args(false);
+    app.add_option("--frames", o.frames, "so many frames, spread evenly over the path; default: all");
+    app.add_option("--methods", o.methods, "ids with commas between; @tree puts one on octree cells: published@tree")
+        ->delimiter(',');
+    app.add_option("--budgets", o.budgets, "with commas between, such as 1%,2%,5%,10% or 500,5000")->delimiter(',');
+    app.add_option("--size", o.size, "of the reference: 1024x768, in 2D 8192");
+    app.add_option("--set", o.settings, "FIELD=VALUE as in the viewers; may be given several times")
+        ->allow_extra_args(false);
+    app.add_option("--settings", o.settings_file,
+                   "a settings file such as lab cells writes: its method, budget and tessellation where no other is "
+                   "asked for, and its other settings");
+    app.add_option("--repeats", o.repeats, "timed runs a frame, of which the median counts; 0: nothing is timed")
+        ->check(CLI::Range(0, 1000));
+}
+
+Study study_of(const StudyOptions& options) {
+    StudyOptions o = options;
+    if (!o.settings_file.empty()) add_file(o, read_settings(read_file(o.settings_file), o.settings_file));
+    Study study;
+    study.scenes = o.scenes.empty() ? default_scenes : o.scenes;
+    if (!o.paths.empty()) study.paths = o.paths;
+    study.frames = o.frames;
+    study.repeats = o.repeats;
+    if (!o.methods.empty()) {
+        study.methods.clear();
+        for (const std::string& method : o.methods) study.methods.push_back(parse_method(method));
+    }
+    if (!o.budgets.empty()) {
+        study.budgets.clear();
+        for (const std::string& budget : o.budgets) study.budgets.push_back(parse_budget(budget));
+    }
+    Settings settings;
+    if (!o.size.empty()) apply_setting(settings, "reference_size=" + o.size);
+    study.size = settings.reference_size;
+    for (const std::string& assignment : o.settings) apply_setting(settings, assignment);
+    study.settings = o.settings;
+    return study;
+}
+
+bool parse(CLI::App& app, int argc, const char* const* argv) {
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::CallForHelp&) {
+        std::cout << app.help();
+        return false;
+    } catch (const CLI::ParseError& error) {
+        throw InputError(std::string(error.what()) + " (--help lists the options)");
+    }
+    return true;
+}
+
+}  // namespace sightline::lab

@@ -1,0 +1,29 @@
+// The options that all commands that measure share.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "lab/measure/study.h"
+
+namespace sightline::lab {
+
+/// What was typed, before it is understood.
+struct StudyOptions {
+    std::vector<std::string> scenes, paths, settings, methods, budgets;
+    std::uint32_t frames = 0, repeats = 3;
+    std::string size, settings_file;
+};
+
+/// Adds SCENE…, --path, --frames, --methods, --budgets, --size, --set, --settings and --repeats to a command line.
+void add_study_options(CLI::App& app, StudyOptions& options);
+
+/// Throws InputError that names the option.
+Study study_of(const StudyOptions& options);
+
+/// Parses; false when help was asked for (and printed). Throws InputError for wrong usage.
+bool parse(CLI::App& app, int argc, const char* const* argv);
+
+}  // namespace sightline::lab

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <filesystem>
+#include <iostream>
+
+#include "core/base/error.h"
+#include "core/base/file.h"
+#include "core/base/number.h"
+#include "core/scene/read/load.h"
+#include "core/session/condition.h"
+#include "core/session/state_file.h"
+#include "lab/command.h"
+#include "lab/lab_graphics.h"
+#include "lab/measure/study_options.h"
+#include "lab/reduce/reduce.h"
+#include "lab/report/say.h"
+
+namespace sightline::lab {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// As Wavefront OBJ, in the file's coordinates.
+std::string obj_text(const Scene<3>& scene) {
+    std::string text = "# reduced from " + scene.id + "\n";
+    for (const Primitive<3>& triangle : scene.primitives)
+        for (const Vec<3>& p : triangle) {
+            const Vec<3> q = p + scene.origin;
+            text += "v " + number_text(q.x) + " " + number_text(q.y) + " " + number_text(q.z) + "\n";
+        }
+    for (std::size_t i = 0; i < scene.primitives.size(); ++i)
+        text +=
+            "f " + std::to_string(3 * i + 1) + " " + std::to_string(3 * i + 2) + " " + std::to_string(3 * i + 3) + "\n";
+    return text;
+}
+
+/// The scene as the viewer will read it: 2D travels inside the state file, 3D as a file beside it.
+std::shared_ptr<const Scene<2>> written(const Scene<2>& scene, const fs::path&) {
+    return std::make_shared<const Scene<2>>(scene);
+}
+std::shared_ptr<const Scene<3>> written(const Scene<3>& scene, const fs::path& folder) {
+    const fs::path file = folder / "reduced.obj";
+    write_file(file, obj_text(scene));
+    const bool two_sided = !scene.two_sided.empty() && scene.two_sided.front();
+    return std::make_shared<const Scene<3>>(load_scene<3>(file.string(), {.two_sided = two_sided}));
+}
+
+template <int D>
+int run(const Study& study, const Wanted& wanted, const fs::path& folder, LabGraphics& graphics) {
+    const LabScene<D> lab = load_lab_scene<D>(study.scenes.front(), study.paths.front(), study);
+    const MethodChoice method = study.methods.front();
+    const DrawIds draw_ids = graphics.draw_ids();
+    const auto count = static_cast<std::uint32_t>(lab.scene->primitives.size());
+    // A share would shrink with the scene.
+    Budget budget = study.budgets.front();
+    if (budget.kind == Budget::Kind::share) budget = {Budget::Kind::primitives, double(budget.primitives(count))};
+    note_interrupts();
+    const Holds holds = holds_in<D>(lab, method, budget, wanted, draw_ids);
+    const std::vector<std::uint32_t> kept = reduce(count, holds, [&](std::size_t left) {
+        say(std::to_string(left) + " of " + std::to_string(count) + " primitives left");
+        return !interrupted();
+    });
+    say("");
+    fs::create_directories(folder);
+    const Scene<D> small = subset(*lab.scene, kept);
+    const auto scene = written(small, folder);
+    ViewSpec<D> view = lab.specs.back();
+    const Vec<D> shift = small.origin - scene->origin;
+    view.eye += shift;
+    view.look_at += shift;
+    Settings settings = lab.settings_for(method);
+    settings.budget = budget;
+    Session<D> session(scene, view, settings, method_table<D>(), draw_ids);
+    bool still = true;
+    if (wanted.condition.empty())
+        session.run();
+    else
+        still = run_until(session, Condition<D>(wanted.condition)) == Stop::breakpoint;
+    write_file(folder / "reduced.json", state_json<D>(session));
+    std::cout << kept.size() << " of " << count << " primitives"
+              << (interrupted() ? "; stopped before it was the fewest" : "") << "\n";
+    if (!still)
+        std::cerr << "lab: warning: read back from " << (folder / "reduced.obj").string()
+                  << " it does not hold any more: coordinates were rounded\n";
+    std::cout << "See it: ./run viewer" << D << "d --state " << (folder / "reduced.json").string() << "\n";
+    return interrupted() ? 1 : 0;
+}
+
+}  // namespace
+
+int reduce_command(int argc, const char* const* argv) {
+    CLI::App app{"Shrinks a scene to the fewest primitives in which an expression holds.", "lab reduce"};
+    StudyOptions options;
+    options.budgets = {"10%"};
+    options.methods = {"published"};
+    options.paths = {"start"};
+    add_study_options(app, options);
+    Wanted wanted;
+    std::string out = "out/reduce";
+    app.add_option("--until", wanted.condition,
+                   "holds after any step of the run, over its record, such as inversion == 1 && hidden_now > 2");
+    app.add_option("--holds", wanted.measures,
+                   "holds in the last of the frames, over measures, such as coverage < 0.5 or pop > 0.2");
+    app.add_option("--out", out, "folder of the reduced scene")->capture_default_str();
+    if (!parse(app, argc, argv)) return 0;
+    const Study study = study_of(options);
+    if (options.scenes.size() != 1 || study.methods.size() != 1 || study.budgets.size() != 1 || study.paths.size() != 1)
+        throw InputError("reduce: one scene, one method, one budget and one path");
+    LabGraphics graphics;
+    return parse_scene(study.scenes.front()).dimension == 2 ? run<2>(study, wanted, out, graphics)
+                                                            : run<3>(study, wanted, out, graphics);
+}
+
+}  // namespace sightline::lab

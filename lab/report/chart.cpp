@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lab/report/chart.h"
+
+#include <cctype>
+#include <cmath>
+
+#include "core/base/file.h"
+#include "core/base/number.h"
+#include "core/process/run_program.h"
+
+namespace sightline::lab {
+
+namespace {
+
+/// Between double quotes; charts use no enhanced text.
+std::string quoted(const std::string& text) {
+    std::string q = "\"";
+    for (const char c : text) {
+        if (c == '"' || c == '\\') q += '\\';
+        if (c != '\n') q += c;
+    }
+    return q + '"';
+}
+
+std::string style_of(const Series& s) {
+    const std::string colour = " lc rgb " + quoted(s.colour) + " lw " + short_number(s.width);
+    switch (s.look) {
+        case Series::Look::line_and_dots:
+            return "with linespoints pt 7 ps 0.7 dt 1" + colour;
+        case Series::Look::dashed_and_rings:
+            return "with linespoints pt 6 ps 0.8 dt 2" + colour;
+        case Series::Look::line:
+            return "with lines dt 1" + colour;
+        case Series::Look::dashed:
+            return "with lines dt 2" + colour;
+        case Series::Look::steps:
+            return "with steps dt 1" + colour;
+        case Series::Look::dots:
+            return "with points pt 5 ps 0.9" + colour;
+    }
+    return {};
+}
+
+}  // namespace
+
+std::string file_stem(std::string text) {
+    for (char& c : text)
+        if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-' && c != '.') c = '_';
+    return text;
+}
+
+std::string series_colour(std::size_t index) {
+    // Okabe and Ito's, the yellow left out on white.
+    static constexpr std::array colours{"#0072b2", "#d55e00", "#009e73", "#cc79a7",
+                                        "#000000", "#e69f00", "#56b4e9", "#7f7f7f"};
+    return colours[index % colours.size()];
+}
+
+std::string gnuplot_script(const Chart& chart) {
+    std::string text = "set encoding utf8\nset title " + quoted(chart.title) + " noenhanced\nset xlabel " +
+                       quoted(chart.x) + " noenhanced\nset ylabel " + quoted(chart.y) +
+                       " noenhanced\n"
+                       "set key outside right top noenhanced spacing 1.2\nset grid lc rgb \"#dddddd\" lt 1 lw 0.5\n"
+                       "set border 3 lc rgb \"#444444\"\nset tics nomirror\n";
+    if (chart.log_x) text += "set logscale x\n";
+    if (chart.log_y) text += "set logscale y\n";
+    const std::string most = chart.most_y > 0 ? short_number(chart.most_y, 6) : "*";
+    if (!chart.log_y && (chart.from_zero || chart.most_y > 0))
+        text += "set yrange [" + std::string(chart.from_zero ? "0" : "*") + ":" + most + "]\n";
+    std::string plots;
+    for (std::size_t i = 0; i < chart.series.size(); ++i) {
+        const Series& s = chart.series[i];
+        const std::string name = "$s" + std::to_string(i);
+        text += name + " << END\n";
+        bool any = false;
+        for (std::size_t p = 0; p < s.points.size(); ++p) {
+            const auto& [x, y] = s.points[p];
+            const bool fits =
+                std::isfinite(x) && std::isfinite(y) && (!chart.log_x || x > 0) && (!chart.log_y || y > 0);
+            any |= fits;
+            text += fits ? number_text(x) + " " + number_text(y) +
+                               (s.labels.empty() ? std::string() : " " + quoted(s.labels[p])) + "\n"
+                         : std::string("\n");
+        }
+        text += "END\n";
+        if (!any) continue;
+        plots += (plots.empty() ? "plot " : ", \\\n     ") + name + " using 1:2 " + style_of(s) +
+                 (s.name.empty() ? " notitle" : " title " + quoted(s.name));
+        if (!s.labels.empty())
+            plots += ", \\\n     " + name + " using 1:2:3 with labels offset 0.4,0.6 left font \",8\" tc rgb " +
+                     quoted(s.colour) + " noenhanced notitle";
+    }
+    // gnuplot draws no empty chart: one with axes says that there is nothing.
+    if (plots.empty())
+        plots =
+            "set label \"nothing to show\" at graph 0.5,0.5 center\nset xrange [0:1]\nset yrange [-2:1]\nunset "
+            "logscale\nplot -1 notitle";
+    return text + plots + "\n";
+}
+
+void write_chart(const Chart& chart, const std::filesystem::path& stem) {
+    const std::string name = stem.filename().string(), body = gnuplot_script(chart);
+    const auto terminal = [&](const std::string& kind, const std::string& ending) {
+        return "set terminal " + kind + " size 860,460 font \"DejaVu Sans,11\" background rgb \"white\"\nset output " +
+               quoted(stem.string() + ending) + "\n" + body + "unset output\n";
+    };
+    std::filesystem::path script = stem;
+    script += ".gp";
+    write_file(script, terminal("svg enhanced rounded", ".svg") + "reset\n" + terminal("pngcairo", ".png"));
+    run_program({"gnuplot", script.string()}, "gnuplot-nox");
+}
+
+}  // namespace sightline::lab

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lab/report/markdown.h"
+
+#include "core/base/file.h"
+#include "core/base/number.h"
+#include "lab/report/claims.h"
+#include "lab/report/page.h"
+#include "lab/report/report.h"
+#include "lab/report/study_charts.h"
+
+namespace sightline::lab {
+
+namespace {
+
+std::string rows_of(const Group& group) {
+    std::string text =
+        "| method | cells | budget | coverage % | worst | oracle % | wrong pixels % | worst | largest region % | "
+        "popping % | ms |\n|---|---|---|---|---|---|---|---|---|---|---|\n";
+    for (const Row* row : group.rows) {
+        const auto share = [&](Measure m) { return per_cent(summary(*row, m)); };
+        text += "| " + method_text(row->method) + " | " + std::to_string(row->cells) + " | " + row->budget + " | " +
+                share(Measure::coverage) + " | " + per_cent(worst(*row, Measure::coverage)) + " | " +
+                share(Measure::oracle) + " | " + share(Measure::wrong) + " | " + per_cent(worst(*row, Measure::wrong)) +
+                " | " + share(Measure::blob) + " | " + share(Measure::pop) + " | " +
+                number(summary(*row, Measure::total_ms)) + " |\n";
+    }
+    return text;
+}
+
+}  // namespace
+
+void write_markdown(const Results& results, const std::string& command, const std::filesystem::path& file) {
+    const Conditions& c = results.conditions;
+    std::string text = "# Results\n\nMade by\n\n```sh\n" + command + "\n```\n\non " + c.date + ": " + c.machine + "; " +
+                       c.build + "; " + c.renderer +
+                       ". Times hold for this machine only; everything else is the same everywhere but for single "
+                       "pixels. [Measuring](measuring.md) says what each number is and how to read the charts.\n";
+    if (const std::vector<Claim> claims = judge_claims(results); !claims.empty()) {
+        text += "\n## What the papers say, and what we find\n\n| they | we | |\n|---|---|---|\n";
+        for (const Claim& claim : claims)
+            text += "| " + claim.text + " (" + claim.source + ") | " + claim.ours + " | " +
+                    (claim.holds ? "holds" : "**does not hold here**") + " |\n";
+        text +=
+            "\nThe papers' data are not to be had: generated scenes stand for them, so shapes can be compared, not "
+            "figures.\n";
+    }
+    const std::filesystem::path images = file.parent_path() / "images";
+    std::filesystem::create_directories(images);
+    for (const Group& group : groups(results)) {
+        const Row& first = *group.rows.front();
+        text += "\n## " + group.scene + ", path " + group.path + "\n\n" + std::to_string(first.primitives) +
+                " primitives, " + std::to_string(first.frames.size()) + " frames, reference: " + first.reference +
+                ".\n\n";
+        for (const Measure measure : {Measure::wrong, Measure::coverage}) {
+            const std::string stem = file_stem("results-" + group.scene + "-" + std::string(measure_row(measure).id));
+            write_chart(frontier(group, measure), images / stem);
+            std::filesystem::remove(images / (stem + ".gp"));
+            std::filesystem::remove(images / (stem + ".png"));
+            text += "![Time per frame and " + std::string(measure_row(measure).title) +
+                    " of each method and budget](images/" + stem + ".svg)\n";
+        }
+        text += "\n" + rows_of(group);
+    }
+    write_file(file, text);
+}
+
+}  // namespace sightline::lab

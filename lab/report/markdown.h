@@ -1,0 +1,15 @@
+// A study as a page of documentation: tables and frontiers with their conditions.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "lab/measure/results.h"
+
+namespace sightline::lab {
+
+/// Writes `file` and beside it images/results-*.svg, the frontiers. `command` is what made it. Throws WorkError.
+void write_markdown(const Results& results, const std::string& command, const std::filesystem::path& file);
+
+}  // namespace sightline::lab

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lab/report/report.h"
+
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "core/base/file.h"
+#include "core/base/number.h"
+#include "lab/report/page.h"
+
+namespace sightline::lab {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string conditions(const Results& results) {
+    const Conditions& c = results.conditions;
+    const auto study = nlohmann::ordered_json::parse(c.study);
+    std::string html = "<p class=lead>Taken " + escaped(c.date) + " on " + escaped(c.machine) + "; " +
+                       escaped(c.build) + (c.renderer.empty() ? "" : "; " + escaped(c.renderer)) + ". Reference size " +
+                       escaped(study.value("size", "")) + " (auto: 1024x768, in 2D 8192); times are medians of " +
+                       std::to_string(study.value("repeats", 0)) + " runs, then over frames.</p>";
+    if (!study.at("settings").empty())
+        html += "<p>Settings of every scene: <code>" + escaped(study.at("settings").dump()) + "</code></p>";
+    return html +
+           "<p>All methods but <b>view</b> and <b>everything</b> are approximate: they may miss visible "
+           "primitives. Those two never do; they run without a budget.</p>";
+}
+
+std::string answers(const std::vector<Group>& all) {
+    static constexpr std::array limits{5.0, 10.0, 16.0, 33.0, 100.0};
+    std::string html =
+        "<h2>Which method in the time I have?</h2><table><caption>Fewest wrong pixels within a time per "
+        "frame, in the mean over frames: method, budget, wrong pixels.</caption><tr><th class=t>scene</th>";
+    for (const double ms : limits) html += "<th>" + short_number(ms) + " ms</th>";
+    html += "</tr>";
+    for (const Group& group : all) {
+        html += "<tr>" + cell(group.scene + ", " + group.path, true);
+        for (const double ms : limits) {
+            const Row* best = best_within(group, ms);
+            html += cell(best ? method_text(best->method) + (best->budget == "unlimited" ? "" : " " + best->budget) +
+                                    ": " + per_cent(summary(*best, Measure::wrong)) + " %"
+                              : "–");
+        }
+        html += "</tr>";
+    }
+    return html + "</table>";
+}
+
+std::string caption(const FramePicture& p) {
+    return "<b>" + escaped(p.scene + ", " + p.method + " at " + p.budget) + "</b>: frame " + std::to_string(p.frame) +
+           " of path " + escaped(p.path) + ", " + per_cent(p.wrong) + " % wrong.<br><code>" + escaped(p.command) +
+           "</code>";
+}
+
+std::string table_of_papers(const Results& results) {
+    const std::vector<Table1Row> table = table_1(results);
+    if (table.empty()) return {};
+    std::string html =
+        "<h2>Table 1 of the papers</h2><table><caption>Coverage in % by budget, ours / theirs. Their "
+        "data are not to be had; generated scenes stand for them, so that shapes can be compared, "
+        "not figures.</caption><tr><th class=t>scene</th><th class=t>method</th>";
+    for (const std::string& budget : table.front().budgets) html += "<th>" + escaped(budget) + "</th>";
+    html += "</tr>";
+    for (const Table1Row& row : table) {
+        html += "<tr>" + cell(row.scene + " for " + row.papers_scene, true) + cell(row.method, true);
+        for (std::size_t b = 0; b < row.ours.size(); ++b)
+            html += cell(per_cent(row.ours[b]) + " / " + per_cent(row.papers[b]));
+        html += "</tr>";
+    }
+    return html + "</table>";
+}
+
+std::string claims(const std::vector<Claim>& all, const std::map<std::size_t, FramePicture>& pictures) {
+    if (all.empty()) return {};
+    std::string html =
+        "<h2>What the papers say, and what we find</h2><table><tr><th class=t>they</th><th class=t>we</th>"
+        "<th class=t></th></tr>";
+    for (const Claim& claim : all)
+        html += "<tr>" + cell(claim.text + " (" + claim.source + ")", true) + cell(claim.ours, true) +
+                (claim.holds ? "<td class='t holds'>holds</td>" : "<td class='t not'>does not hold here</td>") +
+                "</tr>";
+    html +=
+        "</table><p>Our reading of the formula, the scenes and the renderer differ from the papers'. Where a claim "
+        "does not hold, here is the worst frame of what it is about; for claims about time see the charts below.</p>"
+        "<div class=pictures>";
+    for (const auto& [index, shown] : pictures)
+        html += picture(shown.file,
+                        "“" + escaped(all[index].text) + "” – " + escaped(all[index].ours) + "<br>" + caption(shown));
+    return html + "</div>";
+}
+
+std::string table_of_rows(const Group& group) {
+    static constexpr std::array columns{Measure::coverage, Measure::coverage_px, Measure::oracle, Measure::cell_oracle,
+                                        Measure::wrong,    Measure::blob,        Measure::pop,    Measure::flip};
+    std::string html = "<table><caption>Means over " + std::to_string(group.rows.front()->frames.size()) +
+                       " frames in %, wrong pixels also of the worst frame; " + escaped(group.rows.front()->reference) +
+                       ".</caption><tr><th class=t>method</th><th>cells</th>"
+                       "<th>budget</th>";
+    for (const Measure m : columns) html += "<th>" + std::string(measure_row(m).title) + "</th>";
+    html += "<th>worst wrong</th><th>ms</th></tr>";
+    for (const Row* row : group.rows) {
+        html += "<tr>" + cell(method_text(row->method), true) + cell(std::to_string(row->cells)) + cell(row->budget);
+        for (const Measure m : columns) html += cell(per_cent(summary(*row, m)));
+        html += cell(per_cent(worst(*row, Measure::wrong))) + cell(number(summary(*row, Measure::total_ms))) + "</tr>";
+    }
+    return html + "</table>";
+}
+
+std::string worst_frames(const std::vector<FramePicture>& worst) {
+    if (worst.empty()) return {};
+    std::string html =
+        "<h2>The worst frames</h2><p>What the budget rendered; red is what it should have shown "
+        "(TVCG fig. 14; in 2D the missed segments).</p><div class=pictures>";
+    for (const FramePicture& w : worst) html += picture(w.file, caption(w));
+    return html + "</div>";
+}
+
+std::string measures() {
+    std::string html =
+        "<h2>What the numbers mean</h2><table><tr><th class=t>number</th><th class=t>unit</th><th "
+        "class=t>is</th><th class=t>source</th></tr>";
+    for (const MeasureRow& m : measure_table())
+        html += "<tr>" + cell(std::string(m.title), true) + cell(std::string(m.unit), true) +
+                cell(std::string(m.formula), true) + cell(std::string(m.source), true) + "</tr>";
+    return html + "</table>";
+}
+
+}  // namespace
+
+const Row* best_within(const Group& group, double ms) {
+    const Row* best = nullptr;
+    for (const Row* row : group.rows) {
+        const double wrong = summary(*row, Measure::wrong);
+        if (!(summary(*row, Measure::total_ms) <= ms) || std::isnan(wrong)) continue;
+        if (!best || wrong < summary(*best, Measure::wrong)) best = row;
+    }
+    return best;
+}
+
+void write_report(const Results& results, const std::vector<Claim>& judged, const ReportPictures& pictures,
+                  const fs::path& folder) {
+    fs::create_directories(folder / "charts");
+    const std::vector<Group> all = groups(results);
+    const std::vector<NamedChart> charts = study_charts(results);
+    std::string html = conditions(results) + answers(all) + claims(judged, pictures.claims) + table_of_papers(results);
+    for (const Group& group : all) {
+        html += "<h2>" + escaped(group.scene) + ", path " + escaped(group.path) + "</h2>";
+        for (const NamedChart& chart : charts) {
+            if (chart.scene != group.scene || chart.path != group.path) continue;
+            write_chart(chart.chart, folder / "charts" / chart.id);
+            html += picture(folder / "charts" / (chart.id + ".svg"), escaped(chart.text));
+        }
+        html += table_of_rows(group);
+    }
+    html += worst_frames(pictures.worst) + measures();
+    write_file(folder / "report.html", page("Speed against accuracy", html));
+}
+
+}  // namespace sightline::lab

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lab/report/say.h"
+
+#include <unistd.h>
+
+#include <csignal>
+#include <iostream>
+
+namespace sightline::lab {
+
+namespace {
+
+volatile std::sig_atomic_t seen = 0;  // a signal handler can reach nothing else
+
+}  // namespace
+
+void say(const std::string& line) {
+    if (isatty(STDERR_FILENO))
+        std::cerr << "\r\033[K" << line << std::flush;
+    else if (!line.empty())
+        std::cerr << line << "\n";
+}
+
+void note_interrupts() {
+    std::signal(SIGINT, [](int) { seen = 1; });
+    std::signal(SIGTERM, [](int) { seen = 1; });
+}
+
+bool interrupted() { return seen != 0; }
+
+int stopped() {
+    say("");
+    std::cerr << "lab: stopped; the same command goes on where it was\n";
+    return 1;
+}
+
+}  // namespace sightline::lab

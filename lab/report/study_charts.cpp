@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lab/report/study_charts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "core/base/number.h"
+#include "core/measure/summary.h"
+#include "lab/report/method_looks.h"
+
+namespace sightline::lab {
+
+namespace {
+
+bool in_per_cent(Measure measure) { return measure_row(measure).unit == "share"; }
+double scaled(Measure measure, double value) { return in_per_cent(measure) ? 100 * value : value; }
+std::string axis(Measure measure) {
+    const MeasureRow& row = measure_row(measure);
+    return std::string(row.title) + ", " + (in_per_cent(measure) ? "%" : std::string(row.unit));
+}
+
+/// Rows of a group by method, methods in the study's order.
+std::vector<std::vector<const Row*>> by_method(const Group& group) {
+    std::vector<std::vector<const Row*>> methods;
+    for (const Row* row : group.rows) {
+        const auto same = [&](const auto& rows) { return rows.front()->method == row->method; };
+        const auto at = std::find_if(methods.begin(), methods.end(), same);
+        at == methods.end() ? methods.push_back({row}) : at->push_back(row);
+    }
+    return methods;
+}
+
+std::string heading(const Group& group) { return group.scene + ", path " + group.path; }
+
+const Row* largest_budget(const std::vector<const Row*>& rows) {
+    return *std::max_element(rows.begin(), rows.end(), [](const Row* a, const Row* b) {
+        return summary(*a, Measure::budget) < summary(*b, Measure::budget);
+    });
+}
+
+/// One curve per method at its largest budget.
+Chart per_frame(const Group& group, Measure measure) {
+    Chart chart;
+    chart.title = heading(group) + ": " + std::string(measure_row(measure).title);
+    chart.x = "frame of the path";
+    chart.y = axis(measure);
+    MethodLooks looks;
+    for (const auto& rows : by_method(group)) {
+        const Row* row = largest_budget(rows);
+        Series s = looks.series(row->method);
+        if (row->budget != "unlimited") s.name += " " + row->budget;
+        s.look = line_of(row->method);
+        for (std::size_t i = 0; i < row->frames.size(); ++i)
+            s.points.push_back({static_cast<double>(row->frames[i]), scaled(measure, row->values[i][measure])});
+        chart.series.push_back(std::move(s));
+    }
+    return chart;
+}
+
+/// How many visible primitives each budget of one method finds, under the exact count (TVCG figs. 10 and 11).
+Chart found_per_frame(const Group& group, const std::vector<const Row*>& rows) {
+    Chart chart;
+    chart.title = heading(group) + ": visible primitives found by " + method_text(rows.front()->method);
+    chart.x = "frame of the path";
+    chart.y = "primitives";
+    Series exact;
+    exact.name = "exact";
+    exact.look = Series::Look::line;
+    exact.width = 3;
+    const Row& first = *rows.front();
+    for (std::size_t i = 0; i < first.frames.size(); ++i)
+        exact.points.push_back({static_cast<double>(first.frames[i]), first.values[i][Measure::visible]});
+    chart.series.push_back(std::move(exact));
+    const auto add = [&](const Row& row, const std::string& name, Series::Look look, const std::string& colour) {
+        Series s;
+        s.name = name;
+        s.look = look;
+        s.colour = colour;
+        for (std::size_t i = 0; i < row.frames.size(); ++i)
+            s.points.push_back({static_cast<double>(row.frames[i]),
+                                row.values[i][Measure::coverage] * row.values[i][Measure::visible]});
+        chart.series.push_back(std::move(s));
+    };
+    std::size_t colour = 0;
+    for (auto row = rows.rbegin(); row != rows.rend(); ++row)
+        add(**row, (*row)->budget, Series::Look::line, series_colour(colour++));
+    for (const auto& other : by_method(group))
+        if (other.front()->method.id == "centroid")
+            add(*largest_budget(other), "centroid " + largest_budget(other)->budget, Series::Look::dashed, "#777777");
+    return chart;
+}
+
+}  // namespace
+
+std::vector<Group> groups(const Results& results) {
+    std::vector<Group> all;
+    for (const Row& row : results.rows) {
+        if (all.empty() || all.back().scene != row.scene || all.back().path != row.path)
+            all.push_back({row.scene, row.path, {}});
+        all.back().rows.push_back(&row);
+    }
+    return all;
+}
+
+std::vector<FrontierPoint> pareto_front(const std::vector<const Row*>& rows, Measure measure) {
+    std::vector<Trade> trades;
+    for (const Row* row : rows) trades.push_back({summary(*row, Measure::total_ms), summary(*row, measure)});
+    std::vector<FrontierPoint> front;
+    for (const std::size_t i : sightline::pareto_front(trades, measure_row(measure).better))
+        front.push_back({rows[i], trades[i].ms, trades[i].value});
+    return front;
+}
+
+Chart frontier(const Group& group, Measure measure) {
+    Chart chart;
+    chart.title = heading(group) + ": speed and accuracy";
+    const bool drawn = std::any_of(group.rows.begin(), group.rows.end(),
+                                   [](const Row* row) { return !std::isnan(summary(*row, Measure::draw_ms)); });
+    chart.x = std::string("time per frame, ms (") + (drawn ? "traversal + upload + drawing" : "traversal alone") +
+              "; median over frames)";
+    chart.y = axis(measure) + " (mean over frames)";
+    chart.log_x = true;
+    if (measure_row(measure).better == Better::higher) chart.most_y = 105;
+
+    Series front;
+    front.name = "Pareto front";
+    front.colour = "#c8c8c8";
+    front.width = 7;
+    front.look = Series::Look::line;
+    for (const FrontierPoint& point : pareto_front(group.rows, measure))
+        front.points.push_back({point.ms, scaled(measure, point.value)});
+    chart.series.push_back(std::move(front));
+
+    // A budget's label is left out where one stands already: the dots of a line are in the order of the budgets.
+    std::vector<std::array<double, 2>> labelled;
+    double most = 0;
+    for (const Row* row : group.rows) most = std::max(most, scaled(measure, summary(*row, measure)));
+    const auto near_label = [&](const std::array<double, 2>& point) {
+        return std::any_of(labelled.begin(), labelled.end(), [&](const std::array<double, 2>& other) {
+            return std::abs(std::log10(point[0] / other[0])) < 0.1 && std::abs(point[1] - other[1]) < 0.05 * most;
+        });
+    };
+
+    MethodLooks looks;
+    Series oracle;
+    oracle.name = "oracle (drawing alone)";
+    oracle.look = Series::Look::dashed;
+    oracle.colour = "#444444";
+    std::map<double, std::array<double, 2>> best;  ///< by budget
+    for (const auto& rows : by_method(group)) {
+        Series s = looks.series(rows.front()->method);
+        for (const Row* row : rows) {
+            const double ms = summary(*row, Measure::total_ms);
+            s.points.push_back({ms, scaled(measure, summary(*row, measure))});
+            s.labels.push_back(row->budget == "unlimited" || near_label(s.points.back()) ? "" : row->budget);
+            if (!s.labels.back().empty()) labelled.push_back(s.points.back());
+            if (row->budget == "unlimited") continue;
+            double drawing = summary(*row, Measure::upload_ms) + summary(*row, Measure::draw_ms);
+            if (std::isnan(drawing)) continue;
+            auto& point = best.try_emplace(summary(*row, Measure::budget), std::array{drawing, 0.0}).first->second;
+            point = {std::min(point[0], drawing), scaled(measure, summary(*row, Measure::oracle))};
+        }
+        chart.series.push_back(std::move(s));
+    }
+    if (measure == Measure::coverage) {
+        for (const auto& [budget, point] : best) oracle.points.push_back(point);
+        std::sort(oracle.points.begin(), oracle.points.end());
+        chart.series.push_back(std::move(oracle));
+    }
+    return chart;
+}
+
+std::vector<NamedChart> study_charts(const Results& results) {
+    std::vector<NamedChart> charts;
+    for (const Group& group : groups(results)) {
+        const std::string stem = file_stem(group.scene + "-" + group.path);
+        const auto add = [&](const std::string& id, const std::string& text, Chart chart) {
+            charts.push_back({group.scene, group.path, id, text, std::move(chart)});
+        };
+        const bool timed = std::any_of(group.rows.begin(), group.rows.end(),
+                                       [](const Row* row) { return !std::isnan(summary(*row, Measure::total_ms)); });
+        const bool has_curve = group.rows.front()->frames.size() > 1;
+        if (timed) {
+            add(stem + "-frontier-wrong",
+                "Down and to the left is better. The grey line joins what nothing beats in both.",
+                frontier(group, Measure::wrong));
+            add(stem + "-frontier-coverage",
+                "Up and to the left is better. The oracle is what the budget could find at best.",
+                frontier(group, Measure::coverage));
+        }
+        if (!has_curve) continue;
+        for (const auto& rows : by_method(group))
+            if (rows.front()->method.id == "published")
+                add(stem + "-found-" +
+                        (rows.front()->method.tessellation == Tessellation::tree ? "published-tree" : "published"),
+                    "TVCG figs. 10 and 11 in form: an order that estimates visibility well keeps the shape "
+                    "of the exact curve.",
+                    found_per_frame(group, rows));
+        add(stem + "-frames-wrong", "TVCG figs. 10 to 12 in form: each method at its largest budget.",
+            per_frame(group, Measure::wrong));
+        add(stem + "-frames-coverage",
+            "By count. Beside the wrong pixels it shows where count and picture disagree (TVCG fig. 15).",
+            per_frame(group, Measure::coverage));
+        if (timed) {
+            Chart times = per_frame(group, Measure::total_ms);
+            times.log_y = true;
+            add(stem + "-frames-time", "Time follows what the frame renders.", std::move(times));
+        }
+    }
+    return charts;
+}
+
+}  // namespace sightline::lab

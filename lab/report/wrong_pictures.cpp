@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lab/report/wrong_pictures.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "core/base/file.h"
+#include "core/base/number.h"
+#include "core/measure/frame_clock.h"
+#include "core/measure/wrong_region.h"
+#include "core/session/session.h"
+#include "core/settings/settings_table.h"
+#include "lab/report/session_figure.h"
+#include "shell/figure/cairo_surface.h"
+#include "shell/figure/png.h"
+
+namespace sightline::lab {
+
+namespace {
+
+constexpr double screen_dpi = 96;
+
+template <int D>
+std::string point_text(const Vec<D>& p, const Vec<D>& origin) {
+    std::string text;
+    for (int i = 0; i < D; ++i) text += (i > 0 ? "," : "") + number_text(p[i] + origin[i]);
+    return text;
+}
+
+/// As a shell reads it back.
+std::string shell_word(const std::string& text) {
+    static constexpr std::string_view plain = "-_./:=,%@+";
+    const bool is_plain = !text.empty() && std::all_of(text.begin(), text.end(), [](unsigned char c) {
+        return std::isalnum(c) || plain.find(static_cast<char>(c)) != std::string_view::npos;
+    });
+    if (is_plain) return text;
+    std::string quoted = "'";
+    for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return quoted + "'";
+}
+
+Settings settings_of(const LabScene<2>& lab, const Row& row) {
+    Settings settings = lab.settings_for(row.method);
+    settings.budget = parse_budget(row.budget);
+    return settings;
+}
+
+void write_picture(const LabScene<2>& lab, const Row& row, std::size_t frame, const std::filesystem::path& file,
+                   LabGraphics&) {
+    Session<2> session(lab.scene, lab.specs[frame], settings_of(lab, row), method_table<2>(), {});
+    session.run();
+    write_session_figure(session, file, {});
+}
+
+void write_picture(const LabScene<3>& lab, const Row& row, std::size_t frame, const std::filesystem::path& file,
+                   LabGraphics& graphics) {
+    const MethodChoice& choice = row.method;
+    Frame<3> f = make_frame<3>(lab.scene->primitives, lab.on(choice.tessellation), lab.views[frame],
+                               lab.settings_for(choice), lab.scene->two_sided);
+    f.budget = static_cast<std::uint32_t>(row.values[frame][Measure::budget]);
+    const Method<3>& method = find_method<3>(method_table<3>(), choice.id);
+    State<3> state;
+    method.start(f, state);
+    method.run(f, state, none);
+
+    SolidList list;
+    list.camera = lab.views[frame];
+    list.styles = {{"rendered", {200, 200, 205}}};
+    list.scene = lab.scene;
+    rendered_ids(state, list.triangles);
+    list.runs = {{0, 0, static_cast<std::uint32_t>(list.triangles.size())}};
+    const ImageSize size = image_size<3>(lab.settings.reference_size);
+    const IdImage exact = graphics.draw_ids()(*lab.scene, lab.views[frame], size, 1).front();
+    write_file(file, encode_png(image_of(missed_in_red(list, exact, graphics)).get(), screen_dpi));
+}
+
+}  // namespace
+
+Pixels missed_in_red(const SolidList& rendered, const IdImage& exact, LabGraphics& graphics) {
+    Pixels pixels = graphics.draw_solid()(rendered, exact.width, exact.height, 1);
+    std::vector<std::uint8_t> mask(rendered.scene->primitives.size());
+    for (const std::uint32_t id : rendered.triangles) mask[id] = 1;
+    const std::vector<std::uint8_t> wrong = wrong_mask(exact, mask);
+    for (std::size_t i = 0; i < wrong.size(); ++i)
+        if (wrong[i]) pixels.colours[i] = {220, 30, 30};
+    return pixels;
+}
+
+template <int D>
+FramePicture draw_frame(const LabScene<D>& lab, const Study& study, const Row& row, std::size_t frame,
+                        const std::filesystem::path& file, LabGraphics& graphics) {
+    const ViewSpec<D>& view = lab.specs[frame];
+    FramePicture drawn{
+        row.scene, row.path, method_text(row.method), row.budget, row.frames[frame], row.values[frame][Measure::wrong],
+        file,      {}};
+    write_picture(lab, row, frame, file, graphics);
+    drawn.command = "./run viewer" + std::to_string(D) + "d " + shell_word(parse_scene(row.scene).name) +
+                    " --eye=" + point_text<D>(view.eye, lab.scene->origin) +
+                    " --look-at=" + point_text<D>(view.look_at, lab.scene->origin) + " --fov " + number_text(view.fov) +
+                    " --method " + row.method.id + " --budget " + row.budget;
+    if (row.method.tessellation == Tessellation::tree) drawn.command += " --set tessellation=tree";
+    if (study.size != ImageSize{})
+        drawn.command += " --set reference_size=" + setting_row("reference_size").get(lab.settings);
+    for (const std::string& setting : study.settings) drawn.command += " --set " + shell_word(setting);
+    return drawn;
+}
+
+template FramePicture draw_frame<2>(const LabScene<2>&, const Study&, const Row&, std::size_t,
+                                    const std::filesystem::path&, LabGraphics&);
+template FramePicture draw_frame<3>(const LabScene<3>&, const Study&, const Row&, std::size_t,
+                                    const std::filesystem::path&, LabGraphics&);
+
+}  // namespace sightline::lab

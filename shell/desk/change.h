@@ -1,0 +1,40 @@
+// Changes of settings, views and scenes: remembered for undo, and said where they move the traversal.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+
+#include "shell/desk/workbench.h"
+
+namespace sightline {
+
+/// `gesture` as remember() takes it. Says what became of the traversal when it was made again. Throws InputError for a
+/// method that does not exist or a setting that only a fresh load can change; then nothing has changed.
+template <int D>
+void change_settings(Workbench<D>& bench, const Settings& settings, const std::string& gesture = "");
+
+/// The culling view; while frozen the display view. Throws InputError for a view that cannot be.
+template <int D>
+void change_view(Workbench<D>& bench, const ViewSpec<D>& view, const std::string& gesture = "");
+
+/// The culling view, also while frozen: the traversal is made again, the display view stays. Throws like change_view.
+template <int D>
+void change_culling_view(Workbench<D>& bench, const ViewSpec<D>& view, const std::string& gesture = "");
+
+/// Other primitives under the same view and settings. `numbers` has for each old primitive its new number, none where
+/// it is gone, for the selection and the notes; empty: they keep their numbers.
+template <int D>
+void change_scene(Workbench<D>& bench, std::shared_ptr<const Scene<D>> scene, const std::string& gesture = "",
+                  std::span<const std::uint32_t> numbers = {});
+
+/// Puts another session on the bench, at its place in the run. There is no way back to the old one by undo.
+template <int D>
+void replace_session(Workbench<D>& bench, Session<D> session);
+
+/// After every new traversal: counts it, and records the whole run where the bench asks for it.
+template <int D>
+void traversal_changed(Workbench<D>& bench);
+
+}  // namespace sightline

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shell/desk/edit.h"
+
+#include <numeric>
+
+#include "core/base/error.h"
+#include "core/base/file.h"
+#include "core/scene/clean.h"
+#include "core/scene/read/read_json.h"
+#include "shell/desk/change.h"
+
+namespace sightline {
+
+namespace {
+
+/// A copy to edit.
+Scene<2> edited(const Workbench<2>& bench) {
+    Scene<2> scene = bench.session.scene();
+    scene.source = "edited";
+    scene.name.clear();  // what lies under that name is another scene now
+    return scene;
+}
+
+/// Throws InputError unless the segment of that number is one that a reader of files would keep.
+void check(const Scene<2>& scene, std::uint32_t index) {
+    const Primitive<2> segment = scene.primitives[index];
+    Scene<2> alone;
+    alone.primitives = {segment};
+    clean(alone, Recentre::no, "segment");
+    if (alone.dropped.not_finite > 0) throw InputError("segment: a coordinate is not finite");
+    if (alone.dropped.degenerate > 0) throw InputError("segment: both ends are the same point");
+    for (std::uint32_t i = 0; i < scene.primitives.size(); ++i) {
+        const Primitive<2>& other = scene.primitives[i];
+        if (i != index && (other == segment || other == Primitive<2>{segment[1], segment[0]}))
+            throw InputError("segment: " + std::to_string(i) + " lies between the same points");
+    }
+}
+
+void put(Workbench<2>& bench, Scene<2> scene, const std::string& gesture, std::span<const std::uint32_t> numbers = {}) {
+    change_scene(bench, std::make_shared<const Scene<2>>(std::move(scene)), gesture, numbers);
+}
+
+}  // namespace
+
+void add_segment(Workbench<2>& bench, const Primitive<2>& segment, const std::string& gesture) {
+    Scene<2> scene = edited(bench);
+    const auto added = static_cast<std::uint32_t>(scene.primitives.size());
+    scene.primitives.push_back(segment);
+    check(scene, added);
+    put(bench, std::move(scene), gesture);
+    bench.session.selected_cell = none;
+    bench.session.selected_primitive = added;
+}
+
+void move_segment(Workbench<2>& bench, std::uint32_t index, const Primitive<2>& segment, const std::string& gesture) {
+    Scene<2> scene = edited(bench);
+    scene.primitives.at(index) = segment;
+    check(scene, index);
+    put(bench, std::move(scene), gesture);
+}
+
+void delete_segment(Workbench<2>& bench, std::uint32_t index) {
+    Scene<2> scene = edited(bench);
+    std::vector<std::uint32_t> numbers(scene.primitives.size());
+    std::iota(numbers.begin(), numbers.end(), 0u);
+    for (std::size_t i = index + 1; i < numbers.size(); ++i) --numbers[i];
+    numbers.at(index) = none;
+    scene.primitives.erase(scene.primitives.begin() + index);
+    put(bench, std::move(scene), "", numbers);
+}
+
+void new_scene(Workbench<2>& bench) {
+    Scene<2> scene;
+    scene.id = "new";
+    scene.title = "New scene";
+    scene.source = "edited";
+    const ViewSpec<2> view = default_view({});
+    // One entry in the history for all of it.
+    const std::string gesture = "new scene";
+    remember(bench, gesture);
+    bench.session.notes.clear();
+    bench.session.bookmarks.clear();
+    bench.session.unfreeze();
+    change_scene(bench, std::make_shared<const Scene<2>>(std::move(scene)), gesture);
+    change_view(bench, view, gesture);
+    end_gesture(bench);
+}
+
+void save_scene(const Workbench<2>& bench, const std::string& file) {
+    Scene<2> scene = bench.session.scene();
+    scene.start_view = bench.session.culling_view();
+    write_file(file, write_json(scene));
+}
+
+}  // namespace sightline

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shell/desk/into.h"
+
+#include "core/session/substep.h"
+#include "shell/desk/moves.h"
+
+namespace sightline {
+
+template <int D>
+void step_into(Workbench<D>& bench) {
+    pause(bench);
+    const auto here = bench.substep;
+    if (here && *here + 1 < substep_count(bench.session, bench.session.position())) {
+        bench.substep = *here + 1;
+        return;
+    }
+    bench.substep.reset();
+    step_forward(bench, 1);
+    if (bench.last_stop == Stop::steps) {
+        bench.substep = 0;
+        return;
+    }
+    bench.substep = here;
+    bench.say("the run ends here: " + std::string(stop_words[static_cast<std::size_t>(bench.last_stop)]));
+}
+
+template <int D>
+void step_out(Workbench<D>& bench) {
+    pause(bench);
+    if (bench.substep && *bench.substep > 0)
+        --*bench.substep;
+    else if (bench.substep)
+        step_back(bench, 1);
+    else if (bench.session.position() > 0)
+        bench.substep = substep_count(bench.session, bench.session.position()) - 1;
+}
+
+template void step_into<2>(Workbench<2>&);
+template void step_into<3>(Workbench<3>&);
+template void step_out<2>(Workbench<2>&);
+template void step_out<3>(Workbench<3>&);
+
+}  // namespace sightline

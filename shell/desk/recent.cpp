@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shell/desk/recent.h"
+
+#include <filesystem>
+
+#include "core/scene/make/catalogue.h"
+
+namespace sightline {
+
+namespace {
+
+/// The name that opens the same from any folder.
+std::string whole_name(const std::string& name) {
+    if (find_in_catalogue(name)) return name;
+    std::error_code error;
+    const auto whole = [&](const std::string& file) { return std::filesystem::absolute(file, error).string(); };
+    if (std::filesystem::exists(name, error)) return whole(name);
+    const std::size_t hash = name.rfind('#');
+    if (hash != std::string::npos && std::filesystem::exists(name.substr(0, hash), error))
+        return whole(name.substr(0, hash)) + name.substr(hash);
+    return name;
+}
+
+}  // namespace
+
+void note_opened(std::vector<std::string>& recent, const std::string& name) {
+    const std::string whole = whole_name(name);
+    std::erase(recent, whole);
+    recent.insert(recent.begin(), whole);
+    if (recent.size() > most_recent) recent.resize(most_recent);
+}
+
+}  // namespace sightline

@@ -1,0 +1,67 @@
+// What commands, panels and the window work on: a session with what a person does to it. Plain data; the functions that
+// change it stand beside it in this folder.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/session/figure_spec.h"
+#include "core/session/session.h"
+#include "shell/desk/comparison.h"
+#include "shell/desk/desk.h"
+#include "shell/desk/flight.h"
+#include "shell/desk/frontier.h"
+#include "shell/desk/graphics.h"
+#include "shell/desk/history.h"
+#include "shell/desk/transport.h"
+
+namespace sightline {
+
+/// The clipboard of the window; both empty without one.
+struct Clipboard {
+    std::function<std::string()> get;
+    std::function<void(const std::string&)> set;
+};
+
+/// Where something stands in the window, in its units, y down: for scripts and for readers of the screen.
+struct Place {
+    std::string name;
+    double x = 0, y = 0, w = 0, h = 0;
+};
+
+template <int D>
+struct Workbench {
+    Session<D> session;           ///< where it stands, and what is noted, marked and selected in it
+    FigureSpec figure{};          ///< how figures are written
+    Stop last_stop = Stop::none;  ///< why the last move ended
+    bool quit = false;
+    std::function<void(const std::string&)> say{};           ///< one line for the person
+    std::span<const Method<D>> methods = method_table<D>();  ///< those that `method` can choose
+
+    std::optional<std::uint32_t> substep{};  ///< where in the last step (step into); none: between two steps
+    std::optional<Other<D>> other{};         ///< a second session, on the right
+    bool record_ahead = false;               ///< keep the whole run recorded, for a timeline that shows where it leads
+    Transport transport{};
+    History<D> history{};
+    std::vector<std::uint32_t> marked{};  ///< steps that `mark` found
+    std::string marked_by{};              ///< its condition
+    std::uint32_t hovered_cell = none;    ///< under the mouse, in whatever part of the window
+    std::uint32_t selected_note = none;   ///< index; being moved or edited
+    Flight<D> flight{};
+    Desk desk{};
+    Clipboard clipboard{};
+    std::vector<std::string> recent{};  ///< what `open` took, newest first
+    std::vector<Place> places{};        ///< written anew by each frame of the window
+    Graphics graphics{};                ///< 3D
+    Frontier<D> frontier{};
+
+    /// Counts the traversals: what was derived from the recording is made again when this has changed.
+    std::uint64_t run = 0;
+};
+
+}  // namespace sightline

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shell/desk/zoom.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "core/base/error.h"
+#include "core/base/trig.h"
+#include "core/draw/shown_world.h"
+#include "shell/desk/camera.h"
+#include "shell/desk/change.h"
+
+namespace sightline {
+
+namespace {
+
+/// Limits of the setting.
+constexpr double least = 0.01, most = 1000;
+
+}  // namespace
+
+void zoom_about(Workbench<2>& bench, const Vec<2>& fixed, double factor, const std::string& gesture) {
+    if (!(factor > 0)) throw InputError("the factor must be above 0");
+    Settings settings = bench.session.settings();
+    const double zoom = std::clamp(settings.zoom * factor, least, most);
+    const Vec<2> middle = shown_world(bench.session).centre();
+    const Vec<2> to = fixed + (middle - fixed) * (settings.zoom / zoom);
+    settings.zoom = zoom;
+    settings.zoom_at = ZoomAt::point;
+    settings.zoom_x = to.x;
+    settings.zoom_y = to.y;
+    change_settings(bench, settings, gesture);
+}
+
+template <>
+void zoom<2>(Workbench<2>& bench, double factor) {
+    zoom_about(bench, shown_world(bench.session).centre(), factor);
+}
+
+template <>
+void zoom<3>(Workbench<3>& bench, double factor) {
+    if (!(factor > 0)) throw InputError("the factor must be above 0");
+    change_view(bench, approached(bench.session.display_view(), factor));
+}
+
+template <>
+void pan<2>(Workbench<2>& bench, const Vec<2>& shares) {
+    const Box<2> world = shown_world(bench.session);
+    centre_on(bench, world.centre() + shares * world.extent());
+}
+
+template <>
+void pan<3>(Workbench<3>& bench, const Vec<2>& shares) {
+    const ViewSpec<3>& view = bench.session.display_view();
+    const SinCos half = sincos_degrees(view.fov / 2);
+    const double tall = 2 * glm::length(view.look_at - view.eye) * half.sin / half.cos;
+    change_view(bench, walked(view, bench.session.scene().up_axis, Vec<3>(shares * tall, 0)));
+}
+
+void centre_on(Workbench<2>& bench, const Vec<2>& middle, const std::string& gesture) {
+    Settings settings = bench.session.settings();
+    settings.zoom_at = ZoomAt::point;
+    settings.zoom_x = middle.x;
+    settings.zoom_y = middle.y;
+    change_settings(bench, settings, gesture);
+}
+
+void hold(Workbench<2>& bench, const Box<2>& world, const std::string& gesture) {
+    const Vec<2> shown = shown_world(bench.session).extent(), held = world.extent();
+    const double factor = std::max(shown.x / held.x, shown.y / held.y);
+    // Nothing that an eye could see: a picture that fits the scene goes on fitting it.
+    const double off = glm::length(shown_world(bench.session).centre() - world.centre()) / glm::length(held);
+    if (std::abs(factor - 1) < 1e-6 && off < 1e-6) return;
+    zoom_about(bench, shown_world(bench.session).centre(), factor, gesture);
+    centre_on(bench, world.centre(), gesture);
+}
+
+template <>
+void fit<2>(Workbench<2>& bench) {
+    Settings settings = bench.session.settings();
+    settings.zoom = 1;
+    settings.zoom_at = ZoomAt::view;
+    change_settings(bench, settings);
+}
+
+template <>
+void fit<3>(Workbench<3>& bench) {
+    const Session<3>& session = bench.session;
+    if (session.scene().primitives.empty()) return;
+    const ImageSize size = image_size<3>(session.settings().reference_size);
+    change_view(bench, outside(session.display_view(), bounds<3>(session.scene().primitives), session.scene().up_axis,
+                               static_cast<double>(size.width) / size.height));
+}
+
+}  // namespace sightline

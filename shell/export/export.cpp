@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shell/export/export.h"
+
+#include <iostream>
+
+#include "core/base/error.h"
+#include "core/base/file.h"
+#include "core/base/number.h"
+#include "core/base/output_file.h"
+#include "core/base/stopwatch.h"
+#include "core/draw/compose.h"
+#include "core/session/condition.h"
+#include "core/session/state_file.h"
+#include "core/space/cells_file.h"
+
+namespace sightline {
+
+namespace {
+
+/// A place in the timeline, as --panels takes it.
+template <int D>
+void go_to_place(Session<D>& session, const std::string& place) {
+    if (place == "start") {
+        session.seek(0);
+        return;
+    }
+    if (place == "end") {
+        session.run();
+        return;
+    }
+    if (place.starts_with("step ")) {
+        if (const auto step = parse_whole(std::string_view(place).substr(5))) {
+            session.seek(*step);
+            return;
+        }
+    } else if (place.starts_with("until ")) {
+        const Condition<D> condition(place.substr(6));
+        session.seek(0);
+        if (run_until(session, condition) != Stop::breakpoint)
+            throw InputError("panel '" + place + "': the condition never holds before the run ends");
+        return;
+    }
+    throw InputError("panel '" + place + "': write start, end, step N or until CONDITION");
+}
+
+/// One panel; two, left and right, where there is a second session.
+template <int D>
+void add_panels(const Workbench<D>& bench, const Session<D>& session, const std::string& title,
+                std::vector<PanelSource<D>>& panels) {
+    if (!bench.other) {
+        panels.push_back({session, title});
+        return;
+    }
+    Session<D> other = bench.other->session;
+    if (session.position() != bench.session.position()) follow(session, other, bench.other->align);
+    const std::vector<Side> sides = projected_sides(session, other);
+    const auto titles = side_titles(bench);
+    const std::string before = title.empty() ? "" : title + ", ";
+    panels.push_back({session, before + titles[0], sides});
+    panels.push_back({std::move(other), before + titles[1], sides});
+}
+
+}  // namespace
+
+FigureSize figure_size(const FigureSpec& spec) {
+    FigureSize size;
+    size.font_pt = spec.font_pt;
+    const std::string_view text = spec.size;
+    if (text.ends_with("mm")) {
+        const auto width = parse_number(text.substr(0, text.size() - 2));
+        if (width && *width > 0) {
+            size.width_mm = *width;
+            return size;
+        }
+    } else if (const std::size_t x = text.find('x'); x != std::string_view::npos) {
+        const auto width = parse_number(text.substr(0, x)), height = parse_number(text.substr(x + 1));
+        if (width && height && *width >= 1 && *height >= 1 && *width <= 1e6 && *height <= 1e6) {
+            size.width_px = static_cast<int>(*width);
+            size.height_px = static_cast<int>(*height);
+            return size;
+        }
+    }
+    throw InputError("size '" + spec.size + "': write a width such as 84mm, or pixels such as 1280x720");
+}
+
+template <int D>
+void set_figure_size(Workbench<D>& bench, const std::string& size) {
+    FigureSpec spec = bench.figure;
+    spec.size = size;
+    figure_size(spec);
+    bench.figure = std::move(spec);
+}
+
+template <int D>
+void write_shot(Workbench<D>& bench, const std::string& file) {
+    const Stopwatch drawing;
+    std::vector<PanelSource<D>> panels;
+    if (bench.figure.panels.empty()) add_panels(bench, bench.session, "", panels);
+    for (const std::string& place : bench.figure.panels) {
+        Session<D> session = bench.session;
+        go_to_place(session, place);
+        add_panels(bench, session, "step " + std::to_string(session.position()), panels);
+    }
+    OutputFile sidecar(file + ".json");
+    sidecar.write(bench_state(bench));  // a disk that has no room for it keeps the old figure
+    write_figure(make_figure(std::span<const PanelSource<D>>(panels)), figure_size(bench.figure), file,
+                 bench.graphics.draw_solid);
+    sidecar.commit();
+    bench.session.times().draw += drawing.milliseconds();
+    bench.say("wrote " + file + " and " + file + ".json");
+}
+
+template <int D>
+std::string bench_state(const Workbench<D>& bench) {
+    if (!bench.other) return state_json<D>(bench.session, bench.figure);
+    return state_json<D>(bench.session, bench.figure, &bench.other->session, bench.other->align);
+}
+
+template <int D>
+void write_cells(Workbench<D>& bench, const std::string& file) {
+    const Session<D>& session = bench.session;
+    write_cells(session.cells(), session.scene(), session.settings(), file);
+    bench.say("wrote " + file + ", " + std::to_string(session.cells().cell_count()) + " cells");
+}
+
+void write_text(const std::string& file, const std::string& text) {
+    if (file == "-") {
+        std::cout << text;
+    } else {
+        write_file(file, text);
+    }
+}
+
+#define SIGHTLINE_INSTANTIATE(D)                                         \
+    template void set_figure_size<D>(Workbench<D>&, const std::string&); \
+    template void write_cells<D>(Workbench<D>&, const std::string&);     \
+    template void write_shot<D>(Workbench<D>&, const std::string&);      \
+    template std::string bench_state<D>(const Workbench<D>&);
+SIGHTLINE_INSTANTIATE(2)
+SIGHTLINE_INSTANTIATE(3)
+#undef SIGHTLINE_INSTANTIATE
+
+}  // namespace sightline

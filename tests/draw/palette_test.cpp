@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/draw/palette.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/draw/picture_support.h"
+
+namespace sightline {
+namespace {
+
+using namespace test;
+
+TEST(Palette, CellsStayApartWithoutColour) {
+    // Those that stand in one picture.
+    const std::vector<Look> by_state{Look::clean, Look::enqueued, Look::projected, Look::unseen};
+    const std::vector<Look> by_side{Look::clean, Look::both, Look::only_left, Look::only_right};
+    for (const Palette palette : {Palette::standard, Palette::paper, Palette::print}) {
+        const Colours& all = colours(palette);
+        const auto& looks = all.looks;
+        ASSERT_EQ(looks.size(), style_of(Look::count));
+        const auto check = [&](Look a, Look b, bool papers_own) {
+            const Style &first = looks[style_of(a)], &second = looks[style_of(b)];
+            EXPECT_EQ(first.fill.a, 255);
+            EXPECT_EQ(second.fill.a, 255);
+            const double apart = std::abs(lightness(first.fill) - lightness(second.fill));
+            const bool other_lines = first.hatch != second.hatch || first.stroke.a != second.stroke.a;
+            EXPECT_TRUE(apart >= 20 || (papers_own && other_lines)) << first.name << " and " << second.name;
+        };
+        for (const auto& set : {by_state, by_side})
+            for (const Look a : set)
+                for (const Look b : set)
+                    // The papers' own colours of states lie close together: a hatch or an outline helps.
+                    if (a < b) check(a, b, palette == Palette::paper && b <= Look::unseen);
+        for (const auto& [a, b] :
+             {std::pair(Look::enqueued, Look::unseen), std::pair(Look::only_left, Look::only_right)}) {
+            EXPECT_NE(looks[style_of(a)].hatch, Hatch::none);
+            EXPECT_NE(looks[style_of(b)].hatch, Hatch::none);
+            EXPECT_NE(looks[style_of(a)].hatch, looks[style_of(b)].hatch);
+        }
+        for (const Style& style : looks)
+            if (style.stroke.a > 0) {
+                EXPECT_GE(style.width_pt, 0.5) << style.name;
+            }
+        // A heat map grows lighter or darker all the way.
+        const auto& heat = all.heat;
+        for (std::size_t i = 2; i < heat.size(); ++i)
+            EXPECT_GT((lightness(heat[i]) - lightness(heat[i - 1])) * (lightness(heat[1]) - lightness(heat[0])), 0);
+    }
+    EXPECT_NEAR(lightness({0, 0, 0}), 0, 1e-9);
+    EXPECT_NEAR(lightness({255, 255, 255}), 100, 1e-6);
+    EXPECT_NEAR(lightness({119, 119, 119}), 50.03, 0.01);
+}
+
+TEST(Palette, TextStandsOutFromWhatIsBehindIt) {
+    EXPECT_NEAR(contrast({0, 0, 0}, {255, 255, 255}), 21, 1e-9);
+    EXPECT_NEAR(contrast({118, 118, 118}, {255, 255, 255}), 4.54, 0.01);  // WCAG's own example of 4.5:1
+    EXPECT_EQ(contrast({9, 90, 200}, {9, 90, 200}), 1);
+    Session<2> session = session_of(*find_in_catalogue("bottleneck"));
+    session.seek(20);
+    for (const Note<2>::Kind kind : {Note<2>::Kind::text, Note<2>::Kind::arrow, Note<2>::Kind::callout}) {
+        Note<2> note;
+        note.kind = kind;
+        note.text = "x";
+        session.notes.push_back(note);
+    }
+    for (const Palette palette : {Palette::standard, Palette::paper, Palette::print}) {
+        Settings settings = session.settings();
+        settings.palette = palette;
+        settings.label = CellNumber::solidity;
+        session.change(settings);
+        const DrawList list = make_picture(session);
+        ASSERT_GT(list.labels.size(), 5u);
+        for (const Label& label : list.labels) {
+            const Colour behind = label.disc.value_or(label.halo);
+            ASSERT_EQ(behind.a, 255);
+            EXPECT_GE(contrast(label.colour, behind), 7) << label.text;
+        }
+        EXPECT_GE(contrast(colours(palette).ink, colours(palette).background), 7);
+    }
+}
+
+}  // namespace
+}  // namespace sightline

@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/draw/picture.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+#include "core/draw/cell_number.h"
+#include "core/draw/compose.h"
+#include "tests/draw/picture_support.h"
+
+namespace sightline {
+namespace {
+
+using namespace test;
+
+void show_everything(Settings& settings) {
+    for (const char* assignment : {"show_normals=on", "show_penalties=on", "show_chain=on", "label=solidity",
+                                   "label_where=all", "palette=paper"})
+        apply_setting(settings, assignment);
+}
+
+std::string picture_hash(const Session<2>& session) {
+    const std::string text = to_text(make_picture(session, {number_range(session, session.settings().heat)}));
+    Hash hash;
+    for (const char c : text) hash.add(static_cast<unsigned char>(c));
+    return hash_text(hash.value());
+}
+
+/// Goldens. After a wanted change of the pictures the failure prints the new table.
+struct Golden {
+    const char* id;
+    std::array<const char*, 3> hashes;  ///< at the start, at step 12, at the end with everything shown
+};
+const std::vector<Golden>& goldens();
+
+TEST(Picture, IsThatOfTheGoldens) {
+    std::string table;
+    bool same = goldens().size() == catalogue().size();
+    for (std::size_t i = 0; i < catalogue().size(); ++i) {
+        const CatalogueRow<2>& row = catalogue()[i];
+        Session<2> session = session_of(row, row.budget);
+        std::array<std::string, 3> now;
+        now[0] = picture_hash(session);
+        session.seek(12);
+        now[1] = picture_hash(session);
+        session.run();
+        Settings settings = session.settings();
+        show_everything(settings);
+        session.change(settings);
+        session.selected_cell = session.cells().cell_count() / 2;
+        now[2] = picture_hash(session);
+        table += "        {\"" + std::string(row.id) + "\", {";
+        for (int k = 0; k < 3; ++k) {
+            table += (k ? ", \"" : "\"") + now[k] + "\"";
+            same = same && row.id == std::string_view(goldens()[i].id) && now[k] == goldens()[i].hashes[k];
+        }
+        table += "}},\n";
+    }
+    EXPECT_TRUE(same) << "the pictures are now\n" << table;
+}
+
+TEST(Picture, CellsLookAsTheirStates) {
+    Random random(71);
+    for (int i = 0; i < 150; ++i) {
+        const test::Start start = test::random_start(random);
+        Session<2> session = start.session();
+        session.seek(static_cast<std::uint32_t>(random.below(40)));
+        const DrawList list = make_picture(session);
+        std::map<CellState, std::set<std::vector<double>>> expected;
+        for (std::uint32_t cell = 0; cell < session.cells().cell_count(); ++cell) {
+            std::vector<double> corners;
+            for (const std::uint32_t p : session.cells().corners_of(cell)) {
+                corners.push_back(session.cells().points[p].x);
+                corners.push_back(session.cells().points[p].y);
+            }
+            expected[session.state().mark(cell).state].insert(corners);
+        }
+        ASSERT_EQ(polygons(list, Look::projected), expected[CellState::projected]);
+        ASSERT_EQ(polygons(list, Look::enqueued), expected[CellState::enqueued]);
+        ASSERT_EQ(polygons(list, Look::unseen), expected[CellState::unseen]);
+        ASSERT_EQ(count(list, Look::tessellation), session.cells().facet_count());
+
+        // Primitives by what the budget and the exact set say.
+        std::array<std::size_t, 4> lines{};
+        std::set<std::uint32_t> rendered;
+        for (std::uint32_t t = 0; t < session.state().touched_count; ++t)
+            if (session.state().touched[t] < State<2>::culled_bit) rendered.insert(session.state().touched[t]);
+        for (std::uint32_t p = 0; p < start.scene->primitives.size(); ++p)
+            ++lines[2 * rendered.contains(p) + session.reference().visible[p]];
+        ASSERT_EQ(count(list, Look::other), lines[0]);
+        ASSERT_EQ(count(list, Look::missed), lines[1]);
+        ASSERT_EQ(count(list, Look::wasted), lines[2]);
+        ASSERT_EQ(count(list, Look::rendered), lines[3]);
+        ASSERT_EQ(count(list, Look::last), session.position() > 0 && session.method().orders_cells);
+        for (const Shape& shape : list.shapes) {
+            ASSERT_LT(shape.style, list.styles.size());
+            ASSERT_LE(shape.first_point + shape.point_count, list.points.size());
+        }
+        for (const Vec<2>& point : list.points) ASSERT_TRUE(is_finite(point));
+    }
+}
+
+TEST(Picture, SwitchesTakeAwayWhatTheyName) {
+    Session<2> session = session_of(*find_in_catalogue("bottleneck"));
+    session.seek(12);
+    session.selected_cell = 5;
+    const auto with = [&](const char* assignment) {
+        Session<2> changed = session;
+        Settings settings = session.settings();
+        apply_setting(settings, "show_normals=on");
+        apply_setting(settings, "show_penalties=on");
+        apply_setting(settings, "penalty=multiply");
+        apply_setting(settings, assignment);
+        changed.change(settings);
+        return make_picture(changed);
+    };
+    const DrawList all = with("show_view=on");
+    const std::pair<const char*, std::vector<Look>> switches[] = {
+        {"show_tessellation=off", {Look::tessellation}},
+        {"show_states=off", {Look::projected, Look::enqueued, Look::unseen}},
+        {"show_primitives=off", {Look::other, Look::rendered, Look::wasted, Look::missed}},
+        {"show_view=off", {Look::view, Look::eye, Look::seed}},
+        {"show_normals=off", {Look::normal, Look::eye_ray}},
+        {"show_penalties=off", {Look::penalty}},
+    };
+    for (const auto& [assignment, looks] : switches) {
+        const DrawList list = with(assignment);
+        for (std::uint16_t look = 0; look < style_of(Look::count); ++look) {
+            const bool gone = std::find(looks.begin(), looks.end(), static_cast<Look>(look)) != looks.end();
+            EXPECT_EQ(count(list, static_cast<Look>(look)), gone ? 0 : count(all, static_cast<Look>(look)))
+                << assignment << " and style " << all.styles[look].name;
+        }
+        for (const Look look : looks) EXPECT_GT(count(all, look), 0u) << assignment;
+    }
+}
+
+TEST(Picture, CellsOfTwoSessionsLookAsWhoProjectedThem) {
+    Random random(76);
+    for (int i = 0; i < 60; ++i) {
+        test::Start start = test::random_cell_start(random);
+        start.settings.zoom = 0.05;  // the legend says what is in the picture, and all shall be
+        Session<2> session = start.session();
+        session.seek(static_cast<std::uint32_t>(random.below(20)));
+        std::vector<Side> sides(session.cells().cell_count());
+        std::map<Side, std::size_t> expected;
+        for (Side& side : sides) {
+            side = static_cast<Side>(random.below(4));
+            ++expected[side];
+        }
+        const DrawList list = make_picture(session, {.sides = sides});
+        ASSERT_EQ(polygons(list, Look::both).size(), expected[Side::both]);
+        ASSERT_EQ(polygons(list, Look::only_left).size(), expected[Side::left]);
+        ASSERT_EQ(polygons(list, Look::only_right).size(), expected[Side::right]);
+        for (const Look look : {Look::projected, Look::enqueued, Look::unseen}) ASSERT_EQ(count(list, look), 0u);
+        std::set<std::string> rows;
+        const Figure figure = make_figure(std::array{PanelSource{session, "", sides}});
+        for (const LegendRow& row : figure.legend) rows.insert(row.text);
+        ASSERT_EQ(rows.contains("projected by both"), expected[Side::both] > 0);
+        ASSERT_EQ(rows.contains("only by the left method"), expected[Side::left] > 0);
+        ASSERT_EQ(rows.contains("only by the right method"), expected[Side::right] > 0);
+        ASSERT_EQ(rows.contains("projected by neither"), sides.size() > expected[Side::neither]);
+    }
+}
+
+TEST(Picture, AWindowIsFilledWithoutCuttingAnything) {
+    Random random(77);
+    for (int i = 0; i < 100; ++i) {
+        const test::Start start = test::random_start(random);
+        Session<2> session = start.session();
+        Settings settings = session.settings();
+        settings.zoom = random.uniform(0.5, 10);
+        session.change(settings);
+        const double aspect = random.uniform(0.2, 5);
+        const Box<2> own = make_picture(session).world, wide = make_picture(session, {.aspect = aspect}).world;
+        const Vec<2> size = wide.extent();
+        ASSERT_NEAR(size.x / size.y, aspect, 1e-9 * aspect);
+        ASSERT_NEAR(glm::length(wide.centre() - own.centre()), 0, 1e-9 * glm::length(own.extent()));
+        const double slack = 1e-9 * own.longest_side();
+        ASSERT_TRUE(wide.min.x <= own.min.x + slack && wide.min.y <= own.min.y + slack);
+        ASSERT_TRUE(wide.max.x >= own.max.x - slack && wide.max.y >= own.max.y - slack);
+        ASSERT_TRUE(std::abs(size.x - own.extent().x) <= slack || std::abs(size.y - own.extent().y) <= slack);
+    }
+}
+
+TEST(Picture, TheSelectedSegmentIsDrawnOnTop) {
+    Session<2> session = session_of(*find_in_catalogue("bottleneck"));
+    EXPECT_EQ(count(make_picture(session), Look::selected_primitive), 0u);
+    session.selected_primitive = 17;
+    const Figure figure = make_figure(std::array{PanelSource{session, ""}});
+    const DrawList& list = figure.panels[0].list;
+    ASSERT_EQ(count(list, Look::selected_primitive), 1u);
+    const Shape& shape = list.shapes.back();
+    EXPECT_EQ(shape.style, style_of(Look::selected_primitive));
+    EXPECT_EQ(list.points[shape.first_point], session.scene().primitives[17][0]);
+    EXPECT_EQ(list.points[shape.first_point + 1], session.scene().primitives[17][1]);
+    EXPECT_TRUE(std::any_of(figure.legend.begin(), figure.legend.end(),
+                            [](const LegendRow& row) { return row.text == "selected segment"; }));
+}
+
+TEST(Picture, ShowingSomethingElseMovesNothing) {
+    Random random(72);
+    for (int i = 0; i < 60; ++i) {
+        const test::Start start = test::random_start(random);
+        Session<2> session = start.session();
+        session.seek(static_cast<std::uint32_t>(random.below(30)));
+        session.seek(session.position() / 2);
+        const std::uint64_t hash = session.hash();
+        const std::uint32_t recorded = session.recorded();
+        for (const SettingRow& row : settings_table()) {
+            if (row.invalidates != Invalidates::picture) continue;
+            for (const std::string_view word : row.words) {
+                Settings settings = session.settings();
+                row.set(settings, word);
+                session.change(settings);
+                make_figure(std::array{PanelSource{session, ""}});
+                ASSERT_EQ(session.hash(), hash) << row.name;
+                ASSERT_EQ(session.recorded(), recorded) << row.name;
+            }
+        }
+    }
+}
+
+TEST(Picture, ThePointInTheMiddleIsTheOneAskedFor) {
+    Session<2> session = session_of(*find_in_catalogue("bottleneck"));
+    const Vec<2> whole = make_picture(session).world.extent();
+    Random random(75);
+    for (int i = 0; i < 200; ++i) {
+        Settings settings = session.settings();
+        settings.zoom_at = ZoomAt::point;
+        settings.zoom = i % 4 == 0 ? 1 : random.uniform(0.2, 20);
+        settings.zoom_x = random.uniform(-50, 50);
+        settings.zoom_y = random.uniform(-50, 50);
+        session.change(settings);
+        const Box<2> world = make_picture(session).world;
+        ASSERT_NEAR(world.centre().x, settings.zoom_x, 1e-9);
+        ASSERT_NEAR(world.centre().y, settings.zoom_y, 1e-9);
+        ASSERT_NEAR(world.extent().x, whole.x / settings.zoom, 1e-9);
+        ASSERT_NEAR(world.extent().y, whole.y / settings.zoom, 1e-9);
+    }
+}
+
+TEST(Picture, AnEmptySceneHasAWorld) {
+    for (const Vec<2> eye : {Vec<2>(0, 0), Vec<2>(1e6, -3)}) {
+        Session<2> session(std::make_shared<const Scene<2>>(), {eye, eye + Vec<2>(1, 0), 60}, {});
+        const DrawList list = make_picture(session);
+        EXPECT_GT(list.world.extent().x, 0);
+        EXPECT_GT(list.world.extent().y, 0);
+    }
+}
+
+const std::vector<Golden>& goldens() {
+    static const std::vector<Golden> table{
+        {"bottleneck", {"c40795377bb0c11c", "87039a81bb4f7a62", "722a2d2ff5d87b2d"}},
+        {"streets", {"f30ef3993e4f3dd6", "df5d32bc98cb09a7", "583e9bf2d2c63876"}},
+        {"rooms", {"2c917de7abe2acc8", "0036b8e51509fa3f", "b894818e99b3b7c7"}},
+        {"cars", {"53375df48d77b2ef", "89dd8ff57643a827", "1d682c8bf437a4c0"}},
+        {"jungle", {"89712fee4f22c64c", "a12df0e820cbeb56", "fcf4b1a91c1210f1"}},
+        {"terrain", {"288f0445cfffd0cd", "56483c64548756d8", "0b5f43792c05577e"}},
+        {"wallholes", {"bd7be110f48bf14d", "5ca6df54703894a8", "5ed7c79b63732097"}},
+        {"wall2", {"c4992baadaa1201f", "cd3b3f385ab7bf27", "2ae8a350ddf0d8ff"}},
+        {"statue", {"85a5a16ed253a383", "84807f4b17539c68", "9fb56febae013aa9"}},
+        {"forget", {"af9dafc06a92fd38", "039c4c3c621b2000", "07e4b1b1c095ae59"}},
+    };
+    return table;
+}
+
+}  // namespace
+}  // namespace sightline

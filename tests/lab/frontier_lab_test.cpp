@@ -1,0 +1,98 @@
+// The frontier panel's numbers are those of lab measure: same scene, path, frames, methods, budgets and reference size.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/base/error.h"
+#include "lab/lab_graphics.h"
+#include "lab/measure/lab_scene.h"
+#include "lab/measure/measure_path.h"
+#include "shell/commands/command_table.h"
+#include "shell/desk/open.h"
+
+namespace sightline {
+namespace {
+
+using M = Measure;
+
+/// What the panel does without: it takes long, or compares with another frame.
+bool is_made(const MeasureRow& row) {
+    for (const M m : {M::cell_oracle, M::mis_ranked, M::unreached, M::zeta, M::pop, M::flip, M::visible_change})
+        if (row.measure == m) return false;
+    return !row.is_time;
+}
+
+template <int D>
+void expect_numbers_of_the_lab(const std::string& name, const ImageSize& size) {
+    lab::LabGraphics opengl;
+    lab::Study study;
+    study.frames = frontier_frames;
+    study.size = size;
+    study.repeats = 0;
+    study.methods.clear();
+    for (const Method<D>& method : method_table<D>())
+        study.methods.push_back(lab::parse_method(std::string(method.id)));
+    const lab::LabScene<D> scene = lab::load_lab_scene<D>(name, "", study);
+    lab::Instruments instruments;
+    instruments.draw_ids = opengl.draw_ids();
+    const std::vector<lab::Row> rows = lab::measure_path<D>(scene, study, instruments);
+
+    Graphics graphics;
+    graphics.draw_ids = opengl.draw_ids();
+    Settings settings = start_settings<D>(name);
+    settings.reference_size = size;
+    Workbench<D> bench{open_scene<D>(
+        name, settings, method_table<D>(), [](const std::string&) {}, graphics)};
+    bench.graphics = graphics;
+    bench.say = [](const std::string&) {};
+    bench.flight.path = lab::find_path<D>(bench.session.scene(), "");
+    ASSERT_GT(bench.flight.path.frames.size(), 2u);
+    run_commands(bench, "frontier finish");
+    const FrontierStudy<D>& panel = bench.frontier.study;
+    std::size_t usual = 0;
+    for (const FrontierDot& dot : panel.dots()) usual += !dot.asked;
+    ASSERT_EQ(usual, rows.size());
+
+    std::size_t partly = 0;
+    for (const lab::Row& row : rows) {
+        const std::string where = name + " " + row.method.id + " " + row.budget;
+        const auto dot = std::find_if(panel.dots().begin(), panel.dots().end(), [&](const FrontierDot& d) {
+            return panel.task().methods[d.method].id == row.method.id && budget_text(d.budget) == row.budget;
+        });
+        ASSERT_NE(dot, panel.dots().end()) << where;
+        ASSERT_EQ(dot->frames.size(), row.values.size()) << where;
+        for (const MeasureRow& m : measure_table()) {
+            if (m.is_time) continue;
+            for (std::size_t f = 0; f < row.values.size(); ++f) {
+                const double ours = dot->frames[f][m.measure], theirs = row.values[f][m.measure];
+                if (is_made(m))
+                    EXPECT_TRUE(ours == theirs || (std::isnan(ours) && std::isnan(theirs)))
+                        << where << " frame " << f << " " << m.id << ": " << ours << " and " << theirs;
+                else
+                    EXPECT_TRUE(std::isnan(ours)) << m.id << " is made: compare it";
+            }
+            if (!is_made(m)) continue;
+            const double ours = panel.value(*dot, m.measure), theirs = summary(row, m.measure);
+            EXPECT_TRUE(ours == theirs || (std::isnan(ours) && std::isnan(theirs))) << where << " " << m.id;
+        }
+        const double coverage = summary(row, M::coverage), wrong = summary(row, M::wrong);
+        partly += coverage > 0 && coverage < 1 && wrong > 0;
+    }
+    EXPECT_GT(partly, 3u) << "numbers that are all 0 or 1 compare nothing";
+}
+
+TEST(FrontierAndLab, GiveTheSameNumbersIn2D) {
+    for (const char* name : {"rooms", "streets"}) expect_numbers_of_the_lab<2>(name, {512, 1});
+}
+
+TEST(FrontierAndLab, GiveTheSameNumbersIn3D) {
+    try {
+        for (const char* name : {"bottleneck", "city:10k"}) expect_numbers_of_the_lab<3>(name, {160, 120});
+    } catch (const WorkError& error) {
+        GTEST_SKIP() << "no OpenGL here: " << error.what();
+    }
+}
+
+}  // namespace
+}  // namespace sightline

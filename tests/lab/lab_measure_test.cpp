@@ -1,0 +1,406 @@
+// The lab's study: equal runs, stopping and going on, shards, files that read back, and pixels against a re-render.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include <unistd.h>
+
+#include "core/base/error.h"
+#include "core/base/file.h"
+#include "core/measure/frame_numbers.h"
+#include "core/measure/wrong_region.h"
+#include "core/truth/truth.h"
+#include "lab/measure/lab_scene.h"
+#include "lab/measure/measure_path.h"
+#include "lab/measure/run_study.h"
+#include "lab/one_run.h"
+#include "lab/report/remaining.h"
+
+namespace sightline::lab {
+namespace {
+
+namespace fs = std::filesystem;
+using M = Measure;
+
+class LabStudy : public testing::Test {
+protected:
+    void SetUp() override { fs::remove_all(folder_); }
+    void TearDown() override { fs::remove_all(folder_); }
+    fs::path folder(const std::string& name) const { return folder_ / name; }
+
+    static Study small_study() {
+        Study study;
+        study.scenes = {"2d:rooms", "3d:bottleneck"};
+        study.frames = 3;
+        study.size = {160, 120};
+        study.repeats = 0;
+        return study;
+    }
+
+    LabGraphics graphics_;
+
+private:
+    fs::path folder_ = fs::temp_directory_path() / ("sightline-lab-" + std::to_string(getpid()));
+};
+
+/// Equal in every column but times and conditions.
+void expect_same_numbers(const Results& a, const Results& b) {
+    ASSERT_EQ(a.rows.size(), b.rows.size());
+    for (std::size_t r = 0; r < a.rows.size(); ++r) {
+        const Row &x = a.rows[r], &y = b.rows[r];
+        const std::string where = x.scene + " " + method_text(x.method) + " " + x.budget;
+        EXPECT_EQ(x.scene + x.path + method_text(x.method) + x.budget,
+                  y.scene + y.path + method_text(y.method) + y.budget);
+        EXPECT_EQ(x.error_bound, y.error_bound) << where;
+        EXPECT_EQ(x.frames, y.frames) << where;
+        EXPECT_EQ(x.cells, y.cells) << where;
+        ASSERT_EQ(x.values.size(), y.values.size()) << where;
+        for (std::size_t f = 0; f < x.values.size(); ++f)
+            for (const MeasureRow& m : measure_table()) {
+                const double p = x.values[f][m.measure], q = y.values[f][m.measure];
+                EXPECT_TRUE(m.is_time || p == q || (std::isnan(p) && std::isnan(q))) << where << ' ' << m.id;
+            }
+    }
+}
+
+TEST_F(LabStudy, GivesTheSameNumbersTwice) {
+    const Study study = small_study();
+    const Results first = run_study(study, folder("a"), graphics_), second = run_study(study, folder("b"), graphics_);
+    // Two cell methods on two tessellations and centroid at four budgets, two conservative ones without.
+    ASSERT_EQ(first.rows.size(), 2u * (5 * 4 + 2));
+    expect_same_numbers(first, second);
+}
+
+TEST_F(LabStudy, OfConservativeMethodsMissesNothing) {
+    Study study = small_study();
+    study.methods = {parse_method("view"), parse_method("everything")};
+    for (const Row& row : run_study(study, folder("a"), graphics_).rows) {
+        EXPECT_EQ(row.budget, "unlimited");
+        EXPECT_FALSE(row.approximate);
+        EXPECT_EQ(summary(row, M::coverage), 1) << row.scene;
+        EXPECT_EQ(worst(row, M::wrong), 0) << row.scene;
+    }
+}
+
+TEST_F(LabStudy, GoesOnWhereItWasStopped) {
+    const Study study = small_study();
+    int frames = 0;
+    StudyRun stopping;
+    stopping.stopped = [&] { return ++frames == 2; };  // inside the first path
+    const Results none = run_study(study, folder("a"), graphics_, stopping);
+    EXPECT_TRUE(none.rows.empty()) << "a path that is not complete gives no rows";
+    std::string file = read_file(folder("a") / "frames.jsonl");
+    EXPECT_EQ(std::count(file.begin(), file.end(), '\n'), 3) << "the study and two frames";
+    write_file(folder("a") / "frames.jsonl", file + R"({"scene": "2d:rooms", "pat)");  // cut while writing
+    int measured = 0;
+    StudyRun going_on;
+    going_on.stopped = [&] { return ++measured < 0; };
+    const Results rest = run_study(study, folder("a"), graphics_, going_on);
+    expect_same_numbers(rest, run_study(study, folder("b"), graphics_));
+    file = read_file(folder("a") / "frames.jsonl");
+    EXPECT_EQ(std::count(file.begin(), file.end(), '\n'), 7) << "each frame once";
+}
+
+TEST_F(LabStudy, DoesNotMixWithAnother) {
+    Study study = small_study();
+    study.scenes = {"2d:rooms"};
+    run_study(study, folder("a"), graphics_);
+    study.budgets = {parse_budget("3%")};
+    EXPECT_THROW(run_study(study, folder("a"), graphics_), InputError);
+}
+
+TEST_F(LabStudy, NamesWhatDoesNotExistBeforeItMeasures) {
+    Study study = small_study();
+    for (const char* wrong : {"2d:nosuch", "3d:nosuch"}) {
+        study.scenes = {"2d:rooms", wrong};
+        EXPECT_THROW(run_study(study, folder("a"), graphics_), InputError);
+        EXPECT_FALSE(fs::exists(folder("a"))) << wrong;
+    }
+    study.scenes = {"city:10k", "2d:rooms"};
+    study.paths = {"street"};  // of the city only
+    EXPECT_THROW(run_study(study, folder("a"), graphics_), InputError);
+    EXPECT_FALSE(fs::exists(folder("a")));
+    study.scenes = {"2d:rooms"};
+    study.paths = {"turn", "nosuch"};
+    EXPECT_THROW(run_study(study, folder("a"), graphics_), InputError);
+    EXPECT_FALSE(fs::exists(folder("a")));
+}
+
+/// What changes under a study that was stopped must not be mixed with what it measured before.
+TEST_F(LabStudy, TakesNoFramesOfAnotherBuildMachineOrScene) {
+    Study study = small_study();
+    const fs::path scene = folder("scene.json"), file = folder("a") / "frames.jsonl";
+    const auto segments = [&](const char* end) {
+        write_file(
+            scene,
+            std::string(
+                R"({"format":"sightline-scene","version":1,"dimension":2,"view":{"eye":[0.5,0.5],"look_at":[0.5,2]},"segments":[[0,0,1,0],[0,1,)") +
+                end + R"(,1],[0,2,1,2]]})");
+    };
+    fs::create_directories(folder("."));
+    segments("1");
+    study.scenes = {scene.string()};
+    run_study(study, folder("a"), graphics_);
+    const std::string first = read_file(file);
+    EXPECT_EQ(std::count(first.begin(), first.end(), '\n'), 4);
+    run_study(study, folder("a"), graphics_);
+    EXPECT_EQ(read_file(file), first) << "finished";
+
+    segments("2");
+    const Results changed = run_study(study, folder("a"), graphics_);
+    expect_same_numbers(changed, run_study(study, folder("b"), graphics_));
+    const std::string second = read_file(file);
+    EXPECT_EQ(std::count(second.begin(), second.end(), '\n'), 7) << "the other scene's frames are measured";
+
+    for (const char* field : {"program", "machine", "renderer"}) {
+        auto head = nlohmann::ordered_json::parse(second.substr(0, second.find('\n')));
+        head[field] = "another";
+        write_file(file, head.dump() + second.substr(second.find('\n')));
+        const std::string other = read_file(file);
+        std::vector<std::string> said;
+        run_study(study, folder("a"), graphics_, {.say = [&](const std::string& line) { said.push_back(line); }});
+        EXPECT_EQ(read_file(file.string() + ".old"), other) << field;
+        const std::string anew = read_file(file);
+        EXPECT_EQ(std::count(anew.begin(), anew.end(), '\n'), 4) << field;
+        EXPECT_NE(said.front().find("measured again"), std::string::npos) << field;
+    }
+}
+
+TEST(LabRemaining, FollowsWhatWasMeasured) {
+    Remaining remaining(4);
+    EXPECT_EQ(remaining.text_after(1), "") << "nothing is known yet";
+    remaining.kept(1);
+    EXPECT_EQ(remaining.text_after(1), "");
+    remaining.done(0.5);
+    EXPECT_EQ(remaining.text_after(10), ", about 50 s left") << "2.5 more at 20 s each";
+    remaining.done(0.5);
+    EXPECT_EQ(remaining.text_after(60), ", about 2 min 0 s left");
+    remaining.done(2.5);
+    EXPECT_EQ(remaining.text_after(100), ", about 0 s left");
+}
+
+TEST_F(LabStudy, InPartsIsTheWhole) {
+    Study study = small_study();
+    study.scenes = {"2d:rooms", "3d:bottleneck", "2d:bottleneck"};
+    study.paths = {"turn", "start"};
+    study.error_bounds = {0.5, 0.3};
+    study.frames = 2;
+    study.methods = {parse_method("published"), parse_method("view")};
+    study.budgets = {parse_budget("5%")};
+    const Results whole = run_study(study, folder("whole"), graphics_);
+    std::vector<Results> parts;
+    for (const std::uint32_t index : {3u, 1u, 4u, 2u, 0u}) {
+        StudyRun run;
+        run.shard = {index, 5};
+        const Results part = run_study(study, folder("part" + std::to_string(index)), graphics_, run);
+        parts.push_back(read_results(results_json(part), "part"));
+    }
+    EXPECT_EQ(whole.rows.size(), 3u * 2 * 2 * 2);
+    for (const Results& part : parts) EXPECT_LE(part.rows.size(), 3u * 2) << "of twelve units two or three";
+    parts.front().conditions.machine = "another";
+    const Results merged = merge(parts);
+    expect_same_numbers(merged, whole);
+    EXPECT_EQ(merged.conditions.machine, "another and " + whole.conditions.machine);
+    parts.push_back(parts.back());
+    EXPECT_THROW(merge(parts), InputError) << "the same rows twice";
+    parts.pop_back();
+    std::vector<Results> others = parts;
+    Study other = study;
+    other.frames = 1;
+    others.back().conditions.study = study_json(other);
+    EXPECT_THROW(merge(others), InputError) << "another study";
+    others = parts;
+    others.back().conditions.program = "another";
+    EXPECT_THROW(merge(others), InputError) << "another build";
+}
+
+TEST_F(LabStudy, ReadsItsOwnFiles) {
+    Study study = small_study();
+    study.repeats = 1;
+    const Results results = run_study(study, folder("a"), graphics_);
+    const std::string text = results_json(results);
+    EXPECT_EQ(results_json(read_results(text, "results.json")), text);
+    for (const Row& row : results.rows) {
+        EXPECT_GT(summary(row, M::traverse_ms), 0);
+        EXPECT_EQ(std::isnan(summary(row, M::draw_ms)), row.scene == "2d:rooms") << "only 3D is drawn";
+    }
+    const std::string csv = results_csv(results);
+    EXPECT_EQ(static_cast<std::size_t>(std::count(csv.begin(), csv.end(), '\n')), results.rows.size() + 1);
+    const std::string header = csv.substr(0, csv.find('\n'));
+    const auto fields = [](const std::string& line) { return std::count(line.begin(), line.end(), ',') + 1; };
+    std::istringstream lines(csv);
+    for (std::string line; std::getline(lines, line);) EXPECT_EQ(fields(line), fields(header)) << line;
+    // Written before there was such a measure.
+    auto older = nlohmann::ordered_json::parse(text);
+    for (auto& row : older["rows"]) row["per_frame"].erase("total_error_ms");
+    const Results old = read_results(older.dump(), "older");
+    EXPECT_EQ(old.rows[0].values[0][M::total_ms], results.rows[0].values[0][M::total_ms]);
+    EXPECT_TRUE(std::isnan(old.rows[0].values[0][M::total_error]));
+    for (const char* bad : {"", "[]", "{}", R"({"format": "sightline-results", "version": 2})",
+                            R"({"format": "sightline-results", "version": 1, "conditions": {}, "rows": []})"})
+        EXPECT_THROW(read_results(bad, "bad"), InputError) << bad;
+}
+
+Row row_of(std::initializer_list<double> wrong, std::initializer_list<double> times) {
+    Row row;
+    for (const double w : wrong) {
+        row.values.emplace_back();
+        row.values.back()[M::wrong] = w;
+    }
+    std::size_t i = 0;
+    for (const double t : times) row.values[i++][M::total_ms] = t;
+    return row;
+}
+
+TEST(LabResults, SumUpAsTheTableSays) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    Row row = row_of({0.1, nan, 0.4, 0.1}, {5, 1, 100, 2});
+    EXPECT_DOUBLE_EQ(summary(row, M::wrong), 0.2);
+    EXPECT_DOUBLE_EQ(worst(row, M::wrong), 0.4);
+    EXPECT_EQ(worst_frame(row, M::wrong), 2u);
+    EXPECT_DOUBLE_EQ(summary(row, M::total_ms), 3.5) << "the median";
+    EXPECT_TRUE(std::isnan(summary(row, M::pop)));
+    const double visible[] = {10, 20, 30, 40}, coverage[] = {0.5, 0.5, 0.5, 0.5};
+    for (std::size_t i = 0; i < 4; ++i) {
+        row.values[i][M::visible] = visible[i];
+        row.values[i][M::coverage] = coverage[i];
+    }
+    EXPECT_DOUBLE_EQ(likeness(row), 1) << "half of the visible ones in each frame";
+    row.values[3][M::coverage] = 5 / 40.0;
+    row.values[0][M::coverage] = 2;
+    EXPECT_LT(likeness(row), 0);
+    EXPECT_DOUBLE_EQ(worst(row, M::coverage), 0.125) << "the least is the worst";
+}
+
+TEST(LabStudyNames, SayWhichDimension) {
+    EXPECT_EQ(parse_scene("city").dimension, 3);
+    EXPECT_EQ(parse_scene("city:50k").dimension, 3);
+    EXPECT_EQ(parse_scene("rooms").dimension, 2);
+    EXPECT_EQ(parse_scene("bottleneck").dimension, 3);
+    EXPECT_EQ(parse_scene("2d:bottleneck").name, "bottleneck");
+    EXPECT_EQ(parse_scene("2d:bottleneck").dimension, 2);
+    EXPECT_EQ(parse_scene("town.GeoJSON").dimension, 2);
+    EXPECT_EQ(parse_scene("freedoom1#E1M2").dimension, 2);
+    EXPECT_EQ(parse_scene("bunny.obj").dimension, 3);
+    EXPECT_EQ(method_text(parse_method("published@tree")), "published@tree");
+    EXPECT_THROW(parse_method("publishd"), InputError);
+    EXPECT_EQ(parse_shard("2/5").index, 1u);
+    for (const char* bad : {"", "2", "0/3", "4/3", "a/b", "1/0"}) EXPECT_THROW(parse_shard(bad), InputError) << bad;
+}
+
+/// One budget of one frame, found by a run of its own.
+struct Alone {
+    std::vector<std::uint8_t> visible, rendered, wrong;
+};
+
+template <int D>
+Alone alone(const LabScene<D>& lab, std::size_t frame, const Row& row, const DrawIds& draw_ids) {
+    const CellComplex<D>* cells = &lab.on(row.method.tessellation);
+    const Truth truth =
+        make_truths<D>(*lab.scene, {&cells, 1}, lab.views[frame], lab.settings.reference_size, draw_ids, false).front();
+    Settings settings = lab.settings_for(row.method);
+    settings.budget = parse_budget(row.budget);
+    Alone result{truth.reference.visible, one_run<D>(*lab.scene, *cells, lab.views[frame], settings).rendered, {}};
+    for (const std::uint32_t id : truth.reference.image.ids)
+        result.wrong.push_back(id != no_primitive && !result.rendered[id]);
+    return result;
+}
+
+/// What changes from frame to frame, against runs of their own that know nothing of each other. Another set in place of
+/// the right one gives another number: each row has to differ from what the other sets would give.
+template <int D>
+void expect_changes_of_separate_runs(const std::string& scene, std::size_t& told_apart) {
+    Study study;
+    study.scenes = {scene};
+    study.frames = 4;
+    study.methods = {parse_method("published"), parse_method("layers@tree"), parse_method("centroid")};
+    study.budgets = {parse_budget("2%"), parse_budget("8%")};
+    study.size = {D == 2 ? 2048 : 160, 120};
+    study.repeats = 0;
+    LabGraphics graphics;
+    Instruments instruments;
+    instruments.draw_ids = graphics.draw_ids();
+    const LabScene<D> lab = load_lab_scene<D>(scene, "", study);
+    for (const Row& row : measure_path<D>(lab, study, instruments)) {
+        EXPECT_TRUE(std::isnan(row.values[0][M::pop]) && std::isnan(row.values[0][M::flip]));
+        for (std::size_t i = 1; i < row.values.size(); ++i) {
+            const Alone before = alone<D>(lab, i - 1, row, instruments.draw_ids),
+                        now = alone<D>(lab, i, row, instruments.draw_ids);
+            std::size_t both = 0, either = 0, popped = 0, flipped = 0, rendered_changed = 0;
+            for (std::size_t p = 0; p < now.visible.size(); ++p) {
+                both += before.visible[p] && now.visible[p];
+                either += before.visible[p] || now.visible[p];
+                popped += before.visible[p] && now.visible[p] && before.rendered[p] != now.rendered[p];
+                rendered_changed += before.rendered[p] != now.rendered[p];
+            }
+            for (std::size_t p = 0; p < now.wrong.size(); ++p) flipped += before.wrong[p] != now.wrong[p];
+            const std::string where = scene + " " + method_text(row.method) + " " + row.budget;
+            const Values& v = row.values[i];
+            if (both > 0) {
+                EXPECT_DOUBLE_EQ(v[M::pop], double(popped) / double(both)) << where;
+            }
+            EXPECT_DOUBLE_EQ(v[M::flip], double(flipped) / double(now.wrong.size())) << where;
+            EXPECT_DOUBLE_EQ(v[M::visible_change], 1 - double(both) / double(either)) << where;
+            told_apart += popped > 0 && flipped > 0 && rendered_changed != popped && both != either;
+        }
+    }
+}
+
+TEST(LabChanges, AreThoseOfSeparateRuns) {
+    std::size_t told_apart = 0;
+    expect_changes_of_separate_runs<2>("2d:streets", told_apart);
+    expect_changes_of_separate_runs<3>("city:10k", told_apart);
+    EXPECT_GT(told_apart, 15u) << "else another set would give the same";
+}
+
+/// Draws only what was rendered, and counts the pixels that differ from the exact image.
+TEST(LabPixels, ByIdsAreThoseOfARerender) {
+    LabGraphics graphics;
+    const DrawIds draw_ids = graphics.draw_ids();
+    Study study;
+    study.scenes = {"city:10k", "room:10k", "jungle:10k"};
+    study.size = {320, 240};
+    study.frames = 2;
+    study.repeats = 0;
+    study.methods = {parse_method("layers")};
+    std::size_t all_wrong = 0;
+    for (const std::string& name : study.scenes) {
+        const LabScene<3> lab = load_lab_scene<3>(name, "", study);
+        for (const View<3>& view : lab.views) {
+            const CellComplex<3>* cells = &lab.on(Tessellation::delaunay);
+            const Truth truth = make_truths<3>(*lab.scene, {&cells, 1}, view, study.size, draw_ids).front();
+            Frame<3> frame = make_frame<3>(lab.scene->primitives, *cells, view, lab.settings, lab.scene->two_sided);
+            const WholeRun run =
+                whole_run<3>(find_method<3>(method_table<3>(), "layers"), frame, truth.reference, false);
+            const auto budget = static_cast<std::uint32_t>(lab.scene->primitives.size() / 400);
+            const auto rendered = rendered_by(run, cut_at(run, budget).touched, lab.scene->primitives.size());
+            Scene<3> part;
+            part.up_axis = lab.scene->up_axis;
+            std::vector<std::uint32_t> id_of;
+            for (std::uint32_t p = 0; p < rendered.size(); ++p) {
+                if (!rendered[p]) continue;
+                part.primitives.push_back(lab.scene->primitives[p]);
+                if (!lab.scene->two_sided.empty()) part.two_sided.push_back(lab.scene->two_sided[p]);
+                id_of.push_back(p);
+            }
+            const IdImage again = draw_ids(part, view, study.size, 1).front();
+            const IdImage& exact = truth.reference.image;
+            std::size_t differ = 0, wrong = 0;
+            for (std::size_t i = 0; i < exact.ids.size(); ++i) {
+                const std::uint32_t id = again.ids[i] == no_primitive ? no_primitive : id_of[again.ids[i]];
+                differ += id != exact.ids[i];
+            }
+            for (const std::uint8_t w : wrong_mask(exact, rendered)) wrong += w;
+            all_wrong += wrong;
+            EXPECT_LE(differ > wrong ? differ - wrong : wrong - differ, 1u) << name;
+        }
+    }
+    EXPECT_GT(all_wrong, 1000u) << "budgets that miss nothing test nothing";
+}
+
+}  // namespace
+}  // namespace sightline::lab

@@ -1,0 +1,289 @@
+// Charts and the report: the Pareto front, what gnuplot makes of a chart, claims, and a page that needs no other file.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lab/report/report.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
+#include "core/base/error.h"
+#include "core/base/file.h"
+#include "core/base/random.h"
+#include "core/process/run_program.h"
+#include "lab/measure/run_study.h"
+#include "lab/report/claims.h"
+#include "lab/report/markdown.h"
+
+namespace sightline::lab {
+namespace {
+
+namespace fs = std::filesystem;
+using M = Measure;
+
+Row row_of(const std::string& scene, const std::string& method, const std::string& budget, double ms, double wrong,
+           double coverage, std::size_t frames = 3) {
+    Row row;
+    row.scene = scene;
+    row.path = "test";
+    row.method = parse_method(method);
+    row.approximate = budget != "unlimited";
+    row.budget = budget;
+    row.primitives = 1000;
+    row.cells = 50;
+    row.reference = "item buffer 1024x768";
+    for (std::size_t i = 0; i < frames; ++i) {
+        row.frames.push_back(static_cast<std::uint32_t>(i));
+        Values v;
+        v[M::total_ms] = ms;
+        v[M::draw_ms] = ms / 2;
+        v[M::upload_ms] = ms / 8;
+        v[M::wrong] = wrong;
+        v[M::coverage] = coverage;
+        v[M::visible] = 100 + 10 * static_cast<double>(i);
+        v[M::budget] = 50;
+        v[M::oracle] = 1;
+        row.values.push_back(v);
+    }
+    return row;
+}
+
+Results results_of(std::vector<Row> rows) {
+    Study study;
+    study.scenes = {"city"};
+    Results results{conditions_here(study_json(study), "a renderer"), std::move(rows)};
+    results.conditions.date = "2000-01-01";
+    return results;
+}
+
+std::vector<const Row*> pointers(const std::vector<Row>& rows) {
+    std::vector<const Row*> all;
+    for (const Row& row : rows) all.push_back(&row);
+    return all;
+}
+
+TEST(LabFrontier, IsWhatNothingBeats) {
+    Random random(71);
+    for (int round = 0; round < 200; ++round) {
+        std::vector<Row> rows;
+        for (std::size_t i = random.below(12); i-- > 0;)
+            rows.push_back(row_of("city", "layers", "1%", static_cast<double>(1 + random.below(6)),
+                                  static_cast<double>(random.below(6)), static_cast<double>(random.below(6)), 1));
+        for (const M measure : {M::wrong, M::coverage}) {
+            const auto front = pareto_front(pointers(rows), measure);
+            for (const Row& row : rows) {
+                const double ms = row.values[0][M::total_ms], value = row.values[0][measure];
+                const bool beaten = std::any_of(rows.begin(), rows.end(), [&](const Row& other) {
+                    const double oms = other.values[0][M::total_ms], ovalue = other.values[0][measure];
+                    const bool better = measure == M::wrong ? ovalue < value : ovalue > value;
+                    return (oms <= ms && better) || (oms < ms && (better || ovalue == value));
+                });
+                const bool in = std::any_of(front.begin(), front.end(), [&](const auto& p) { return p.row == &row; });
+                EXPECT_EQ(in, !beaten);
+            }
+            for (std::size_t i = 1; i < front.size(); ++i) EXPECT_LE(front[i - 1].ms, front[i].ms);
+        }
+    }
+}
+
+TEST(LabFrontier, SaysWhatItsTimesAre) {
+    Row row = row_of("2d:rooms", "layers", "5%", 1, 0.1, 0.9);
+    const auto axis = [&] { return frontier({row.scene, row.path, {&row}}, M::wrong).x; };
+    EXPECT_NE(axis().find("drawing"), std::string::npos);
+    for (Values& v : row.values) v[M::draw_ms] = v[M::upload_ms] = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_NE(axis().find("traversal alone"), std::string::npos) << axis();
+}
+
+TEST(LabFrontier, NamesTheBestWithinATime) {
+    const std::vector<Row> rows{row_of("city", "published", "1%", 4, 0.3, 0), row_of("city", "layers", "1%", 6, 0.1, 0),
+                                row_of("city", "centroid", "1%", 5, 0.2, 0)};
+    const Group group{"city", "test", pointers(rows)};
+    EXPECT_EQ(best_within(group, 3), nullptr);
+    EXPECT_EQ(best_within(group, 4)->method.id, "published");
+    EXPECT_EQ(best_within(group, 5.5)->method.id, "centroid");
+    EXPECT_EQ(best_within(group, 100)->method.id, "layers");
+}
+
+class LabFiles : public testing::Test {
+protected:
+    void SetUp() override { fs::create_directories(folder_); }
+    void TearDown() override { fs::remove_all(folder_); }
+    fs::path folder_ = fs::temp_directory_path() / ("sightline-report-" + std::to_string(getpid()));
+};
+
+TEST_F(LabFiles, ChartsAreDrawnByGnuplot) {
+    Chart chart;
+    chart.title = "a \"title\" with \\ and ρ, _not_ {enhanced}";
+    chart.x = "x";
+    chart.y = "y";
+    chart.log_x = true;
+    chart.series.push_back(
+        {"one", Series::Look::line_and_dots, series_colour(0), 2, {{1, 2}, {10, NAN}, {100, 3}}, {"1%", "", "10 %"}});
+    chart.series.push_back({"two", Series::Look::dashed_and_rings, series_colour(1), 2, {{0, 2}, {-1, 3}}, {}});
+    write_chart(chart, folder_ / "chart");
+    const std::string svg = read_file(folder_ / "chart.svg");
+    EXPECT_NE(svg.find("a \"title\" with \\ and ρ, _not_ {enhanced}"), std::string::npos) << svg.substr(0, 3000);
+    EXPECT_NE(svg.find(">one<"), std::string::npos);
+    EXPECT_EQ(svg.find(">two<"), std::string::npos) << "on a logarithmic axis it has no point";
+    EXPECT_EQ(read_file(folder_ / "chart.png").substr(1, 3), "PNG");
+    write_chart({}, folder_ / "empty");
+    EXPECT_NE(read_file(folder_ / "empty.svg").find("nothing to show"), std::string::npos);
+}
+
+TEST_F(LabFiles, TheReportNeedsNoOtherFile) {
+    const Results results =
+        results_of({row_of("city", "published", "5%", 5, 0.2, 0.8), row_of("city", "layers", "5%", 4, 0.1, 0.9),
+                    row_of("city", "everything", "unlimited", 50, 0, 1)});
+    write_report(results, judge_claims(results), {}, folder_);
+    const std::string html = read_file(folder_ / "report.html");
+    for (const char* outside : {"src='http", "href=", "url(", "<script", "src=\""})
+        EXPECT_EQ(html.find(outside), std::string::npos) << outside;
+    const auto charts = study_charts(results);
+    EXPECT_GE(charts.size(), 5u);
+    std::size_t inlined = 0;
+    for (std::size_t at = html.find("data:image/svg"); at != std::string::npos;
+         at = html.find("data:image/svg", at + 1))
+        ++inlined;
+    EXPECT_EQ(inlined, charts.size());
+    for (const NamedChart& chart : charts)
+        for (const char* ending : {".gp", ".svg", ".png"})
+            EXPECT_TRUE(fs::exists(folder_ / "charts" / (chart.id + ending))) << chart.id << ending;
+    EXPECT_NE(html.find("layers 5%: 10 %"), std::string::npos) << "the best within 5 ms";
+    EXPECT_NE(html.find("at 10 times the speed"), std::string::npos);
+    for (const MeasureRow& m : measure_table())
+        EXPECT_NE(html.find(std::string(m.title)), std::string::npos) << m.title << " is not explained";
+}
+
+TEST_F(LabFiles, TheDocumentationExplainsEveryMeasure) {
+    const std::string docs = read_file(fs::path(SIGHTLINE_SOURCE_DIR) / "docs/measuring.md");
+    for (const MeasureRow& m : measure_table()) {
+        std::string formula;  // as a table of Markdown writes it
+        for (const char c : m.formula) formula += c == '|' ? std::string("\\|") : std::string(1, c);
+        const std::string row = "| " + std::string(m.id) + " | " + std::string(m.unit) + " | " + formula + " | ";
+        EXPECT_NE(docs.find(row), std::string::npos) << row;
+    }
+    write_markdown(results_of({row_of("city", "published", "5%", 5, 0.2, 0.8)}), "./run lab measure city",
+                   folder_ / "results.md");
+    const std::string page = read_file(folder_ / "results.md");
+    EXPECT_NE(page.find("| published | 50 | 5% | 80 | 80 |"), std::string::npos) << page;
+    EXPECT_NE(page.find("](images/results-city-wrong.svg)"), std::string::npos);
+    EXPECT_TRUE(fs::exists(folder_ / "images/results-city-wrong.svg"));
+}
+
+TEST(LabClaims, HoldAndFail) {
+    std::vector<Row> rows{
+        row_of("city:50k", "published", "5%", 5, 0, 0.85),  row_of("city:50k", "everything", "unlimited", 25, 0, 1),
+        row_of("city:50k", "published", "10%", 9, 0, 0.95), row_of("city:50k", "published@tree", "10%", 9, 0, 0.6),
+        row_of("city:50k", "centroid", "10%", 9, 0, 0.7),   row_of("cars", "published", "1%", 5, 0, 0.5),
+        row_of("cars", "everything", "unlimited", 45, 0, 1)};
+    const Results results = results_of(rows);
+    const auto all = judge_claims(results);
+    const auto judged = [&](const std::string& words) {
+        for (const Claim& claim : all)
+            if (claim.text.find(words) != std::string::npos) return claim.holds ? 1 : 0;
+        return -1;
+    };
+    EXPECT_EQ(judged("over 90 %"), 1);
+    EXPECT_EQ(judged("more than octree cells"), 0) << "sorting finds more than the octree";
+    EXPECT_EQ(judged("4 times the speed"), 1);
+    EXPECT_EQ(judged("more than 10 times"), 0);
+    EXPECT_EQ(judged("In ROOM"), -1) << "no room, no verdict";
+    for (const Claim& claim : all) {
+        const bool cars = claim.text.find("5CBEM") != std::string::npos;
+        EXPECT_EQ(claim.ours.find(cars ? "cars: " : "city:50k: "), 0u) << claim.ours;
+        const bool about_octrees = claim.text.find("more than octree cells") != std::string::npos;
+        EXPECT_TRUE(!about_octrees || claim.row == &results.rows[3]);
+        EXPECT_TRUE(!cars || claim.row == nullptr) << "no frame shows a time";
+    }
+    const auto table = table_1(results_of(rows));
+    ASSERT_EQ(table.size(), 3u);
+    EXPECT_DOUBLE_EQ(table[0].ours[2], 0.85);
+    EXPECT_DOUBLE_EQ(table[0].papers[2], 0.80);
+    EXPECT_TRUE(std::isnan(table[0].ours[0]));
+    EXPECT_TRUE(std::isnan(table[1].papers[2])) << "they give none for the octree";
+}
+
+/// Draws the worst frame of each method and opens it with the command beside it: it has to be that frame.
+template <int D>
+void expect_commands_open_the_frames(const std::string& scene, const std::string& viewer, const fs::path& folder) {
+    Study study;
+    study.scenes = {scene};
+    study.frames = 3;
+    study.methods = {parse_method("published"), parse_method("layers@tree")};
+    study.budgets = {parse_budget("7%")};
+    study.size = {160, 120};
+    study.repeats = 0;
+    study.settings = {"penalty=none"};
+    LabGraphics graphics;
+    const Results results = run_study(study, folder / "study", graphics);
+    const ReportPictures pictures = draw_report_pictures(results, {}, study, folder / "a picture", graphics);
+    ASSERT_EQ(pictures.worst.size(), 2u);
+    for (std::size_t i = 0; i < 2; ++i) {
+        const FramePicture& shown = pictures.worst[i];
+        EXPECT_EQ(read_file(shown.file).substr(1, 3), "PNG");
+        const std::string start = "./run viewer" + std::to_string(D) + "d ";
+        ASSERT_TRUE(shown.command.starts_with(start)) << shown.command;
+        const fs::path stats = folder / "stats.json";
+        const std::string line = viewer + " " + shown.command.substr(start.size()) + " --headless --stats " +
+                                 stats.string() + " > /dev/null 2>&1";
+        ASSERT_EQ(std::system(line.c_str()), 0) << line;
+        const auto json = nlohmann::json::parse(read_file(stats));
+        const Values& frame = results.rows[i].values[worst_frame(results.rows[i], M::wrong)];
+        EXPECT_DOUBLE_EQ(json.at("coverage").get<double>(), frame[M::coverage]) << line;
+        EXPECT_EQ(json.at("rendered").get<double>(), frame[M::rendered]) << line;
+        EXPECT_EQ(json.at("steps").get<double>(), frame[M::steps]) << line;
+        EXPECT_EQ(shown.wrong, frame[M::wrong]);
+    }
+}
+
+TEST_F(LabFiles, CommandsOpenTheWorstFrames) {
+    expect_commands_open_the_frames<2>("2d:rooms", SIGHTLINE_VIEWER2D, folder_ / "2");
+    expect_commands_open_the_frames<3>("3d:bottleneck", SIGHTLINE_VIEWER3D, folder_ / "3");
+    const fs::path odd = folder_ / "an odd 'name'.json";
+    write_file(odd, R"({"format":"sightline-scene","version":1,"dimension":2,"view":{"eye":[-5,1],"look_at":[0,0]},)"
+                    R"("segments":[[0,0,1,0],[0,1,1,1],[0,2,1,2],[-1,3,0,-3],[-2,-2,-2,2]]})");
+    expect_commands_open_the_frames<2>(odd.string(), SIGHTLINE_VIEWER2D, folder_ / "odd");
+}
+
+TEST_F(LabFiles, PicturesOfClaimsAreThoseThatDoNotHold) {
+    Study study;
+    study.scenes = {"room:10k"};
+    study.frames = 2;
+    study.methods = {parse_method("published"), parse_method("published@tree"), parse_method("centroid")};
+    study.budgets = {parse_budget("10%")};
+    study.size = {64, 48};
+    study.repeats = 0;
+    LabGraphics graphics;
+    const Results results = run_study(study, folder_ / "study", graphics);
+    std::vector<Claim> claims(3);
+    claims[0].holds = true;
+    claims[0].row = claims[1].row = &results.rows[1];
+    const ReportPictures pictures = draw_report_pictures(results, claims, study, folder_ / "pictures", graphics);
+    ASSERT_EQ(pictures.claims.size(), 1u);
+    EXPECT_EQ(pictures.claims.at(1).method, "published@tree");
+    claims[1].text = "They say so";
+    write_report(results, claims, pictures, folder_);
+    const std::string html = read_file(folder_ / "report.html");
+    EXPECT_NE(html.find("“They say so”"), std::string::npos);
+}
+
+TEST(RunProgram, SaysWhyItFailed) {
+    EXPECT_NO_THROW(run_program({"true"}, "coreutils"));
+    try {
+        run_program({"sh", "-c", "echo first complaint >&2; echo second >&2; exit 3"}, "dash");
+        FAIL();
+    } catch (const WorkError& error) {
+        EXPECT_STREQ(error.what(), "sh failed: first complaint");
+    }
+    try {
+        run_program({"sightline-has-no-such-program"}, "some-package");
+        FAIL();
+    } catch (const WorkError& error) {
+        EXPECT_NE(std::string(error.what()).find("install the package some-package"), std::string::npos);
+    }
+}
+
+}  // namespace
+}  // namespace sightline::lab

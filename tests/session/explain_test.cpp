@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/explain.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "core/base/number.h"
+#include "core/traversal/traverse.h"
+#include "tests/session/session_support.h"
+
+namespace sightline {
+namespace {
+
+/// Every number of an explanation, to compare two of them.
+std::vector<double> numbers(const StepExplanation& e) {
+    std::vector<double> all{double(e.step),     double(e.cell),      e.key,
+                            double(e.stamp),    double(e.runner_up), e.runner_up_key,
+                            double(e.rendered), double(e.visible),   e.visible_share};
+    for (const FacetExplanation& f : e.facets) {
+        all.insert(all.end(), {double(f.from), double(f.neighbour), double(f.facet), double(f.rule), f.before.key,
+                               double(f.before.stamp), double(f.before.state), double(f.terms.has_value())});
+        if (f.terms)
+            all.insert(all.end(), {f.terms->rho_a, double(f.terms->count), f.terms->density, f.terms->alignment,
+                                   f.terms->weight, double(f.terms->star_shaped), f.terms->unpenalised, f.terms->key});
+    }
+    return all;
+}
+
+TEST(Explain, AStepsTermsAreTheKeysThatTheStateHas) {
+    Random random(41);
+    std::array<int, 7> rules{};
+    int penalised = 0;
+    for (int i = 0; i < 300; ++i) {
+        const test::Start start = test::random_cell_start(random);
+        Session<2> session = start.session();
+        std::vector<std::vector<double>> told;
+        for (;;) {
+            const auto before = test::marks(session);
+            const auto front = test::sorted_front(before);
+            if (session.step() != Stop::none) break;
+            const auto after = test::marks(session);
+            const StepExplanation e = explain_step(session, session.position());
+            told.push_back(numbers(e));
+            ASSERT_EQ(e.step, session.position());
+            ASSERT_EQ(e.cell, front.front().cell);
+            ASSERT_EQ(e.key, front.front().key);
+            ASSERT_EQ(e.stamp, front.front().stamp);
+            ASSERT_EQ(e.runner_up, front.size() > 1 ? front[1].cell : none);
+            if (front.size() > 1) {
+                ASSERT_EQ(e.runner_up_key, front[1].key);
+            }
+            ASSERT_EQ(after[e.cell].state, CellState::projected);
+            std::set<std::uint32_t> explained{e.cell};
+            for (const FacetExplanation& f : e.facets) {
+                ++rules[static_cast<std::size_t>(f.rule)];
+                ASSERT_EQ(f.from, e.cell);
+                if (f.neighbour == none) {
+                    ASSERT_EQ(f.rule, Rule::border);
+                    continue;
+                }
+                explained.insert(f.neighbour);
+                const CellMark &was = before[f.neighbour], &is = after[f.neighbour];
+                ASSERT_EQ(f.before, was);
+                switch (f.rule) {
+                    case Rule::enqueued:
+                    case Rule::reenqueued:
+                        ASSERT_EQ(was.state, f.rule == Rule::enqueued ? CellState::clean : CellState::enqueued);
+                        ASSERT_EQ(is.state, CellState::enqueued);
+                        ASSERT_TRUE(f.terms);
+                        ASSERT_EQ(f.terms->key, is.key) << "scene " << i << " step " << e.step;
+                        break;
+                    case Rule::kept:
+                        ASSERT_EQ(was.state, CellState::enqueued);
+                        ASSERT_EQ(is, was);
+                        ASSERT_TRUE(f.terms);
+                        if (start.settings.method == "published") {  // the computed key lost
+                            if (start.settings.on_reenqueue == OnReenqueue::min) {
+                                ASSERT_GE(f.terms->key, was.key);
+                            } else {
+                                ASSERT_LE(f.terms->key, was.key);
+                            }
+                        }
+                        break;
+                    case Rule::marked_unseen:
+                        ASSERT_EQ(was.state, CellState::clean);
+                        ASSERT_EQ(is.state, CellState::unseen);
+                        break;
+                    case Rule::unseen:
+                        ASSERT_EQ(was.state, CellState::unseen);
+                        ASSERT_EQ(is, was);
+                        break;
+                    default:
+                        ASSERT_EQ(f.rule, Rule::projected);
+                        ASSERT_EQ(was.state, CellState::projected);
+                        ASSERT_EQ(is, was);
+                }
+                if (f.terms) {
+                    penalised += f.terms->penalised();
+                    // What the formula line shows adds up.
+                    ASSERT_EQ(f.terms->rho_a, e.key);
+                    ASSERT_EQ(f.terms->unpenalised, f.terms->density + f.terms->weight * f.terms->rho_a);
+                    if (!f.terms->penalised()) {
+                        ASSERT_EQ(f.terms->key, f.terms->unpenalised);
+                    }
+                }
+            }
+            // Nothing else changed.
+            for (std::uint32_t cell = 0; cell < before.size(); ++cell)
+                if (!explained.contains(cell)) {
+                    ASSERT_EQ(after[cell], before[cell]);
+                }
+        }
+        // Later, and after walks, a step is explained as it was then.
+        for (int walk = 0; walk < 3 && !told.empty(); ++walk) {
+            for (std::uint32_t step = 1; step <= session.position(); ++step)
+                ASSERT_EQ(numbers(explain_step(session, step)), told[step - 1]) << "scene " << i << " step " << step;
+            session.seek(static_cast<std::uint32_t>(random.below(told.size() + 1)));
+        }
+    }
+    for (const int count : rules) EXPECT_GT(count, 0);
+    EXPECT_GT(penalised, 100);
+}
+
+TEST(Explain, ACellsChainLeadsFromASeedToItsKey) {
+    Random random(42);
+    std::size_t longest = 0, clean_reasons = 0, kept = 0;
+    for (int i = 0; i < 200; ++i) {
+        const test::Start start = test::random_cell_start(random);
+        Session<2> session = start.session();
+        session.seek(static_cast<std::uint32_t>(random.below(60)));
+        if (random.below(2)) session.seek(static_cast<std::uint32_t>(random.below(session.position() + 1)));
+        const auto marks = test::marks(session);
+        const auto front = test::sorted_front(marks);
+        const auto seeds = seed_cells(session.frame());
+        const auto entries = front_entries(session);
+        ASSERT_EQ(entries.size(), front.size());
+        for (std::size_t k = 0; k < front.size(); ++k) {
+            ASSERT_EQ(entries[k].cell, front[k].cell);
+            ASSERT_EQ(entries[k].key, front[k].key);
+            ASSERT_EQ(entries[k].stamp, front[k].stamp);
+        }
+        std::vector<StepExplanation> steps;
+        for (std::uint32_t step = 1; step <= session.position(); ++step) steps.push_back(explain_step(session, step));
+        const int digits = steps.empty() ? 3 : steps.back().digits();
+        for (std::uint32_t cell = 0; cell < marks.size(); ++cell) {
+            const CellExplanation e = explain_cell(session, cell);
+            ASSERT_EQ(e.cell, cell);
+            ASSERT_EQ(e.mark, marks[cell]);
+            ASSERT_EQ(e.visible_share, session.reference().cell_share[cell]);
+            const auto place = std::find_if(front.begin(), front.end(), [&](const auto& f) { return f.cell == cell; });
+            ASSERT_EQ(e.rank, place == front.end() ? 0u : static_cast<std::uint32_t>(place - front.begin()) + 1);
+            ASSERT_EQ(e.held_back_by.empty(), marks[cell].state == CellState::projected);
+            ASSERT_EQ(e.projected_at > 0, marks[cell].state == CellState::projected);
+            if (e.projected_at > 0) {
+                ASSERT_LE(e.projected_at, session.position());
+                ASSERT_EQ(session.timeline().steps[e.projected_at - 1].cell, cell);
+            }
+            const bool touched = marks[cell].state == CellState::projected || marks[cell].state == CellState::enqueued;
+            const bool is_seed = std::find(seeds.begin(), seeds.end(), cell) != seeds.end();
+            if (!touched || e.chain.empty()) {
+                ASSERT_TRUE(e.chain.empty());
+                ASSERT_EQ(touched, is_seed) << "only a seed is touched without an update";
+                if (touched) {
+                    ASSERT_EQ(marks[cell].key, 0);
+                }
+                clean_reasons += !touched;
+            } else {
+                longest = std::max(longest, e.chain.size());
+                const std::uint32_t first = e.chain.front().update.from;
+                ASSERT_TRUE(std::find(seeds.begin(), seeds.end(), first) != seeds.end());
+                ASSERT_EQ(e.chain.back().update.neighbour, cell);
+                ASSERT_EQ(e.chain.back().update.terms->key, marks[cell].key);
+                for (std::size_t k = 0; k < e.chain.size(); ++k) {
+                    const ChainLink& link = e.chain[k];
+                    ASSERT_EQ(session.timeline().steps[link.step - 1].cell, link.update.from);
+                    // The link's own key is the solidity that the next one hands on.
+                    ASSERT_EQ(link.update.terms->rho_a, k == 0 ? marks[first].key : e.chain[k - 1].update.terms->key);
+                    if (k == 0) continue;
+                    ASSERT_EQ(e.chain[k - 1].update.neighbour, link.update.from);
+                    ASSERT_LT(e.chain[k - 1].step, link.step);
+                }
+            }
+            // Reached: every key that any step computed for it.
+            std::size_t found = 0;
+            for (const StepExplanation& step : steps)
+                for (const FacetExplanation& facet : step.facets) {
+                    if (facet.neighbour != cell || !facet.terms) continue;
+                    ASSERT_LT(found, e.reached.size());
+                    ASSERT_EQ(e.reached[found].step, step.step);
+                    ASSERT_EQ(e.reached[found].update.facet, facet.facet);
+                    ASSERT_EQ(e.reached[found].update.rule, facet.rule);
+                    ASSERT_EQ(e.reached[found].update.terms, facet.terms);
+                    ASSERT_EQ(e.reached[found].update.before, facet.before);
+                    kept += facet.rule == Rule::kept;
+                    ++found;
+                }
+            ASSERT_EQ(e.reached.size(), found);
+            ASSERT_EQ(e.digits, digits);
+
+            const auto text = rows(e, session.settings());
+            for (const std::string& row : text) ASSERT_TRUE(!row.empty() && row.find('\n') == std::string::npos) << row;
+            const bool more = found > 1;
+            ASSERT_EQ(text.size(), 1 + !e.held_back_by.empty() + e.chain.size() + (more ? 1 + found : 0));
+            if (!e.chain.empty()) {
+                const std::string wanted = formula(*e.chain.back().update.terms, session.settings(), digits);
+                ASSERT_TRUE(text[e.chain.size() + !e.held_back_by.empty()].ends_with(wanted));
+            }
+            for (std::size_t k = 0; more && k < found; ++k) {
+                const std::string& row = text[text.size() - found + k];
+                ASSERT_EQ(row.find("    step " + std::to_string(e.reached[k].step) + ": cell "), 0u) << row;
+                const auto rule = rule_words[static_cast<std::size_t>(e.reached[k].update.rule)];
+                ASSERT_NE(row.find(rule), std::string::npos) << row;
+            }
+        }
+    }
+    EXPECT_GT(longest, 5u);
+    EXPECT_GT(kept, 100u);
+    EXPECT_GT(clean_reasons, 100u);
+}
+
+TEST(Explain, SentencesTellTheTwoKeysApartOrSayTie) {
+    Random random(43);
+    int ties = 0, alone = 0, apart = 0;
+    for (int i = 0; i < 200; ++i) {
+        const test::Start start = test::random_cell_start(random);
+        Session<2> session = start.session();
+        while (session.step() == Stop::none) {
+            const StepExplanation e = explain_step(session, session.position());
+            const std::string text = sentence(e);
+            ASSERT_EQ(text.find("Step " + std::to_string(e.step) + ": cell " + std::to_string(e.cell) + " "), 0u);
+            ASSERT_EQ(text.back(), '.');
+            const bool tie = e.runner_up != none && e.runner_up_key == e.key;
+            ASSERT_EQ(text.find("tie, older stamp wins") != std::string::npos, tie) << text;
+            ASSERT_EQ(text.find("alone in the front") != std::string::npos, e.runner_up == none) << text;
+            if (e.runner_up != none) {
+                ASSERT_NE(text.find("cell " + std::to_string(e.runner_up) + " "), std::string::npos) << text;
+            }
+            if (e.runner_up != none && !tie) {
+                // "has the lowest key, X; the runner-up is cell C with Y": X and Y must read as different numbers.
+                const std::size_t x = text.find("key, ") + 5, y = text.find(" with ") + 6;
+                const std::string first = text.substr(x, text.find(';', x) - x);
+                const std::string second = text.substr(y, text.find(';', y) - y);
+                ASSERT_TRUE(parse_number(first) && parse_number(second)) << text;
+                ASSERT_LT(*parse_number(first), *parse_number(second)) << text;
+                ++apart;
+            }
+            ASSERT_NE(text.find("rendered " + std::to_string(e.rendered) + " primitive"), std::string::npos) << text;
+            const auto lines = rows(e, session.settings());
+            ASSERT_EQ(lines.size(), e.facets.size() + 1);
+            ASSERT_EQ(lines.front(), text);
+            ASSERT_EQ(e.digits(), e.runner_up == none ? 3 : separating_digits(e.key, e.runner_up_key));
+            for (std::size_t k = 0; k < e.facets.size(); ++k)
+                if (e.facets[k].terms) {
+                    const std::string wanted = formula(*e.facets[k].terms, session.settings(), e.digits());
+                    ASSERT_NE(lines[k + 1].find(wanted), std::string::npos) << lines[k + 1];
+                }
+            ties += tie;
+            alone += e.runner_up == none;
+        }
+    }
+    EXPECT_GT(ties, 20);
+    EXPECT_GT(alone, 20);
+    EXPECT_GT(apart, 100);
+}
+
+TEST(Explain, SeparatingDigitsAreTheFewestThatDo) {
+    Random random(44);
+    for (int i = 0; i < 20000; ++i) {
+        const double a = (random.below(2) ? 1 : -1) * std::pow(10, random.uniform(-8, 8));
+        double b = a * (1 + std::pow(10, random.uniform(-16, 1)));
+        if (random.below(20) == 0) b = std::nextafter(a, 1e300);
+        if (random.below(50) == 0) b = 0;
+        if (a == b) continue;
+        const int digits = separating_digits(a, b);
+        ASSERT_NE(short_number(a, digits), short_number(b, digits)) << a << " " << b;
+        ASSERT_EQ(separating_digits(b, a), digits);
+        for (int fewer = 3; fewer < digits; ++fewer)
+            ASSERT_EQ(short_number(a, fewer), short_number(b, fewer)) << a << " " << b;
+    }
+    EXPECT_EQ(separating_digits(0.5, 0.5), 3);
+    EXPECT_EQ(separating_digits(0.25, 0.2501), 4);
+}
+
+TEST(Explain, TheFormulaShowsEveryTerm) {
+    Terms terms;
+    terms.rho_a = 0.25;
+    terms.count = 3;
+    terms.density = 0.5;
+    terms.weight = 0.75;
+    terms.unpenalised = 0.6875;
+    terms.key = 1.375;
+    terms.star_tested = true;
+    Settings settings;
+    EXPECT_EQ(formula(terms, settings, 4), "ρ = 0.5 + 0.75 · 0.25 = 0.6875");
+    terms.star_shaped = false;
+    EXPECT_EQ(formula(terms, settings, 4), "ρ = 0.5 + 0.75 · 0.25 = 0.6875, × 2 (not star-shaped) = 1.375");
+    settings.penalty = Penalty::add;
+    EXPECT_EQ(formula(terms, settings, 4), "ρ = 0.5 + 0.75 · 0.25 = 0.6875, + 2 (not star-shaped) = 1.375");
+}
+
+}  // namespace
+}  // namespace sightline

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/error.h"
+#include "tests/shell/commands/commands_support.h"
+
+namespace sightline {
+namespace {
+
+using test::EachCommand;
+
+TEST_F(EachCommand, select) {
+    run("select 7");
+    EXPECT_EQ(session().selected_cell, 7u);
+    run("select none");
+    EXPECT_EQ(session().selected_cell, none);
+}
+
+TEST_F(EachCommand, bookmark) {
+    run("bookmark the tenth step; seek 3; seek @the tenth step");
+    EXPECT_EQ(session().position(), 10u);
+    EXPECT_EQ(session().bookmarks, (std::vector<Bookmark>{{10, "the tenth step"}}));
+}
+
+TEST_F(EachCommand, break) {
+    run("break step:12; break rho > 1e9");
+    EXPECT_EQ(session().breakpoints.size(), 2u);
+    run("break rho > 1e9");
+    EXPECT_EQ(session().breakpoints, (std::vector<Breakpoint>{{"step:12", true}}));
+}
+
+TEST_F(EachCommand, break_switch) {
+    run("break step:12; break-switch 1; continue");
+    EXPECT_TRUE(session().finished());
+    run("break none");
+    EXPECT_TRUE(session().breakpoints.empty());
+}
+
+TEST_F(EachCommand, mark) {
+    run("mark visible_share == 0");
+    EXPECT_FALSE(bench->marked.empty());
+    const std::uint32_t first = bench->marked.front();
+    EXPECT_THROW(run("mark rho >"), InputError);
+    EXPECT_EQ(bench->marked.front(), first) << "marks stay where the new condition is none";
+    run("seek 0; until visible_share == 0");
+    EXPECT_EQ(session().position(), first);
+    run("mark none");
+    EXPECT_TRUE(bench->marked.empty());
+}
+
+}  // namespace
+}  // namespace sightline

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <gtest/gtest.h>
+
+#include "core/space/builders.h"
+#include "tests/scene/random_scene.h"
+#include "tests/space/space_support.h"
+
+namespace sightline {
+namespace {
+
+using test::expect_linked;
+using test::holds;
+using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
+
+Exact::Point_2 exact(const Vec<2>& p) { return {p.x, p.y}; }
+
+double area(const CellComplex<2>& cells, std::uint32_t cell) {
+    double sum = 0;
+    const auto corners = cells.corners_of(cell);
+    for (std::size_t i = 0; i < corners.size(); ++i)
+        sum += cross(cells.points[corners[i]], cells.points[corners[(i + 1) % corners.size()]]) / 2;
+    return sum;
+}
+
+/// Without jitter, rounded leaf centres make slivers an ulp wide whose rounded centre may lie outside them.
+bool sliver(const CellComplex<2>& cells, std::uint32_t cell) { return area(cells, cell) < 1e-14; }
+
+TEST(Space, CellsAreLinkedBothWaysAndFillTheirBox) {
+    Random random(21);
+    for (int i = 0; i < 100; ++i) {
+        const Scene<2> scene = test::random_scene(random, random.below(100));
+        Settings settings = test::random_settings(random);
+        const CellComplex<2> cells = build_cells(scene, settings);
+        expect_linked(cells, sliver);
+        double sum = 0;
+        for (std::uint32_t cell = 0; cell < cells.cell_count(); ++cell) {
+            ASSERT_GT(area(cells, cell), settings.jitter > 0 ? 0 : -1e-16);
+            sum += area(cells, cell);
+        }
+        const double side = cells.tree.root_box().extent().x;
+        if (settings.tessellation == Tessellation::tree) {
+            ASSERT_NEAR(sum, side * side, 1e-12);
+        } else if (settings.border == Border::inflated) {
+            ASSERT_NEAR(sum, side * side * 1.1 * 1.1, 1e-12);
+            ASSERT_EQ(cells.unassigned, 0u);
+        }
+    }
+}
+
+TEST(Space, DelaunayCellsHaveEmptyCircumcircles) {
+    Random random(23);
+    for (int i = 0; i < 20; ++i) {
+        Settings settings;
+        settings.jitter = i % 2 ? 0 : 0.02;
+        const CellComplex<2> cells = build_cells(test::random_scene(random, 30), settings);
+        for (std::uint32_t cell = 0; cell < cells.cell_count(); ++cell) {
+            const auto c = cells.corners_of(cell);
+            for (const Vec<2>& p : cells.points)
+                ASSERT_NE(CGAL::side_of_oriented_circle(exact(cells.points[c[0]]), exact(cells.points[c[1]]),
+                                                        exact(cells.points[c[2]]), exact(p)),
+                          CGAL::ON_POSITIVE_SIDE);
+        }
+    }
+}
+
+TEST(Space, PrimitivesGoToEveryCellTheyMeetAndToNoOther) {
+    Random random(24);
+    for (int i = 0; i < 60; ++i) {
+        const Scene<2> scene = test::random_scene(random, random.below(40));
+        const Settings settings = test::random_settings(random);
+        const CellComplex<2> cells = build_cells(scene, settings);
+        std::vector<int> in_cells(scene.primitives.size());
+        for (std::uint32_t cell = 0; cell < cells.cell_count(); ++cell) {
+            std::vector<Exact::Point_2> corners;
+            for (const std::uint32_t p : cells.corners_of(cell)) corners.push_back(exact(cells.points[p]));
+            const auto assigned = cells.primitives_of(cell);
+            for (std::uint32_t p = 0; p < scene.primitives.size(); ++p) {
+                const Exact::Segment_2 segment(exact(scene.primitives[p][0]), exact(scene.primitives[p][1]));
+                bool meets = false;
+                for (std::size_t c = 2; c < corners.size(); ++c)
+                    meets |= CGAL::do_intersect(Exact::Triangle_2(corners[0], corners[c - 1], corners[c]), segment);
+                ASSERT_EQ(std::count(assigned.begin(), assigned.end(), p), meets);
+                in_cells[p] += meets;
+            }
+        }
+        ASSERT_EQ(cells.unassigned, std::count(in_cells.begin(), in_cells.end(), 0));
+    }
+}
+
+TEST(Space, LocateFindsTheLowestCellThatHoldsThePoint) {
+    Random random(25);
+    for (int i = 0; i < 100; ++i) {
+        const CellComplex<2> cells =
+            build_cells(test::random_scene(random, random.below(60)), test::random_settings(random));
+        for (int query = 0; query < 50; ++query) {
+            Vec<2> p(random.uniform(-0.2, 1.2), random.uniform(-0.2, 1.2));
+            if (cells.cell_count() > 0 && query % 3 == 0) p = cells.points[random.below(cells.points.size())];
+            if (cells.facet_count() > 0 && query % 3 == 1) {
+                const auto ends = cells.points_of_facet(static_cast<std::uint32_t>(random.below(cells.facet_count())));
+                p = (cells.points[ends[0]] + cells.points[ends[1]]) * 0.5;
+            }
+            ASSERT_EQ(locate(cells, p), test::lowest_holding(cells, p));
+        }
+    }
+}
+
+TEST(Space, LeavesHoldOneDistinctVertexOrAreAtTheErrorBound) {
+    Random random(26);
+    for (int i = 0; i < 50; ++i) {
+        const Scene<2> scene = test::random_scene(random, 1 + random.below(60));
+        const double bound = random.uniform(0.01, 0.5);
+        const Tree<2> tree = build_tree<2>(scene.primitives, bound);
+        const double limit = bounds<2>(scene.primitives).longest_side() * bound;
+        std::vector<std::vector<Vec<2>>> held(tree.leaves.size());
+        for (const auto& segment : scene.primitives)
+            for (const Vec<2>& p : segment) held[tree.leaf_at(p)].push_back(p);
+        for (std::size_t leaf = 0; leaf < held.size(); ++leaf) {
+            const double side = tree.nodes[tree.leaves[leaf]].box.extent().x;
+            for (const Vec<2>& p : held[leaf]) {
+                ASSERT_TRUE(tree.nodes[tree.leaves[leaf]].box.contains(p));
+                if (p != held[leaf].front()) {
+                    ASSERT_LT(side, limit);
+                }
+            }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace sightline

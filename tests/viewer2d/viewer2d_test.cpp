@@ -1,0 +1,198 @@
+// The program itself, as a person runs it.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+
+#include "core/scene/make/catalogue.h"
+#include "core/session/condition.h"
+#include "core/settings/settings_table.h"
+#include "core/traversal/methods.h"
+#include "shell/commands/command_table.h"
+#include "tests/scene/scene_support.h"
+#include "tests/viewer2d/viewer2d_support.h"
+
+namespace sightline {
+namespace {
+
+using namespace test;
+class Viewer2d : public Viewer2dRun {};
+
+TEST_F(Viewer2d, ListsTheCatalogue) {
+    const Result result = run({"--list"});
+    EXPECT_EQ(result.status, 0);
+    EXPECT_EQ(result.err, "");
+    for (const CatalogueRow<2>& row : catalogue()) {
+        EXPECT_NE(result.out.find(row.id), std::string::npos) << row.id;
+        EXPECT_NE(result.out.find(row.lesson), std::string::npos) << row.id;
+    }
+}
+
+TEST_F(Viewer2d, HelpIsComplete) {
+    const Result result = run({"--help"});
+    EXPECT_EQ(result.status, 0);
+    EXPECT_EQ(result.err, "");
+    for (const char* option : {"SCENE",    "--list",   "--headless", "--eye",    "--look-at", "--fov",   "--method",
+                               "--preset", "--set",    "--settings", "--budget", "--steps",   "--until", "--do",
+                               "--shot",   "--panels", "--size",     "--font",   "--state",   "--trace", "--stats"})
+        EXPECT_NE(result.out.find(option), std::string::npos) << option;
+    for (const Method<2>& method : method_table<2>()) {
+        EXPECT_NE(result.out.find(method.sentence), std::string::npos) << method.id;
+    }
+    EXPECT_NE(result.out.find("[approximate]"), std::string::npos);
+    EXPECT_NE(result.out.find("[conservative]"), std::string::npos);
+    for (const Preset& preset : presets()) EXPECT_NE(result.out.find(preset.title), std::string::npos);
+    for (const SettingRow& row : settings_table()) {
+        if (row.dimension == 3) {
+            EXPECT_EQ(result.out.find(row.help), std::string::npos) << row.name;
+            continue;
+        }
+        EXPECT_NE(result.out.find(row.name), std::string::npos) << row.name;
+        EXPECT_NE(result.out.find(row.help), std::string::npos) << row.name;
+        EXPECT_NE(result.out.find(row.values), std::string::npos) << row.name;
+    }
+    for (const Command<2>& command : command_table<2>()) EXPECT_NE(result.out.find(command.text), std::string::npos);
+    for (const RecordField<2>& field : record_fields<2>()) EXPECT_NE(result.out.find(field.help), std::string::npos);
+}
+
+TEST_F(Viewer2d, StatsHaveEveryFieldOfTheContract) {
+    const Json stats = this->stats({"bottleneck"});
+    for (const char* text : {"scene", "method", "reference", "stop", "state_hash"})
+        EXPECT_TRUE(stats.at(text).is_string()) << text;
+    for (const char* count : {"seed", "cells", "primitives", "budget", "steps", "projected", "enqueued", "unseen",
+                              "rendered", "visible", "visible_rendered", "inversions"})
+        EXPECT_TRUE(stats.at(count).is_number_unsigned()) << count;
+    for (const char* number : {"coverage", "oracle"}) EXPECT_TRUE(stats.at(number).is_number_float()) << number;
+    EXPECT_TRUE(stats.at("approximate").is_boolean());
+    for (const char* part : {"read", "tessellate", "assign", "reference", "traverse", "draw"}) {
+        EXPECT_TRUE(stats.at("ms").at(part).is_number()) << part;
+        EXPECT_GE(stats["ms"][part], 0) << part;
+    }
+    for (const char* part : {"scene", "tessellation", "references"})
+        EXPECT_GT(stats.at("memory_bytes").at(part), 0) << part;
+    for (const char* part : {"degenerate", "duplicate", "not_finite"})
+        EXPECT_TRUE(stats.at("dropped").at(part).is_number_unsigned()) << part;
+
+    EXPECT_EQ(stats["scene"], "bottleneck");
+    EXPECT_EQ(stats["seed"], find_in_catalogue("bottleneck")->seed);
+    EXPECT_EQ(stats["method"], "published");
+    EXPECT_EQ(stats["approximate"], true);
+    EXPECT_EQ(stats["reference"], "exact");
+    EXPECT_EQ(stats["stop"], "budget");
+    EXPECT_EQ(stats["rendered"], stats["budget"]);
+    EXPECT_EQ(stats["coverage"].get<double>(),
+              stats["visible_rendered"].get<double>() / stats["visible"].get<double>());
+    EXPECT_EQ(this->stats({"bottleneck", "--method", "view"})["approximate"], false);
+    EXPECT_EQ(this->stats({"bottleneck", "--budget", "unlimited"})["stop"], "front empty");
+    EXPECT_EQ(this->stats({"bottleneck", "--budget", "unlimited"})["coverage"], 1.0);
+}
+
+TEST_F(Viewer2d, OptionsReachTheSession) {
+    const Json plain = stats({"bottleneck"});
+    EXPECT_EQ(stats({"bottleneck", "--budget", "7"})["rendered"], 7);
+    EXPECT_EQ(stats({"bottleneck", "--budget", "50%"})["budget"], std::nearbyint(plain["primitives"].get<int>() / 2.0));
+    EXPECT_EQ(stats({"bottleneck", "--method", "layers"})["method"], "layers");
+    EXPECT_EQ(stats({"bottleneck", "--set", "tessellation=tree"})["tessellation"], "tree");
+    EXPECT_NE(stats({"bottleneck", "--set", "error_bound=0.1", "--set", "jitter=0"})["cells"], plain["cells"]);
+    EXPECT_NE(stats({"bottleneck", "--preset", "letter", "--set", "border=inflated"})["state_hash"],
+              plain["state_hash"]);
+    EXPECT_NE(stats({"bottleneck", "--eye", "4,1"})["state_hash"], plain["state_hash"]);
+    EXPECT_NE(stats({"bottleneck", "--look-at", "0,8"})["state_hash"], plain["state_hash"]);
+    EXPECT_NE(stats({"bottleneck", "--fov", "20"})["state_hash"], plain["state_hash"]);
+    // --set goes on top of --preset, whatever their order.
+    EXPECT_EQ(stats({"bottleneck", "--set", "border=inflated", "--preset", "letter", "--budget", "7"})["state_hash"],
+              stats({"bottleneck", "--preset", "letter", "--set", "border=inflated", "--budget", "7"})["state_hash"]);
+    // Without a scene: the first lesson.
+    EXPECT_EQ(stats({})["state_hash"], plain["state_hash"]);
+}
+
+TEST_F(Viewer2d, StepsUntilAndCommandsStartAtStepZero) {
+    const Json five = stats({"bottleneck", "--steps", "5"});
+    EXPECT_EQ(five["steps"], 5);
+    EXPECT_EQ(five["stop"], "steps");
+    const Json until = stats({"bottleneck", "--until", "step:5"});
+    EXPECT_EQ(until["stop"], "breakpoint");
+    EXPECT_EQ(until["state_hash"], five["state_hash"]);
+    const Json walk = stats({"bottleneck", "--do", "step 9; back 6; seek end; seek 5"});
+    EXPECT_EQ(walk["state_hash"], five["state_hash"]);
+    const Json still = stats({"bottleneck", "--do", "freeze"});
+    EXPECT_EQ(still["steps"], 0);
+    EXPECT_EQ(still["stop"], "steps") << "the contract knows no other word";
+    EXPECT_EQ(stats({"bottleneck", "--steps", "0"})["steps"], 0);
+    EXPECT_EQ(stats({"bottleneck", "--steps", "4000000000"})["stop"], "budget");
+    const Json condition = stats({"bottleneck", "--budget", "unlimited", "--until", "visible_share == 0 && count > 0"});
+    EXPECT_EQ(condition["stop"], "breakpoint");
+    const Json never = stats({"bottleneck", "--budget", "unlimited", "--until", "step < 0"});
+    EXPECT_EQ(never["stop"], "front empty");
+    EXPECT_NE(good({"bottleneck", "--do", "seek 3; explain"}).out.find("Step 3: cell "), std::string::npos);
+}
+
+TEST_F(Viewer2d, TheTraceHoldsEveryStep) {
+    good({"bottleneck", "--steps", "12", "--trace", "t.json", "--stats", "s.json"});
+    const Json trace = Json::parse(read("t.json")), stats = Json::parse(read("s.json"));
+    ASSERT_EQ(trace.at("steps").size(), 12u);
+    EXPECT_EQ(trace.at("state_hash"), stats.at("state_hash"));
+    std::size_t rendered = 0;
+    for (std::size_t i = 0; i < 12; ++i) {
+        const Json& step = trace["steps"][i];
+        EXPECT_EQ(step.at("step"), i + 1);
+        rendered += step.at("primitives").size();
+        EXPECT_EQ(step.at("primitives").size(), step.at("rendered_now"));
+        EXPECT_EQ(step.at("rendered"), rendered);
+        for (const Json& facet : step.at("facets"))
+            if (facet.contains("terms")) {
+                EXPECT_TRUE(facet["terms"].at("key").is_number());
+            }
+    }
+    EXPECT_EQ(rendered, stats["rendered"]);
+}
+
+TEST_F(Viewer2d, WritesFiguresInThreeFormats) {
+    good({"bottleneck", "--steps", "12", "--size", "300x200", "--shot", "a.png", "--shot", "a.svg", "--shot", "a.pdf"});
+    EXPECT_EQ(read("a.png").substr(0, 8), "\x89PNG\r\n\x1a\n");
+    const std::string png = read("a.png");
+    EXPECT_EQ(static_cast<unsigned char>(png[18]) * 256 + static_cast<unsigned char>(png[19]), 300);
+    EXPECT_EQ(static_cast<unsigned char>(png[22]) * 256 + static_cast<unsigned char>(png[23]), 200);
+    EXPECT_NE(read("a.svg").find("<svg"), std::string::npos);
+    EXPECT_EQ(read("a.pdf").substr(0, 5), "%PDF-");
+    for (const char* name : {"a.png.json", "a.svg.json", "a.pdf.json"}) EXPECT_EQ(read(name), read("a.png.json"));
+    EXPECT_EQ(files(), 6u) << "no temporary file stays";
+    good({"bottleneck", "--budget", "50%", "--size", "84mm", "--font", "7pt", "--panels",
+          "step 1; step 12 ; until step:20;end", "--shot", "p.svg"});
+    const std::string panels = read("p.svg");
+    for (const char* title : {"(a) step 1", "(b) step 12", "(c) step 20"})
+        EXPECT_NE(panels.find(title), std::string::npos) << title;
+    EXPECT_NE(panels.find("(d) step"), std::string::npos);
+}
+
+TEST_F(Viewer2d, ASidecarReopensTheSame) {
+    const std::vector<std::vector<std::string>> cases{
+        {"bottleneck", "--steps", "12", "--set", "label=solidity", "--set", "heat=count"},
+        {"bottleneck", "--panels", "step 2;end", "--font", "7", "--set", "palette=print"},
+        {"statue", "--do", "step 8; freeze; eye 3,3; note callout cell:2 \"x; y\"; select 4; back 2"},
+        {"cars", "--budget", "16ms"},
+        {"wall2", "--set", "two_sided=on", "--method", "centroid"},
+        {"lines.geojson", "--fov", "360"},
+    };
+    write("lines.geojson",
+          R"({"type": "MultiLineString", "coordinates": [[[1800000,5200000],[1800010,5200000],[1800010,5200010]],
+              [[1800003,5200004],[1800004,5200004]], [[1800003,5200004],[1800004,5200004]]]})");
+    for (std::vector<std::string> arguments : cases) {
+        SCOPED_TRACE(::testing::PrintToString(arguments));
+        arguments.insert(arguments.end(), {"--shot", "a.svg", "--stats", "a.json"});
+        EXPECT_EQ(headless(arguments).status, 0);
+        good({"--state", "a.svg.json", "--shot", "b.svg", "--stats", "b.json"});
+        Json first = Json::parse(read("a.json")), second = Json::parse(read("b.json"));
+        EXPECT_EQ(first["state_hash"], second["state_hash"]);
+        EXPECT_EQ(read("a.svg"), read("b.svg"));
+        EXPECT_EQ(read("a.svg.json"), read("b.svg.json"));
+        for (Json* stats : {&first, &second})
+            for (const char* part : {"ms", "memory_bytes", "stop"}) stats->erase(part);
+        EXPECT_EQ(first, second);
+    }
+    // Options go on top of a state.
+    good({"bottleneck", "--steps", "12", "--shot", "a.svg"});
+    EXPECT_EQ(stats({"--state", "a.svg.json", "--steps", "3"})["steps"], 3);
+    EXPECT_EQ(stats({"--state", "a.svg.json", "--method", "layers"})["method"], "layers");
+}
+
+}  // namespace
+}  // namespace sightline
