@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/text.h"
 #include "lab/command.h"
 
 namespace {
@@ -35,10 +36,10 @@ int main(int argc, char** argv) {
     try {
         return run(argc, argv);
     } catch (const InputError& error) {
-        std::cerr << "lab: " << error.what() << "\n";
+        std::cerr << "lab: " << one_line(error.what(), 4096) << "\n";
         return 2;
     } catch (const std::exception& error) {
-        std::cerr << "lab: " << error.what() << "\n";
+        std::cerr << "lab: " << one_line(error.what(), 4096) << "\n";
         return 1;
     }
 }

@@ -2,6 +2,7 @@
 #include "core/base/text.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <filesystem>
 #include <fstream>
@@ -33,6 +34,39 @@ std::string line_and_column(std::string_view text, std::size_t offset) {
     const std::size_t last = before.rfind('\n');
     const std::size_t column = before.size() - (last == std::string_view::npos ? 0 : last + 1);
     return "line " + std::to_string(lines + 1) + ", column " + std::to_string(column + 1);
+}
+
+std::size_t character_length(std::string_view text, std::size_t at) {
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+    const unsigned first = byte(at);
+    const std::size_t length = first < 0x80 ? 1 : first >> 5 == 6 ? 2 : first >> 4 == 14 ? 3 : first >> 3 == 30 ? 4 : 0;
+    if (length == 0 || at + length > text.size()) return 0;
+    unsigned code = length == 1 ? first : first & (0x7f >> length);
+    for (std::size_t i = 1; i < length; ++i) {
+        if (byte(at + i) >> 6 != 2) return 0;
+        code = code << 6 | (byte(at + i) & 63);
+    }
+    constexpr std::array<unsigned, 5> least{0, 0, 0x80, 0x800, 0x10000};
+    // XML and cairo take neither surrogates nor these two.
+    if (code < least[length] || code > 0x10ffff || (code >= 0xd800 && code < 0xe000)) return 0;
+    return code == 0xfffe || code == 0xffff ? 0 : length;
+}
+
+std::string clean_text(std::string_view text) {
+    std::string clean;
+    clean.reserve(text.size());
+    for (std::size_t i = 0; i < text.size();) {
+        const std::size_t length = character_length(text, i);
+        const auto byte = static_cast<unsigned char>(text[i]);
+        if (length == 0)
+            clean += "\xEF\xBF\xBD";
+        else if (byte == '\t')
+            clean += ' ';
+        else if (length > 1 || (byte >= 32 && byte != 127) || byte == '\n')
+            clean += text.substr(i, length);
+        i += std::max<std::size_t>(length, 1);
+    }
+    return clean;
 }
 
 }  // namespace sightline

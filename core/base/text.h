@@ -1,4 +1,4 @@
-// Small helpers for readers: error lines of one form.
+// Text as bytes: error lines of one form, UTF-8.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -18,5 +18,11 @@ InputError input_error(std::string_view name, std::string_view place, std::strin
 
 /// "line 3, column 14" of a byte offset; both count from 1, columns in bytes.
 std::string line_and_column(std::string_view text, std::size_t offset);
+
+/// The length of the UTF-8 character at `at`, or 0 when the bytes there are none.
+std::size_t character_length(std::string_view text, std::size_t at);
+
+/// Valid UTF-8: broken bytes become U+FFFD, tabs a space, other control characters but line feeds vanish.
+std::string clean_text(std::string_view text);
 
 }  // namespace sightline

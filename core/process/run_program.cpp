@@ -34,14 +34,15 @@ struct Pipe {
     }
 };
 
-/// Where a program that is started reads and writes.
+/// Where a program that is started stands, reads and writes.
 class Redirections {
 public:
-    explicit Redirections(int errors) {
+    Redirections(int errors, const std::filesystem::path& folder) {
         posix_spawn_file_actions_init(&actions_);
         posix_spawn_file_actions_addopen(&actions_, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
         posix_spawn_file_actions_addopen(&actions_, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
         posix_spawn_file_actions_adddup2(&actions_, errors, STDERR_FILENO);
+        posix_spawn_file_actions_addchdir_np(&actions_, folder.c_str());
     }
     ~Redirections() { posix_spawn_file_actions_destroy(&actions_); }
     Redirections(const Redirections&) = delete;
@@ -64,12 +65,12 @@ std::string read_all(int descriptor) {
 
 }  // namespace
 
-void run_program(std::vector<std::string> words, const std::string& package) {
+void run_program(std::vector<std::string> words, const std::string& package, const std::filesystem::path& folder) {
     std::vector<char*> arguments;
     for (std::string& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);
     Pipe errors;
-    const Redirections redirections(errors.ends[1]);
+    const Redirections redirections(errors.ends[1], folder);
     pid_t child = 0;
     if (const int why = posix_spawnp(&child, words[0].c_str(), redirections.get(), nullptr, arguments.data(), environ))
         throw WorkError(why == ENOENT

@@ -5,6 +5,8 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/number.h"
+#include "core/base/quote.h"
+#include "core/base/text.h"
 #include "core/traversal/methods.h"
 #include "lab/cells/cells_report.h"
 #include "lab/command.h"
@@ -31,9 +33,10 @@ void write_knee(const CellsCurve& curve, Measure measure, double within, const s
     const std::filesystem::path file =
         folder / (file_stem(curve.scene + "-" + method_text(curve.method) + "-" + curve.budget) + ".settings.json");
     write_file(file, knee_settings(curve, measure, within));
-    std::cout << curve.scene << ", " << method_text(curve.method) << " " << curve.budget << ": error bound "
-              << short_number(point.error_bound) << ", " << knee_text(curve, at) << ", " << measure_row(measure).title
-              << " " << short_number(summary(point.row, measure)) << "; --settings " << file.string() << "\n";
+    std::cout << one_line(curve.scene, 1000) << ", " << method_text(curve.method) << " " << curve.budget
+              << ": error bound " << short_number(point.error_bound) << ", " << knee_text(curve, at) << ", "
+              << measure_row(measure).title << " " << short_number(summary(point.row, measure)) << "; --settings "
+              << shell_quoted(file.string()) << "\n";
 }
 
 /// Empty for a method that needs none.
@@ -92,13 +95,14 @@ int cells_command(int argc, const char* const* argv) {
     if (reach)
         for (const Group& group : groups(simple)) {
             const Row* found = simplest(group.rows, measure, *reach);
-            std::cout << group.scene << ": "
+            std::cout << one_line(group.scene, 1000) << ": "
                       << (found ? "the simplest that reaches it is " + method_text(found->method) + ", budget " +
                                       found->budget + on_cells(*found)
                                 : std::string("nothing that was tried reaches it"))
                       << "\n";
         }
-    std::cout << "Written: " << out << "/cells.html, results.json, results.csv, charts/, *.settings.json\n";
+    std::cout << "Written: " << one_line(out, 4096)
+              << "/cells.html, results.json, results.csv, charts/, *.settings.json\n";
     return 0;
 }
 

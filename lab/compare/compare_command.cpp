@@ -3,6 +3,7 @@
 #include <iostream>
 
 #include "core/base/error.h"
+#include "core/base/text.h"
 #include "lab/command.h"
 #include "lab/compare/compare_report.h"
 #include "lab/measure/run_study.h"
@@ -52,21 +53,21 @@ int compare_command(int argc, const char* const* argv) {
         pictures = draw_side_by_side(comparison, std::filesystem::path(out) / "pictures", graphics);
     } catch (const InputError& error) {
         say("");
-        std::cerr << "lab: warning: there are no pictures: " << error.what() << "\n";
+        std::cerr << "lab: warning: there are no pictures: " << one_line(error.what(), 1000) << "\n";
     }
     write_comparison(comparison, pictures, out);
     say("");
     for (const Pair& pair : comparison.pairs) {
-        std::cout << pair.a->scene << ", " << pair.a->path << ", " << method_text(pair.a->method);
-        if (!(pair.b->method == pair.a->method)) std::cout << " -> " << method_text(pair.b->method);
-        std::cout << ", " << pair.a->budget << "\n";
+        std::string heading = pair.a->scene + ", " + pair.a->path + ", " + method_text(pair.a->method);
+        if (!(pair.b->method == pair.a->method)) heading += " -> " + method_text(pair.b->method);
+        std::cout << one_line(heading + ", " + pair.a->budget, 1000) << "\n";
         for (const Change& change : pair.changes)
             if (change.significant()) std::cout << "  " << change_text(change) << "\n";
     }
-    for (const std::string& note : notes_of(comparison)) std::cout << note << "\n";
+    for (const std::string& note : notes_of(comparison)) std::cout << one_line(note, 1000) << "\n";
     for (const SideBySide& two : pictures)
-        std::cout << two.title << ":\n  A: " << two.a.command << "\n  B: " << two.b.command << "\n";
-    std::cout << "Written: " << out << "/compare.html, compare.json, pictures/\n";
+        std::cout << one_line(two.title, 1000) << ":\n  A: " << two.a.command << "\n  B: " << two.b.command << "\n";
+    std::cout << "Written: " << one_line(out, 4096) << "/compare.html, compare.json, pictures/\n";
     return 0;
 }
 

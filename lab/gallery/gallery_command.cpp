@@ -8,6 +8,8 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/number.h"
+#include "core/base/quote.h"
+#include "core/base/text.h"
 #include "core/session/state_file.h"
 #include "lab/command.h"
 #include "lab/gallery/gallery_report.h"
@@ -111,7 +113,7 @@ void write_files(const GalleryRow<D>& row, const Asked& asked, LabGraphics& grap
     const std::string stem = std::string(row.id) + "-" + std::to_string(D) + "d";
     const fs::path file = fs::path(asked.out) / (stem + ".json");
     write_file(file.string(), state_json(session));
-    entry.command = "./run viewer" + std::to_string(D) + "d --state " + file.string();
+    entry.command = "./run viewer" + std::to_string(D) + "d --state " + shell_quoted(file.string());
     entry.title = session.scene().title;
     entry.lesson = session.scene().lesson;
     entry.pictures = draw_gallery_pictures(session, fs::path(asked.out) / "pictures", stem, graphics);
@@ -194,7 +196,7 @@ int gallery_command(int argc, const char* const* argv) {
     if (!asked.out.empty()) {
         const fs::path file = fs::path(asked.out) / "gallery.html";
         write_file(file, gallery_page(entries, conditions(asked, graphics)));
-        std::cout << "Written: " << file.string() << ", state files, pictures/\n";
+        std::cout << "Written: " << one_line(file.string(), 4096) << ", state files, pictures/\n";
     }
     const GalleryCounts counts = count(entries);
     std::cout << counts_text(counts) << "\n";

@@ -33,7 +33,8 @@ Checkpoint::Checkpoint(std::filesystem::path file, const Conditions& c) : file_(
         if (began_anew_) write_file(file_.string() + ".old", text);
         while (!began_anew_ && std::getline(in, line)) {
             const Json json = Json::parse(line, nullptr, false);
-            if (json.is_discarded() || in.eof()) break;
+            if (in.eof() || !json.is_object() || !json.contains("piece") || !json.value("key", Json()).is_string())
+                break;
             pieces_[json.at("key")] = json.at("piece").dump();
             kept += line + "\n";
         }

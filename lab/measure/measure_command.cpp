@@ -6,6 +6,8 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/number.h"
+#include "core/base/quote.h"
+#include "core/base/text.h"
 #include "lab/command.h"
 #include "lab/measure/run_study.h"
 #include "lab/measure/study_options.h"
@@ -29,7 +31,7 @@ std::string padded(std::string text, std::size_t width, bool left = false) {
 /// The command as it was given, to the start script.
 std::string typed(int argc, const char* const* argv) {
     std::string text = "./run lab";
-    for (int i = 0; i < argc; ++i) text += std::string(" ") + argv[i];
+    for (int i = 0; i < argc; ++i) text += " " + shell_quoted(argv[i]);
     return text;
 }
 
@@ -37,23 +39,24 @@ std::string typed(int argc, const char* const* argv) {
 void print_table(const Results& results) {
     std::size_t scene = 5, method = 6;  // widths, with the headings
     for (const Row& row : results.rows) {
-        scene = std::max(scene, row.scene.size());
-        method = std::max(method, method_text(row.method).size());
+        scene = std::max(scene, one_line(row.scene).size());
+        method = std::max(method, one_line(method_text(row.method)).size());
     }
     std::cout << padded("scene", scene + 2, true) << padded("method", method + 2, true) << padded("budget", 10)
               << padded("coverage %", 12) << padded("wrong %", 9) << padded("worst %", 9) << padded("pop %", 8)
               << padded("ms", 9) << "\n";
     for (const Row& row : results.rows) {
         const auto share = [&](Measure measure) { return per_cent(summary(row, measure)); };
-        std::cout << padded(row.scene, scene + 2, true) << padded(method_text(row.method), method + 2, true)
-                  << padded(row.budget, 10) << padded(share(Measure::coverage), 12) << padded(share(Measure::wrong), 9)
+        std::cout << padded(one_line(row.scene), scene + 2, true)
+                  << padded(one_line(method_text(row.method)), method + 2, true) << padded(one_line(row.budget), 10)
+                  << padded(share(Measure::coverage), 12) << padded(share(Measure::wrong), 9)
                   << padded(per_cent(worst(row, Measure::wrong)), 9) << padded(share(Measure::pop), 8)
                   << padded(number(summary(row, Measure::total_ms)), 9) << "\n";
     }
 }
 
 void say_written(const std::string& out) {
-    std::cout << "Written: " << out << "/report.html, results.json, results.csv, charts/, pictures/\n";
+    std::cout << "Written: " << one_line(out, 4096) << "/report.html, results.json, results.csv, charts/, pictures/\n";
 }
 
 /// 0 for a file that is not there.
@@ -73,7 +76,7 @@ void write_report_of(const Results& results, const Study& study, const std::file
         pictures = draw_report_pictures(results, claims, study, folder / "pictures", graphics);
     } catch (const InputError& error) {
         say("");
-        std::cerr << "lab: warning: the report has no pictures: " << error.what() << "\n";
+        std::cerr << "lab: warning: the report has no pictures: " << one_line(error.what(), 1000) << "\n";
     }
     write_report(results, claims, pictures, folder);
 }

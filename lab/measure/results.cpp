@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/number.h"
+#include "core/base/quote.h"
 #include "core/measure/summary.h"
 
 namespace sightline::lab {
@@ -184,20 +185,15 @@ std::string results_csv(const Results& results) {
         if (m.has_extreme) text += ',' + extreme_id(m);
     }
     text += ",likeness\n";
-    const auto quoted = [](const std::string& s) {
-        if (s.find_first_of(",\"\n") == std::string::npos) return s;
-        std::string q = "\"";
-        for (const char c : s) q += c == '"' ? std::string("\"\"") : std::string(1, c);
-        return q + '"';
-    };
     const auto number = [](double value) { return std::isfinite(value) ? number_text(value) : std::string(); };
     for (const Row& row : results.rows) {
         const Json share = budget_share(row);
-        text += quoted(row.scene) + ',' + quoted(row.path) + ',' + std::to_string(row.frames.size()) + ',' +
-                row.method.id + ',' +
+        text += csv_field(row.scene) + ',' + csv_field(row.path) + ',' + std::to_string(row.frames.size()) + ',' +
+                csv_field(row.method.id) + ',' +
                 std::string(words<Tessellation>[static_cast<std::size_t>(row.method.tessellation)]) + ',' +
                 number(row.error_bound) + ',' + std::to_string(row.primitives) + ',' + std::to_string(row.cells) + ',' +
-                std::to_string(row.memory_bytes) + ',' + row.budget + ',' + (share.is_null() ? "" : number(share));
+                std::to_string(row.memory_bytes) + ',' + csv_field(row.budget) + ',' +
+                (share.is_null() ? "" : number(share));
         for (const MeasureRow& m : measure_table()) {
             text += ',' + number(summary(row, m.measure));
             if (m.has_extreme) text += ',' + number(worst(row, m.measure));

@@ -5,6 +5,7 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/number.h"
+#include "core/base/quote.h"
 #include "core/scene/read/load.h"
 #include "core/session/condition.h"
 #include "core/session/state_file.h"
@@ -82,7 +83,8 @@ int run(const Study& study, const Wanted& wanted, const fs::path& folder, LabGra
     if (!still)
         std::cerr << "lab: warning: read back from " << (folder / "reduced.obj").string()
                   << " it does not hold any more: coordinates were rounded\n";
-    std::cout << "See it: ./run viewer" << D << "d --state " << (folder / "reduced.json").string() << "\n";
+    std::cout << "See it: ./run viewer" << D << "d --state " << shell_quoted((folder / "reduced.json").string())
+              << "\n";
     return interrupted() ? 1 : 0;
 }
 

@@ -5,25 +5,17 @@
 #include <cmath>
 
 #include "core/base/file.h"
+#include "core/base/hash.h"
 #include "core/base/number.h"
+#include "core/base/quote.h"
 #include "core/process/run_program.h"
 
 namespace sightline::lab {
 
 namespace {
 
-/// Between double quotes; charts use no enhanced text.
-std::string quoted(const std::string& text) {
-    std::string q = "\"";
-    for (const char c : text) {
-        if (c == '"' || c == '\\') q += '\\';
-        if (c != '\n') q += c;
-    }
-    return q + '"';
-}
-
 std::string style_of(const Series& s) {
-    const std::string colour = " lc rgb " + quoted(s.colour) + " lw " + short_number(s.width);
+    const std::string colour = " lc rgb " + gnuplot_quoted(s.colour) + " lw " + short_number(s.width);
     switch (s.look) {
         case Series::Look::line_and_dots:
             return "with linespoints pt 7 ps 0.7 dt 1" + colour;
@@ -44,6 +36,12 @@ std::string style_of(const Series& s) {
 }  // namespace
 
 std::string file_stem(std::string text) {
+    constexpr std::size_t most = 200;  // file systems end at 255 bytes
+    if (text.size() > most) {
+        Hash hash;
+        for (const char c : text) hash.add(c);
+        text = text.substr(0, most - 17) + "-" + hash_text(hash.value());
+    }
     for (char& c : text)
         if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-' && c != '.') c = '_';
     return text;
@@ -57,8 +55,8 @@ std::string series_colour(std::size_t index) {
 }
 
 std::string gnuplot_script(const Chart& chart) {
-    std::string text = "set encoding utf8\nset title " + quoted(chart.title) + " noenhanced\nset xlabel " +
-                       quoted(chart.x) + " noenhanced\nset ylabel " + quoted(chart.y) +
+    std::string text = "set encoding utf8\nset title " + gnuplot_quoted(chart.title) + " noenhanced\nset xlabel " +
+                       gnuplot_quoted(chart.x) + " noenhanced\nset ylabel " + gnuplot_quoted(chart.y) +
                        " noenhanced\n"
                        "set key outside right top noenhanced spacing 1.2\nset grid lc rgb \"#dddddd\" lt 1 lw 0.5\n"
                        "set border 3 lc rgb \"#444444\"\nset tics nomirror\n";
@@ -67,7 +65,7 @@ std::string gnuplot_script(const Chart& chart) {
     const std::string most = chart.most_y > 0 ? short_number(chart.most_y, 6) : "*";
     if (!chart.log_y && (chart.from_zero || chart.most_y > 0))
         text += "set yrange [" + std::string(chart.from_zero ? "0" : "*") + ":" + most + "]\n";
-    std::string plots;
+    std::string plots, labels;
     for (std::size_t i = 0; i < chart.series.size(); ++i) {
         const Series& s = chart.series[i];
         const std::string name = "$s" + std::to_string(i);
@@ -78,36 +76,37 @@ std::string gnuplot_script(const Chart& chart) {
             const bool fits =
                 std::isfinite(x) && std::isfinite(y) && (!chart.log_x || x > 0) && (!chart.log_y || y > 0);
             any |= fits;
-            text += fits ? number_text(x) + " " + number_text(y) +
-                               (s.labels.empty() ? std::string() : " " + quoted(s.labels[p])) + "\n"
-                         : std::string("\n");
+            text += fits ? number_text(x) + " " + number_text(y) + "\n" : "\n";
+            // As commands: strings among data are read by rules of their own.
+            if (fits && !s.labels.empty() && !s.labels[p].empty())
+                labels += "set label " + gnuplot_quoted(s.labels[p]) + " noenhanced at " + number_text(x) + "," +
+                          number_text(y) + " left offset 0.4,0.6 font ',8' tc rgb " + gnuplot_quoted(s.colour) +
+                          " front\n";
         }
         text += "END\n";
         if (!any) continue;
         plots += (plots.empty() ? "plot " : ", \\\n     ") + name + " using 1:2 " + style_of(s) +
-                 (s.name.empty() ? " notitle" : " title " + quoted(s.name));
-        if (!s.labels.empty())
-            plots += ", \\\n     " + name + " using 1:2:3 with labels offset 0.4,0.6 left font \",8\" tc rgb " +
-                     quoted(s.colour) + " noenhanced notitle";
+                 (s.name.empty() ? " notitle" : " title " + gnuplot_quoted(s.name));
     }
     // gnuplot draws no empty chart: one with axes says that there is nothing.
     if (plots.empty())
         plots =
             "set label \"nothing to show\" at graph 0.5,0.5 center\nset xrange [0:1]\nset yrange [-2:1]\nunset "
             "logscale\nplot -1 notitle";
-    return text + plots + "\n";
+    return text + labels + plots + "\n";
 }
 
 void write_chart(const Chart& chart, const std::filesystem::path& stem) {
-    const std::string name = stem.filename().string(), body = gnuplot_script(chart);
+    // gnuplot knows programs to run by how the name of a file begins, and a folder can have any name.
+    const std::string name = "./" + stem.filename().string(), body = gnuplot_script(chart);
     const auto terminal = [&](const std::string& kind, const std::string& ending) {
         return "set terminal " + kind + " size 860,460 font \"DejaVu Sans,11\" background rgb \"white\"\nset output " +
-               quoted(stem.string() + ending) + "\n" + body + "unset output\n";
+               gnuplot_quoted(name + ending) + "\n" + body + "unset output\n";
     };
     std::filesystem::path script = stem;
     script += ".gp";
     write_file(script, terminal("svg enhanced rounded", ".svg") + "reset\n" + terminal("pngcairo", ".png"));
-    run_program({"gnuplot", script.string()}, "gnuplot-nox");
+    run_program({"gnuplot", "-d", name + ".gp"}, "gnuplot-nox", stem.has_parent_path() ? stem.parent_path() : ".");
 }
 
 }  // namespace sightline::lab

@@ -30,10 +30,11 @@ struct Chart {
 /// For gnuplot 5.4, with the data in it; what stands before it chooses terminal and output.
 std::string gnuplot_script(const Chart& chart);
 
-/// stem.gp, stem.svg and stem.png. Throws WorkError when gnuplot is not there or fails.
+/// stem.gp, stem.svg and stem.png; the script, run by gnuplot in its folder, makes the others again. The last part of
+/// `stem` is a file_stem(). Throws WorkError when gnuplot is not there or fails.
 void write_chart(const Chart& chart, const std::filesystem::path& stem);
 
-/// `text` as the name of a file.
+/// `text` as the name of a file without a folder: letters, digits, '-', '.' and '_', not too many for an ending.
 std::string file_stem(std::string text);
 
 /// A colour that stays apart from its neighbours for the colour-blind, too; they repeat after eight.

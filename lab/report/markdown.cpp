@@ -3,6 +3,7 @@
 
 #include "core/base/file.h"
 #include "core/base/number.h"
+#include "core/base/quote.h"
 #include "lab/report/claims.h"
 #include "lab/report/page.h"
 #include "lab/report/report.h"
@@ -18,11 +19,11 @@ std::string rows_of(const Group& group) {
         "popping % | ms |\n|---|---|---|---|---|---|---|---|---|---|---|\n";
     for (const Row* row : group.rows) {
         const auto share = [&](Measure m) { return per_cent(summary(*row, m)); };
-        text += "| " + method_text(row->method) + " | " + std::to_string(row->cells) + " | " + row->budget + " | " +
-                share(Measure::coverage) + " | " + per_cent(worst(*row, Measure::coverage)) + " | " +
-                share(Measure::oracle) + " | " + share(Measure::wrong) + " | " + per_cent(worst(*row, Measure::wrong)) +
-                " | " + share(Measure::blob) + " | " + share(Measure::pop) + " | " +
-                number(summary(*row, Measure::total_ms)) + " |\n";
+        text += "| " + markdown_escaped(method_text(row->method)) + " | " + std::to_string(row->cells) + " | " +
+                markdown_escaped(row->budget) + " | " + share(Measure::coverage) + " | " +
+                per_cent(worst(*row, Measure::coverage)) + " | " + share(Measure::oracle) + " | " +
+                share(Measure::wrong) + " | " + per_cent(worst(*row, Measure::wrong)) + " | " + share(Measure::blob) +
+                " | " + share(Measure::pop) + " | " + number(summary(*row, Measure::total_ms)) + " |\n";
     }
     return text;
 }
@@ -31,15 +32,15 @@ std::string rows_of(const Group& group) {
 
 void write_markdown(const Results& results, const std::string& command, const std::filesystem::path& file) {
     const Conditions& c = results.conditions;
-    std::string text = "# Results\n\nMade by\n\n```sh\n" + command + "\n```\n\non " + c.date + ": " + c.machine + "; " +
-                       c.build + "; " + c.renderer +
+    std::string text = "# Results\n\nMade by\n\n```sh\n" + command + "\n```\n\non " +
+                       markdown_escaped(c.date + ": " + c.machine + "; " + c.build + "; " + c.renderer) +
                        ". Times hold for this machine only; everything else is the same everywhere but for single "
                        "pixels. [Measuring](measuring.md) says what each number is and how to read the charts.\n";
     if (const std::vector<Claim> claims = judge_claims(results); !claims.empty()) {
         text += "\n## What the papers say, and what we find\n\n| they | we | |\n|---|---|---|\n";
         for (const Claim& claim : claims)
-            text += "| " + claim.text + " (" + claim.source + ") | " + claim.ours + " | " +
-                    (claim.holds ? "holds" : "**does not hold here**") + " |\n";
+            text += "| " + markdown_escaped(claim.text + " (" + claim.source + ")") + " | " +
+                    markdown_escaped(claim.ours) + " | " + (claim.holds ? "holds" : "**does not hold here**") + " |\n";
         text +=
             "\nThe papers' data are not to be had: generated scenes stand for them, so shapes can be compared, not "
             "figures.\n";
@@ -48,9 +49,9 @@ void write_markdown(const Results& results, const std::string& command, const st
     std::filesystem::create_directories(images);
     for (const Group& group : groups(results)) {
         const Row& first = *group.rows.front();
-        text += "\n## " + group.scene + ", path " + group.path + "\n\n" + std::to_string(first.primitives) +
-                " primitives, " + std::to_string(first.frames.size()) + " frames, reference: " + first.reference +
-                ".\n\n";
+        text += "\n## " + markdown_escaped(group.scene + ", path " + group.path) + "\n\n" +
+                std::to_string(first.primitives) + " primitives, " + std::to_string(first.frames.size()) +
+                " frames, reference: " + markdown_escaped(first.reference) + ".\n\n";
         for (const Measure measure : {Measure::wrong, Measure::coverage}) {
             const std::string stem = file_stem("results-" + group.scene + "-" + std::string(measure_row(measure).id));
             write_chart(frontier(group, measure), images / stem);

@@ -9,7 +9,8 @@
 
 namespace sightline::lab {
 
-/// Writes `file` and beside it images/results-*.svg, the frontiers. `command` is what made it. Throws WorkError.
+/// Writes `file` and beside it images/results-*.svg, the frontiers. `command` is what made it, as a shell takes it.
+/// Throws WorkError.
 void write_markdown(const Results& results, const std::string& command, const std::filesystem::path& file);
 
 }  // namespace sightline::lab

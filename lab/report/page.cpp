@@ -5,7 +5,6 @@
 
 #include "core/base/file.h"
 #include "core/base/number.h"
-#include "shell/figure/markup.h"
 
 namespace sightline::lab {
 

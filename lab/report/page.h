@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "shell/figure/markup.h"
+#include "core/base/quote.h"
 
 namespace sightline::lab {
 

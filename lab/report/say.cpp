@@ -6,6 +6,8 @@
 #include <csignal>
 #include <iostream>
 
+#include "core/base/text.h"
+
 namespace sightline::lab {
 
 namespace {
@@ -14,7 +16,8 @@ volatile std::sig_atomic_t seen = 0;  // a signal handler can reach nothing else
 
 }  // namespace
 
-void say(const std::string& line) {
+void say(const std::string& text) {
+    const std::string line = one_line(text, 1000);
     if (isatty(STDERR_FILENO))
         std::cerr << "\r\033[K" << line << std::flush;
     else if (!line.empty())

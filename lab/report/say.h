@@ -6,8 +6,8 @@
 
 namespace sightline::lab {
 
-/// On standard error: over one line at a terminal, else a line each. An empty line ends the progress.
-void say(const std::string& line);
+/// On standard error: over one line at a terminal, else a line each. An empty one ends the progress.
+void say(const std::string& text);
 
 /// From now on an interrupt (Ctrl+C, SIGTERM) is only noted; interrupted() tells.
 void note_interrupts();

@@ -2,10 +2,12 @@
 #include "lab/report/wrong_pictures.h"
 
 #include <algorithm>
-#include <cctype>
+#include <limits>
 
 #include "core/base/file.h"
 #include "core/base/number.h"
+#include "core/base/quote.h"
+#include "core/base/text.h"
 #include "core/measure/frame_clock.h"
 #include "core/measure/wrong_region.h"
 #include "core/session/session.h"
@@ -25,18 +27,6 @@ std::string point_text(const Vec<D>& p, const Vec<D>& origin) {
     std::string text;
     for (int i = 0; i < D; ++i) text += (i > 0 ? "," : "") + number_text(p[i] + origin[i]);
     return text;
-}
-
-/// As a shell reads it back.
-std::string shell_word(const std::string& text) {
-    static constexpr std::string_view plain = "-_./:=,%@+";
-    const bool is_plain = !text.empty() && std::all_of(text.begin(), text.end(), [](unsigned char c) {
-        return std::isalnum(c) || plain.find(static_cast<char>(c)) != std::string_view::npos;
-    });
-    if (is_plain) return text;
-    std::string quoted = "'";
-    for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return quoted + "'";
 }
 
 Settings settings_of(const LabScene<2>& lab, const Row& row) {
@@ -89,19 +79,25 @@ Pixels missed_in_red(const SolidList& rendered, const IdImage& exact, LabGraphic
 template <int D>
 FramePicture draw_frame(const LabScene<D>& lab, const Study& study, const Row& row, std::size_t frame,
                         const std::filesystem::path& file, LabGraphics& graphics) {
+    // Results may come from anybody.
+    if (frame >= row.values.size() || frame >= lab.specs.size())
+        throw InputError(one_line(row.scene) + ": the results have other frames than path " + one_line(row.path));
+    const double budget = row.values[frame][Measure::budget];
+    if (!(budget >= 0 && budget <= std::numeric_limits<std::uint32_t>::max()))
+        throw InputError(one_line(row.scene) + ": the results have a budget that is no number of primitives");
     const ViewSpec<D>& view = lab.specs[frame];
     FramePicture drawn{
         row.scene, row.path, method_text(row.method), row.budget, row.frames[frame], row.values[frame][Measure::wrong],
         file,      {}};
     write_picture(lab, row, frame, file, graphics);
-    drawn.command = "./run viewer" + std::to_string(D) + "d " + shell_word(parse_scene(row.scene).name) +
+    drawn.command = "./run viewer" + std::to_string(D) + "d " + shell_quoted(parse_scene(row.scene).name) +
                     " --eye=" + point_text<D>(view.eye, lab.scene->origin) +
                     " --look-at=" + point_text<D>(view.look_at, lab.scene->origin) + " --fov " + number_text(view.fov) +
-                    " --method " + row.method.id + " --budget " + row.budget;
+                    " --method " + shell_quoted(row.method.id) + " --budget " + shell_quoted(row.budget);
     if (row.method.tessellation == Tessellation::tree) drawn.command += " --set tessellation=tree";
     if (study.size != ImageSize{})
         drawn.command += " --set reference_size=" + setting_row("reference_size").get(lab.settings);
-    for (const std::string& setting : study.settings) drawn.command += " --set " + shell_word(setting);
+    for (const std::string& setting : study.settings) drawn.command += " --set " + shell_quoted(setting);
     return drawn;
 }
 

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/number.h"
+#include "core/base/text.h"
 #include "lab/command.h"
 #include "lab/measure/checkpoint.h"
 #include "lab/measure/run_study.h"
@@ -96,13 +97,13 @@ int stability_command(int argc, const char* const* argv) {
     write_stability(conditions, rows, along_path, out);
     say("");
     for (const StabilityRow& row : rows)
-        std::cout << row.scene << "  " << method_text(row.method) << " " << row.budget << "  "
+        std::cout << one_line(row.scene + "  " + method_text(row.method) + " " + row.budget, 1000) << "  "
                   << disturbance_words[static_cast<std::size_t>(row.disturbance)] << " " << amount_text(row.amount)
                   << ": Jaccard " << short_number(row.jaccard, 4) << " (exact set "
                   << short_number(row.visible_jaccard, 4) << "), coverage changes by "
                   << short_number(100 * row.coverage_change) << " %" << (row.equal ? ", same order" : "")
                   << (row.not_finite > 0 ? ", NOT FINITE " + std::to_string(row.not_finite) : "") << "\n";
-    std::cout << "Written: " << out << "/stability.html, stability.json, stability.csv, charts/\n";
+    std::cout << "Written: " << one_line(out, 4096) << "/stability.html, stability.json, stability.csv, charts/\n";
     return 0;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/number.h"
 #include "lab/report/page.h"
@@ -98,15 +99,18 @@ std::string stability_csv(const std::vector<StabilityRow>& rows) {
         "scene,path,method,tessellation,budget,disturbance,amount,samples,jaccard,jaccard_min,visible_jaccard,"
         "coverage_change,coverage_spread,equal,not_finite\n";
     for (const StabilityRow& row : rows)
-        text += row.scene + "," + row.path + "," + row.method.id + "," + tessellation(row.method) + "," + row.budget +
-                "," + std::string(word(row)) + "," + number_text(row.amount) + "," + std::to_string(row.samples) + "," +
-                number_text(row.jaccard) + "," + number_text(row.jaccard_min) + "," + number_text(row.visible_jaccard) +
-                "," + number_text(row.coverage_change) + "," + number_text(row.coverage_spread) + "," +
+        text += csv_field(row.scene) + "," + csv_field(row.path) + "," + csv_field(row.method.id) + "," +
+                tessellation(row.method) + "," + csv_field(row.budget) + "," + std::string(word(row)) + "," +
+                number_text(row.amount) + "," + std::to_string(row.samples) + "," + number_text(row.jaccard) + "," +
+                number_text(row.jaccard_min) + "," + number_text(row.visible_jaccard) + "," +
+                number_text(row.coverage_change) + "," + number_text(row.coverage_spread) + "," +
                 (row.equal ? "1" : "0") + "," + std::to_string(row.not_finite) + "\n";
     return text;
 }
 
-std::string stability_rows_json(const std::vector<StabilityRow>& rows) { return rows_json(rows).dump(); }
+std::string stability_rows_json(const std::vector<StabilityRow>& rows) {
+    return rows_json(rows).dump(-1, ' ', false, Json::error_handler_t::replace);
+}
 
 std::vector<StabilityRow> read_stability_rows(const std::string& text) {
     std::vector<StabilityRow> rows;
@@ -119,6 +123,7 @@ std::vector<StabilityRow> read_stability_rows(const std::string& text) {
         row.budget = json.at("budget");
         const auto at =
             std::find(disturbance_words.begin(), disturbance_words.end(), json.at("disturbance").get<std::string>());
+        if (at == disturbance_words.end()) throw InputError("stages of a study: an unknown disturbance");
         row.disturbance = static_cast<Disturbance>(at - disturbance_words.begin());
         row.amount = json.at("amount");
         row.samples = json.at("samples");

@@ -40,17 +40,17 @@ TemporaryFolder::~TemporaryFolder() {
     fs::remove_all(path_, error);
 }
 
-void encode_film(const fs::path& pictures, double frames_per_second, Colour background, const fs::path& file) {
-    const bool gif = file.extension() == ".gif";
+void encode_film(const fs::path& folder, const std::string& pictures, double frames_per_second, Colour background,
+                 const std::string& file) {
+    const bool gif = file.ends_with(".gif");
     // A GIF has 256 colours: the best ones for these pictures. Video codecs take even sides only.
     const std::string filter = gif ? "split[a][b];[a]palettegen[p];[b][p]paletteuse"
                                    : "pad=ceil(iw/2)*2:ceil(ih/2)*2:color=" + hex(background);
-    std::vector<std::string> words{
-        "ffmpeg",          "-v",  "error", "-y", "-framerate", number_text(frames_per_second), "-i",
-        pictures.string(), "-vf", filter};
+    std::vector<std::string> words{"ffmpeg", "-v",     "error", "-y",  "-framerate", number_text(frames_per_second),
+                                   "-i",     pictures, "-vf",   filter};
     if (!gif) words.insert(words.end(), {"-pix_fmt", "yuv420p", "-movflags", "+faststart"});
-    words.push_back(file.string());
-    run_program(std::move(words), "ffmpeg");
+    words.push_back(file);
+    run_program(std::move(words), "ffmpeg", folder);
 }
 
 }  // namespace sightline

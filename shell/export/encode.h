@@ -22,10 +22,10 @@ private:
     std::filesystem::path path_;
 };
 
-/// `pictures` is a pattern such as "folder/frame-%04d.png", counted from 1; the ending of `file`, .gif or .mp4, chooses
-/// the format. Videos get a column or a row of the background where the pictures' sides are odd. Throws WorkError when
-/// ffmpeg is not installed or fails.
-void encode_film(const std::filesystem::path& pictures, double frames_per_second, Colour background,
-                 const std::filesystem::path& file);
+/// `pictures` is a pattern in `folder` such as "frame-%04d.png", counted from 1; `file` is made there, and its ending,
+/// .gif or .mp4, chooses the format. Videos get a column or a row of the background where the pictures' sides are odd.
+/// Throws WorkError when ffmpeg is not installed or fails.
+void encode_film(const std::filesystem::path& folder, const std::string& pictures, double frames_per_second,
+                 Colour background, const std::string& file);
 
 }  // namespace sightline

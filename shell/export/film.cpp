@@ -117,7 +117,7 @@ std::string sidecar(const Workbench<D>& bench, const FilmSpec& film) {
     auto json = nlohmann::ordered_json::parse(walker.state(bench.figure));
     json["film"] = {{"first", film.first}, {"last", film.last}, {"frames_per_second", film.frames_per_second}};
     if (film.path) json["film"]["path"] = bench.flight.path.id;
-    return json.dump(1) + "\n";
+    return json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 std::string numbered(const fs::path& file, std::size_t number) {
@@ -165,9 +165,9 @@ void write_film(Workbench<D>& bench, const FilmSpec& film) {
     } else {
         const TemporaryFolder folder;
         write_pictures(bench, made, folder.path() / "frame.png");
-        const fs::path whole = folder.path() / ("film" + ending);
-        encode_film(folder.path() / "frame-%04d.png", film.frames_per_second, made.plan.front().background, whole);
-        write_file(film.file, read_file(whole));
+        const std::string whole = "film" + ending;
+        encode_film(folder.path(), "frame-%04d.png", film.frames_per_second, made.plan.front().background, whole);
+        write_file(film.file, read_file(folder.path() / whole));
     }
     beside.commit();
     bench.say("wrote " + film.file + ", " + std::to_string(count) + (film.path ? " frames, and " : " steps, and ") +

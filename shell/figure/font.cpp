@@ -6,9 +6,11 @@
 #include <hb-subset.h>
 #include <hb.h>
 
+#include <algorithm>
 #include <array>
 
 #include "core/base/error.h"
+#include "core/base/text.h"
 #include "shell/figure/handle.h"
 
 namespace sightline {
@@ -25,23 +27,6 @@ std::string pattern_string(const FcPattern* pattern, const char* object) {
     FcChar8* value = nullptr;
     if (FcPatternGetString(pattern, object, 0, &value) != FcResultMatch) return {};
     return reinterpret_cast<const char*>(value);
-}
-
-/// The length of the UTF-8 character at `at`, or 0 when the bytes there are none.
-std::size_t character_length(std::string_view text, std::size_t at) {
-    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-    const unsigned first = byte(at);
-    const std::size_t length = first < 0x80 ? 1 : first >> 5 == 6 ? 2 : first >> 4 == 14 ? 3 : first >> 3 == 30 ? 4 : 0;
-    if (length == 0 || at + length > text.size()) return 0;
-    unsigned code = length == 1 ? first : first & (0x7f >> length);
-    for (std::size_t i = 1; i < length; ++i) {
-        if (byte(at + i) >> 6 != 2) return 0;
-        code = code << 6 | (byte(at + i) & 63);
-    }
-    constexpr std::array<unsigned, 5> least{0, 0, 0x80, 0x800, 0x10000};
-    // XML and cairo take neither surrogates nor these two.
-    if (code < least[length] || code > 0x10ffff || (code >= 0xd800 && code < 0xe000)) return 0;
-    return code == 0xfffe || code == 0xffff ? 0 : length;
 }
 
 }  // namespace
@@ -106,23 +91,6 @@ ShapedText shape(const Font& font, std::string_view text) {
 }
 
 double text_width(const Font& font, std::string_view text) { return text.empty() ? 0 : shape(font, text).width; }
-
-std::string clean_text(std::string_view text) {
-    std::string clean;
-    clean.reserve(text.size());
-    for (std::size_t i = 0; i < text.size();) {
-        const std::size_t length = character_length(text, i);
-        const auto byte = static_cast<unsigned char>(text[i]);
-        if (length == 0)
-            clean += "\xEF\xBF\xBD";
-        else if (byte == '\t')
-            clean += ' ';
-        else if (length > 1 || (byte >= 32 && byte != 127) || byte == '\n')
-            clean += text.substr(i, length);
-        i += std::max<std::size_t>(length, 1);
-    }
-    return clean;
-}
 
 std::u32string code_points(std::string_view text) {
     std::u32string points;

@@ -47,9 +47,6 @@ ShapedText shape(const Font& font, std::string_view text);
 /// Width in em.
 double text_width(const Font& font, std::string_view text);
 
-/// Valid UTF-8: broken bytes become U+FFFD, tabs a space, other control characters but line feeds vanish.
-std::string clean_text(std::string_view text);
-
 /// The code points of valid UTF-8.
 std::u32string code_points(std::string_view text);
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/base/text.h"
 #include "shell/figure/key.h"
 
 namespace sightline {

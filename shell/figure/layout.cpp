@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/base/text.h"
 #include "shell/figure/cover.h"
 #include "shell/figure/grid.h"
 

@@ -5,8 +5,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "core/base/quote.h"
 #include "shell/figure/cairo_surface.h"
-#include "shell/figure/markup.h"
 #include "shell/figure/png.h"
 
 namespace sightline {

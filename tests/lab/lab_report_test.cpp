@@ -126,10 +126,24 @@ TEST_F(LabFiles, ChartsAreDrawnByGnuplot) {
     const std::string svg = read_file(folder_ / "chart.svg");
     EXPECT_NE(svg.find("a \"title\" with \\ and ρ, _not_ {enhanced}"), std::string::npos) << svg.substr(0, 3000);
     EXPECT_NE(svg.find(">one<"), std::string::npos);
+    EXPECT_NE(svg.find(">10 %<"), std::string::npos) << "beside its point";
     EXPECT_EQ(svg.find(">two<"), std::string::npos) << "on a logarithmic axis it has no point";
     EXPECT_EQ(read_file(folder_ / "chart.png").substr(1, 3), "PNG");
+    const fs::path elsewhere = folder_ / "elsewhere";
+    fs::create_directories(elsewhere);
+    fs::copy(folder_ / "chart.gp", elsewhere);
+    run_program({"gnuplot", "chart.gp"}, "gnuplot-nox", elsewhere);
+    EXPECT_EQ(read_file(elsewhere / "chart.svg"), svg) << "the script needs its folder only";
     write_chart({}, folder_ / "empty");
     EXPECT_NE(read_file(folder_ / "empty.svg").find("nothing to show"), std::string::npos);
+}
+
+TEST(FileStem, StaysInItsFolder) {
+    EXPECT_EQ(file_stem("2d:a/../b c-1.5"), "2d_a_.._b_c-1.5");
+    const std::string a(1000, 'a'), b = a + "b";
+    EXPECT_LE(file_stem(a).size(), 200u);
+    EXPECT_NE(file_stem(a), file_stem(b));
+    EXPECT_EQ(file_stem(std::string(200, 'a')), std::string(200, 'a'));
 }
 
 TEST_F(LabFiles, TheReportNeedsNoOtherFile) {

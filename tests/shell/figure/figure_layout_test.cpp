@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/base/error.h"
+#include "core/base/text.h"
 #include "shell/figure/layout.h"
 #include "tests/shell/figure/figure_samples.h"
 
