@@ -1,5 +1,5 @@
-// Hashes of what the catalogue's scenes, cells and runs are, in lines of text: tests/files/golden_hashes.txt holds
-// them. SPDX-License-Identifier: GPL-3.0-or-later
+// Hashes of the catalogue's scenes, cells and runs as lines of text; tests/files/golden_hashes.txt holds them.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <string>
