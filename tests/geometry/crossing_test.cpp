@@ -6,6 +6,7 @@
 
 #include "core/base/random.h"
 #include "core/geometry/predicates.h"
+#include "tests/soak.h"
 
 namespace sightline {
 namespace {
@@ -40,7 +41,7 @@ Crossing random_crossing(Random& random, bool integers) {
 TEST(Crossing, OrientIsThatOfTheRealPoint) {
     Random random(1);
     int zeros = 0;
-    for (int i = 0; i < 6000; ++i) {
+    for (int i = 0; i < test::soak_count(6000); ++i) {
         const bool integers = i % 2 == 0;
         const Crossing p = random_crossing(random, integers), q = random_crossing(random, integers);
         const Vec<2> eye = random_crossing(random, integers).s[0], r = q.t[0];
@@ -55,7 +56,7 @@ TEST(Crossing, OrientIsThatOfTheRealPoint) {
 
 TEST(Crossing, OrientTellsThePointsBesideTheRoundedCrossingApart) {
     Random random(2);
-    for (int i = 0; i < 3000; ++i) {
+    for (int i = 0; i < test::soak_count(3000); ++i) {
         const Crossing p = random_crossing(random, false);
         const Vec<2> eye(random.uniform(-1, 1), random.uniform(-1, 1));
         Vec<2> near = rounded(p);
@@ -76,7 +77,7 @@ TEST(Crossing, RoundedPointsAreWithinTheirBound) {
         ASSERT_LE(CGAL::to_double(CGAL::abs(Exact::FT(p.x) - q.x())), bound);
         ASSERT_LE(CGAL::to_double(CGAL::abs(Exact::FT(p.y) - q.y())), bound);
     };
-    for (int i = 0; i < 3000; ++i) {
+    for (int i = 0; i < test::soak_count(3000); ++i) {
         const Segment s = random_crossing(random, i % 2 == 0).s;
         // A second segment that is all but parallel to the first: the worst case.
         const double tilt = random.uniform(-1, 1) * (i % 3 == 0 ? 1 : 1e-9);

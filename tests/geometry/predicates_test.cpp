@@ -5,6 +5,7 @@
 #include "core/base/random.h"
 #include "core/base/trig.h"
 #include "core/geometry/predicates.h"
+#include "tests/soak.h"
 
 namespace sightline {
 namespace {
@@ -20,7 +21,7 @@ int exact_orient(const std::array<Vec<3>, 4>& p) {
 
 TEST(Predicates, OrientIsExactOnNearlyCollinearPointsOfAnySize) {
     Random random(1);
-    for (int i = 0; i < 20000; ++i) {
+    for (int i = 0; i < test::soak_count(20000); ++i) {
         const double scale = std::ldexp(1.0, static_cast<int>(random.below(400)) - 200);
         const Vec<2> a(random.uniform(-1, 1), random.uniform(-1, 1)), b(random.uniform(-1, 1), random.uniform(-1, 1));
         const Vec<2> c = a + (b - a) * random.uniform(-2, 2);
@@ -40,7 +41,7 @@ TEST(Predicates, OrientIsExactOnNearlyCoplanarPointsOfAnySize) {
     const auto point = [&] { return Vec<3>(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)); };
     const auto grid_point = [&] { return Vec<3>(random.below(3), random.below(3), random.below(3)); };
     int signs[3] = {};
-    for (int i = 0; i < 60000; ++i) {
+    for (int i = 0; i < test::soak_count(60000); ++i) {
         std::array<Vec<3>, 4> p{point(), point(), point(), point()};
         switch (i % 4) {
             case 1:  // rounded to the plane
@@ -67,7 +68,7 @@ TEST(Predicates, OrientIsExactOnNearlyCoplanarPointsOfAnySize) {
 /// The filter's own decisions: where underflow loses whole terms, it must leave the sign to exact arithmetic.
 TEST(Predicates, OrientSurvivesUnderflowInSingleFactors) {
     Random random(4);
-    for (int i = 0; i < 20000; ++i) {
+    for (int i = 0; i < test::soak_count(20000); ++i) {
         std::array<Vec<3>, 4> p;
         for (Vec<3>& q : p)
             for (int axis = 0; axis < 3; ++axis) q[axis] = std::ldexp(random.uniform(-4, 4), axis < 2 ? -537 : 900);
@@ -80,7 +81,7 @@ TEST(Predicates, OrientSurvivesUnderflowInSingleFactors) {
 TEST(Predicates, SegmentsMeetAgreesWithExactIntersection) {
     Random random(2);
     const auto grid_point = [&] { return Vec<2>(random.below(5), random.below(5)); };
-    for (int i = 0; i < 20000; ++i) {
+    for (int i = 0; i < test::soak_count(20000); ++i) {
         const Vec<2> a = grid_point(), b = grid_point(), c = grid_point(), d = grid_point();
         if (a == b || c == d) continue;
         ASSERT_EQ(segments_meet(a, b, c, d),

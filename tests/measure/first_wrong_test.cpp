@@ -9,6 +9,7 @@
 #include "core/session/pops.h"
 #include "tests/session/session_3d_support.h"
 #include "tests/session/session_support.h"
+#include "tests/soak.h"
 
 namespace sightline {
 namespace {
@@ -45,7 +46,7 @@ void check(Session<D> session, std::array<int, 2>& seen) {
 TEST(FirstWrong, IsTheStepBehindWhichNoOrderReachesTheOracle) {
     Random random(91);
     std::array<int, 2> flat{}, solid{};
-    for (int i = 0; i < 150; ++i) {
+    for (int i = 0; i < test::soak_count(150); ++i) {
         Start start = random_start(random, 120);
         start.settings.budget = {Budget::Kind::primitives, static_cast<double>(1 + random.below(60))};
         check<2>(start.session(), flat);
@@ -58,7 +59,7 @@ TEST(FirstWrong, IsTheStepBehindWhichNoOrderReachesTheOracle) {
 
 TEST(FirstWrong, IsNeverThereWithoutABudget) {
     Random random(92);
-    for (int i = 0; i < 20; ++i) {
+    for (int i = 0; i < test::soak_count(20); ++i) {
         Start start = random_start(random, 80);
         start.settings.budget = {};
         Session<2> session = start.session();
@@ -71,7 +72,7 @@ TEST(FirstWrong, IsNeverThereWithoutABudget) {
 TEST(Pops, CountWhatTheMeasureOfPoppingCounts) {
     Random random(93);
     std::size_t appearing = 0, vanishing = 0;
-    for (int i = 0; i < 400; ++i) {
+    for (int i = 0; i < test::soak_count(400); ++i) {
         Start start = random_start(random, 120);
         start.settings.budget = {Budget::Kind::primitives, static_cast<double>(1 + random.below(30))};
         ViewSpec<2> before = start.view;

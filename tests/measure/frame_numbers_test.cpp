@@ -13,6 +13,7 @@
 #include "core/measure/wrong_region.h"
 #include "tests/session/session_3d_support.h"
 #include "tests/session/session_support.h"
+#include "tests/soak.h"
 
 namespace sightline {
 namespace {
@@ -174,11 +175,12 @@ void expect_same_as_with_budget(const Session<D>& session, Random& random) {
 
 TEST(FrameNumbers, OfOneRunAreThoseOfRunsWithABudget) {
     Random random(61);
-    for (int i = 0; i < 60; ++i) {
+    for (int i = 0; i < test::soak_count(60); ++i) {
         const test::Start start = test::random_start(random);
         expect_same_as_with_budget<2>(start.session(), random);
     }
-    for (int i = 0; i < 25; ++i) expect_same_as_with_budget<3>(test::random_start_3d(random).session(), random);
+    for (int i = 0; i < test::soak_count(25); ++i)
+        expect_same_as_with_budget<3>(test::random_start_3d(random).session(), random);
 }
 
 TEST(WrongRegion, HangsTogetherBySidesOnly) {
@@ -218,7 +220,7 @@ std::size_t largest_region_slowly(const Set& mask, int w, int h) {
 
 TEST(WrongRegion, IsThatOfASlowSearch) {
     Random random(62);
-    for (int i = 0; i < 200; ++i) {
+    for (int i = 0; i < test::soak_count(200); ++i) {
         const int w = 1 + static_cast<int>(random.below(9)), h = 1 + static_cast<int>(random.below(9));
         Set mask(static_cast<std::size_t>(w * h));
         for (auto& m : mask) m = random.below(5) < 3;

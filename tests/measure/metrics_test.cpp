@@ -8,6 +8,7 @@
 
 #include "core/traversal/traverse.h"
 #include "tests/session/session_support.h"
+#include "tests/soak.h"
 
 namespace sightline {
 namespace {
@@ -89,7 +90,7 @@ std::vector<Primitive<2>> loose_segments(Random& random, std::size_t count) {
 
 TEST(Metrics, SharesSumToOneAndAreWhatRaysFind) {
     Random random(51);
-    for (int i = 0; i < 60; ++i) {
+    for (int i = 0; i < test::soak_count(60); ++i) {
         Settings settings;
         settings.tessellation = random.below(2) ? Tessellation::tree : Tessellation::delaunay;
         settings.error_bound = 0.2;
@@ -145,7 +146,7 @@ TEST(Metrics, NothingVisibleHasNoCoverage) {
 TEST(Metrics, TheCellOracleTakesCellsByTheirShare) {
     Random random(52);
     int below_oracle = 0;
-    for (int i = 0; i < 300; ++i) {
+    for (int i = 0; i < test::soak_count(300); ++i) {
         const test::Start start = test::random_cell_start(random);
         const Session<2> session = start.session();
         const Reference& reference = session.reference();
@@ -181,7 +182,7 @@ TEST(Metrics, TheCellOracleTakesCellsByTheirShare) {
 TEST(Metrics, InversionsAreThoseOfTheDefinition) {
     Random random(53);
     int mis_ranked = 0, unreached = 0;
-    for (int i = 0; i < 300; ++i) {
+    for (int i = 0; i < test::soak_count(300); ++i) {
         const test::Start start = test::random_start(random, 100);
         Session<2> session = start.session();
         const Reference& reference = session.reference();

@@ -6,6 +6,7 @@
 #include "core/traversal/methods.h"
 #include "tests/run/reference_traversal.h"
 #include "tests/scene/random_scene.h"
+#include "tests/soak.h"
 
 namespace sightline {
 namespace {
@@ -29,7 +30,7 @@ Timeline record_all(const Method<D>& method, const Frame<D>& frame, State<D>& st
 
 TEST(Traversal, OrderIsThatOfThePapersStructure) {
     Random random(11);
-    for (int i = 0; i < 400; ++i) {
+    for (int i = 0; i < test::soak_count(400); ++i) {
         const Scene<2> scene = test::random_scene(random, 5 + random.below(120));
         Settings settings;
         settings.tessellation = random.below(2) ? Tessellation::delaunay : Tessellation::tree;
@@ -55,7 +56,7 @@ TEST(Traversal, OrderIsThatOfThePapersStructure) {
 /// The gem's layers are the rings of a breadth-first search over cells in view.
 TEST(Traversal, LayersPopCellsBreadthFirst) {
     Random random(19);
-    for (int i = 0; i < 200; ++i) {
+    for (int i = 0; i < test::soak_count(200); ++i) {
         const Scene<2> scene = test::random_scene(random, random.below(100));
         Settings settings = test::random_settings(random);
         settings.outside_view = OutsideView::unseen;
@@ -81,7 +82,7 @@ TEST(Traversal, LayersPopCellsBreadthFirst) {
 
 TEST(Traversal, CentroidOrderIsByDistanceAndCullsTheView) {
     Random random(20);
-    for (int i = 0; i < 100; ++i) {
+    for (int i = 0; i < test::soak_count(100); ++i) {
         const Scene<2> scene = test::random_scene(random, random.below(100));
         const Settings settings;
         const CellComplex<2> cells = build_cells(scene, settings);
@@ -103,7 +104,7 @@ TEST(Traversal, CentroidOrderIsByDistanceAndCullsTheView) {
 
 TEST(Traversal, RecordingChangesNothing) {
     Random random(12);
-    for (int i = 0; i < 400; ++i) {
+    for (int i = 0; i < test::soak_count(400); ++i) {
         const Scene<2> scene = test::random_scene(random, random.below(100));
         const Settings settings = test::random_settings(random);
         const CellComplex<2> cells = build_cells(scene, settings);
@@ -120,7 +121,7 @@ TEST(Traversal, RecordingChangesNothing) {
 
 TEST(Traversal, AnyWalkOfUndoAndRedoComesBackToTheSameHash) {
     Random random(13);
-    for (int i = 0; i < 300; ++i) {
+    for (int i = 0; i < test::soak_count(300); ++i) {
         const Scene<2> scene = test::random_scene(random, random.below(100));
         const Settings settings = test::random_settings(random);
         const CellComplex<2> cells = build_cells(scene, settings);
@@ -165,7 +166,7 @@ TEST(Traversal, AnyWalkOfUndoAndRedoComesBackToTheSameHash) {
 
 TEST(Traversal, ABudgetSelectsAPrefixOfTheSameOrder) {
     Random random(14);
-    for (int i = 0; i < 300; ++i) {
+    for (int i = 0; i < test::soak_count(300); ++i) {
         const Scene<2> scene = test::random_scene(random, 1 + random.below(100));
         Settings settings = test::random_settings(random);
         settings.budget = {};
@@ -195,7 +196,7 @@ TEST(Traversal, ABudgetSelectsAPrefixOfTheSameOrder) {
 
 TEST(Traversal, EveryPrimitiveInViewIsRenderedOnceWithoutABudget) {
     Random random(15);
-    for (int i = 0; i < 300; ++i) {
+    for (int i = 0; i < test::soak_count(300); ++i) {
         const Scene<2> scene = test::random_scene(random, random.below(100));
         Settings settings = test::random_settings(random);
         settings.budget = {};
@@ -216,7 +217,7 @@ TEST(Traversal, EveryPrimitiveInViewIsRenderedOnceWithoutABudget) {
 /// The nearest cell may lie beside a narrow view; neighbours outside the view are not followed from there.
 TEST(Traversal, AnEyeOutsideStartsFromACellInItsView) {
     Random random(27);
-    for (int i = 0; i < 200; ++i) {
+    for (int i = 0; i < test::soak_count(200); ++i) {
         const Scene<2> scene = test::random_scene(random, 150);
         Settings settings;
         settings.tessellation = Tessellation::tree;
@@ -236,7 +237,7 @@ TEST(Traversal, AnEyeOutsideStartsFromACellInItsView) {
 
 TEST(Traversal, ScalingByPowersOfTwoKeepsTheOrderBitForBit) {
     Random random(16);
-    for (int i = 0; i < 100; ++i) {
+    for (int i = 0; i < test::soak_count(100); ++i) {
         const Scene<2> scene = test::random_scene(random, 1 + random.below(80));
         Settings settings = test::random_settings(random);
         const ViewSpec<2> view = test::random_view(random);
@@ -264,7 +265,7 @@ TEST(Traversal, StartingAnotherFrameForgetsTheLast) {
     Random random(17);
     State<2> reused;
     const Scene<2> scene = test::random_scene(random, 80);
-    for (int i = 0; i < 50; ++i) {
+    for (int i = 0; i < test::soak_count(50); ++i) {
         Settings settings = test::random_settings(random);
         const CellComplex<2> cells = build_cells(scene, settings);
         const Method<2>& method = find_method<2>(method_table<2>(), settings.method);
@@ -282,7 +283,7 @@ TEST(Traversal, StartingAnotherFrameForgetsTheLast) {
 /// The template in three dimensions: octree cells, triangles given to the leaves that hold their corners.
 TEST(Traversal, StepsBothWaysInThreeDimensions) {
     Random random(18);
-    for (int i = 0; i < 30; ++i) {
+    for (int i = 0; i < test::soak_count(30); ++i) {
         const Scene<3> scene = test::random_scene_3d(random, 60);
         const Settings settings = test::random_settings(random);
         const CellComplex<3> cells = build_cells(scene, settings);

@@ -1,19 +1,17 @@
-// Seeded mutations of valid inputs. SIGHTLINE_FUZZ_INPUTS sets how many a test tries.
+// Seeded mutations of valid inputs.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstdlib>
 #include <string>
 
 #include "core/base/random.h"
 #include "tests/scene/scene_support.h"
+#include "tests/soak.h"
 
 namespace sightline::test {
 
-inline std::size_t input_count() {
-    const char* text = std::getenv("SIGHTLINE_FUZZ_INPUTS");
-    return text ? std::strtoull(text, nullptr, 10) : 2000;
-}
+/// How many a test tries.
+inline std::size_t input_count() { return static_cast<std::size_t>(soak_count(2000)); }
 
 inline constexpr const char* tokens[] = {
     "1e999", "-1e308", "1e151", "NaN", "-Infinity", "0x10", "1e-320", "-0.0",

@@ -7,6 +7,7 @@
 #include "core/scene/clean.h"
 #include "core/scene/view.h"
 #include "tests/scene/scene_support.h"
+#include "tests/soak.h"
 
 namespace sightline {
 namespace {
@@ -104,7 +105,7 @@ TEST(SceneDefaultView, StandsInTheLargestEmptySpotAndLooksAtASegment) {
 
 TEST(SceneDefaultView, AlwaysSeesSomething) {
     Random random(9);
-    for (int round = 0; round < 300; ++round) {
+    for (int round = 0; round < test::soak_count(300); ++round) {
         const double scale = std::ldexp(1.0, static_cast<int>(random.below(600)) - 300);
         const Vec<2> place = random.below(2) ? Vec<2>(0, 0) : scale * 1e9 * Vec<2>(random.unit(), random.unit());
         const double flat = random.below(3) == 0 ? 0 : 1;

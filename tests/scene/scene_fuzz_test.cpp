@@ -1,5 +1,4 @@
 // Seeded mutations of valid files: whatever comes, a reader gives a usable scene or throws InputError with one line.
-// SIGHTLINE_FUZZ_INPUTS sets the number of inputs per reader.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/make/catalogue.h"
 #include "tests/fuzz/readers.h"

@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "core/traversal/state.h"
 #include "tests/scene/random_scene.h"
+#include "tests/soak.h"
 
 namespace sightline {
 namespace {
@@ -32,7 +33,7 @@ ViewSpec<3> random_spec(Random& random) {
 TEST(View3, InViewIsNeverFalseForWhatTheConeMeetsAndSeldomTrueForOthers) {
     Random random(41);
     std::size_t outside = 0, kept = 0;
-    for (int i = 0; i < 200; ++i) {
+    for (int i = 0; i < test::soak_count(200); ++i) {
         const double scale = i % 4 == 3 ? std::ldexp(1.0, static_cast<int>(random.below(960)) - 480) : 1;
         ViewSpec<3> spec = random_spec(random);
         spec.eye *= scale;
@@ -61,7 +62,7 @@ TEST(View3, ThatOverflowsIsRefused) {
 
 TEST(View3, WhatTouchesTheBorderOfTheConeIsInView) {
     Random random(42);
-    for (int i = 0; i < 2000; ++i) {
+    for (int i = 0; i < test::soak_count(2000); ++i) {
         const View<3> view = make_view(random_spec(random), random.uniform(0.3, 3));
         for (std::size_t side = 0; side < 4; ++side) {
             const Vec<3> a = view.corners[side], b = view.corners[(side + 1) % 4];

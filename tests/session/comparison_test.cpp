@@ -6,6 +6,7 @@
 #include "core/base/number.h"
 #include "core/session/explain.h"
 #include "tests/session/session_support.h"
+#include "tests/soak.h"
 
 namespace sightline {
 namespace {
@@ -56,7 +57,7 @@ TEST(Comparison, TheFirstDifferenceIsTheFirstStepThatDiffers) {
     Random random(71);
     std::array<int, 3> by{};
     int none_found = 0, ends = 0;
-    for (int i = 0; i < 400; ++i) {
+    for (int i = 0; i < test::soak_count(400); ++i) {
         const auto [left, right] = random_pair(random);
         Session<2> a = left.session(), b = right.session();
         const auto steps_a = static_cast<std::uint32_t>(random.below(60));
@@ -142,7 +143,7 @@ TEST(Comparison, SidesAreTheProjectedCells) {
     Random random(72);
     std::array<std::size_t, 4> seen{};
     int apart = 0;
-    for (int i = 0; i < 200; ++i) {
+    for (int i = 0; i < test::soak_count(200); ++i) {
         const auto [left, right] = random_pair(random);
         Session<2> a = left.session(), b = right.session();
         a.seek(static_cast<std::uint32_t>(random.below(40)));
@@ -172,7 +173,7 @@ TEST(Comparison, SidesAreTheProjectedCells) {
 TEST(Comparison, SameCellsMeansTheSamePointsAndNeighbours) {
     Random random(73);
     int same = 0, different = 0;
-    for (int i = 0; i < 100; ++i) {
+    for (int i = 0; i < test::soak_count(100); ++i) {
         Start start = test::random_start(random);
         const Session<2> a = start.session();
         const Session<2> copy = a, again = start.session();
@@ -200,7 +201,7 @@ TEST(Comparison, SameCellsMeansTheSamePointsAndNeighbours) {
 TEST(Comparison, FollowingGoesToTheStepOrToAsManyPrimitives) {
     Random random(74);
     int short_of = 0, further = 0;
-    for (int i = 0; i < 300; ++i) {
+    for (int i = 0; i < test::soak_count(300); ++i) {
         const auto [left, right] = random_pair(random);
         Session<2> lead = left.session(), other = right.session();
         other.run(static_cast<std::uint32_t>(random.below(30)));

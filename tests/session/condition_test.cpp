@@ -11,6 +11,7 @@
 #include "core/traversal/star_shape.h"
 #include "tests/scene/scene_support.h"
 #include "tests/session/session_support.h"
+#include "tests/soak.h"
 
 namespace sightline {
 namespace {
@@ -78,7 +79,7 @@ Values expected(const Session<2>& session, const std::vector<CellMark>& before, 
 TEST(Condition, FieldsAreThoseOfTheStep) {
     Random random(31);
     std::map<std::string_view, std::set<double>> seen;
-    for (int i = 0; i < 200; ++i) {
+    for (int i = 0; i < test::soak_count(200); ++i) {
         const test::Start start = test::random_start(random);
         Session<2> session = start.session();
         for (;;) {
@@ -112,7 +113,7 @@ TEST(Condition, FieldsAreThoseOfTheStep) {
 TEST(Condition, StopsAtTheFirstStepWhereItHolds) {
     Random random(32);
     int stops = 0;
-    for (int i = 0; i < 150; ++i) {
+    for (int i = 0; i < test::soak_count(150); ++i) {
         test::Start start = test::random_cell_start(random);
         start.settings.budget = {};
         Session<2> session = start.session();
@@ -150,7 +151,7 @@ TEST(Condition, MatchesAreTheStepsThatARunWouldStopAt) {
         "hidden_now > 0", "rho > runner_up - 0.05", "inversion == 1", "step > 3", "0", "penalties > 0 && front > 4",
         "coverage > 0.5"};
     std::size_t found = 0, passed = 0;
-    for (int i = 0; i < 100; ++i) {
+    for (int i = 0; i < test::soak_count(100); ++i) {
         Session<2> session = test::random_start(random).session();
         session.run(static_cast<std::uint32_t>(random.below(80)));
         const Condition<2> condition(texts[random.below(std::size(texts))]);
@@ -277,7 +278,7 @@ TEST(Condition, AnyTextIsACondtionOrAnInputError) {
                                       "\"",  "1e9",  "1e999", "_e", "sin", "0x1", "#", "\n", "\\", "count", "if", ";"};
     Random random(34);
     int taken = 0;
-    for (int i = 0; i < 20000; ++i) {
+    for (int i = 0; i < test::soak_count(20000); ++i) {
         std::string text;
         for (std::uint64_t k = 1 + random.below(7); k > 0; --k) text += pieces[random.below(std::size(pieces))];
         try {

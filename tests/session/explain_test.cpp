@@ -9,6 +9,7 @@
 #include "core/base/number.h"
 #include "core/traversal/traverse.h"
 #include "tests/session/session_support.h"
+#include "tests/soak.h"
 
 namespace sightline {
 namespace {
@@ -32,7 +33,7 @@ TEST(Explain, AStepsTermsAreTheKeysThatTheStateHas) {
     Random random(41);
     std::array<int, 7> rules{};
     int penalised = 0;
-    for (int i = 0; i < 300; ++i) {
+    for (int i = 0; i < test::soak_count(300); ++i) {
         const test::Start start = test::random_cell_start(random);
         Session<2> session = start.session();
         std::vector<std::vector<double>> told;
@@ -126,7 +127,7 @@ TEST(Explain, AStepsTermsAreTheKeysThatTheStateHas) {
 TEST(Explain, ACellsChainLeadsFromASeedToItsKey) {
     Random random(42);
     std::size_t longest = 0, clean_reasons = 0, kept = 0;
-    for (int i = 0; i < 200; ++i) {
+    for (int i = 0; i < test::soak_count(200); ++i) {
         const test::Start start = test::random_cell_start(random);
         Session<2> session = start.session();
         session.seek(static_cast<std::uint32_t>(random.below(60)));
@@ -223,7 +224,7 @@ TEST(Explain, ACellsChainLeadsFromASeedToItsKey) {
 TEST(Explain, SentencesTellTheTwoKeysApartOrSayTie) {
     Random random(43);
     int ties = 0, alone = 0, apart = 0;
-    for (int i = 0; i < 200; ++i) {
+    for (int i = 0; i < test::soak_count(200); ++i) {
         const test::Start start = test::random_cell_start(random);
         Session<2> session = start.session();
         while (session.step() == Stop::none) {
@@ -267,7 +268,7 @@ TEST(Explain, SentencesTellTheTwoKeysApartOrSayTie) {
 
 TEST(Explain, SeparatingDigitsAreTheFewestThatDo) {
     Random random(44);
-    for (int i = 0; i < 20000; ++i) {
+    for (int i = 0; i < test::soak_count(20000); ++i) {
         const double a = (random.below(2) ? 1 : -1) * std::pow(10, random.uniform(-8, 8));
         double b = a * (1 + std::pow(10, random.uniform(-16, 1)));
         if (random.below(20) == 0) b = std::nextafter(a, 1e300);

@@ -10,6 +10,7 @@
 #include "tests/scene/scene_support.h"
 #include "tests/session/session_3d_support.h"
 #include "tests/session/session_support.h"
+#include "tests/soak.h"
 
 namespace sightline {
 namespace {
@@ -34,7 +35,7 @@ Forward forward_only(const test::Start& start) {
 TEST(Session, AnyWalkFindsTheHashesOfAForwardRun) {
     Random random(21);
     std::size_t longest = 0;
-    for (int i = 0; i < 400; ++i) {
+    for (int i = 0; i < test::soak_count(400); ++i) {
         const test::Start start = test::random_start(random, 90);
         const Forward forward = forward_only(start);
         const auto last = static_cast<std::uint32_t>(forward.hashes.size() - 1);
@@ -104,7 +105,7 @@ void expect_like_new(const Session<2>& session, const test::Start& start, std::u
 TEST(Session, ChangedSettingsKeepTheStepAndGiveTheSessionOfANewOne) {
     Random random(22);
     std::array<int, 5> seen{};
-    for (int i = 0; i < 300; ++i) {
+    for (int i = 0; i < test::soak_count(300); ++i) {
         test::Start start = test::random_start(random);
         Session<2> session = start.session();
         for (int change = 0; change < 3; ++change) {
@@ -144,7 +145,7 @@ TEST(Session, ChangedSettingsKeepTheStepAndGiveTheSessionOfANewOne) {
 
 TEST(Session, AMovedViewKeepsTheStepAndGivesTheSessionOfANewOne) {
     Random random(23);
-    for (int i = 0; i < 300; ++i) {
+    for (int i = 0; i < test::soak_count(300); ++i) {
         test::Start start = test::random_start(random);
         Session<2> session = start.session();
         for (int change = 0; change < 3; ++change) {
@@ -226,7 +227,7 @@ TEST(Session, CellsThatCannotBeMadeLeaveItAsItWas) {
 
 TEST(Session, WhileFrozenOnlyTheDisplayViewMoves) {
     Random random(25);
-    for (int i = 0; i < 100; ++i) {
+    for (int i = 0; i < test::soak_count(100); ++i) {
         const test::Start start = test::random_start(random);
         Session<2> session = start.session(), never_frozen = start.session();
         session.seek(static_cast<std::uint32_t>(random.below(20)));
@@ -263,7 +264,7 @@ TEST(Session, WhileFrozenOnlyTheDisplayViewMoves) {
 
 TEST(Session, CopiesAreIndependent) {
     Random random(26);
-    for (int i = 0; i < 100; ++i) {
+    for (int i = 0; i < test::soak_count(100); ++i) {
         const test::Start start = test::random_start(random);
         Session<2> a = start.session();
         a.seek(5);
@@ -287,7 +288,7 @@ TEST(Session, CopiesAreIndependent) {
 TEST(Session, ATimeBudgetRecordsWhereItStopped) {
     Random random(27);
     int stopped = 0;
-    for (int i = 0; i < 50; ++i) {
+    for (int i = 0; i < test::soak_count(50); ++i) {
         test::Start start = test::random_cell_start(random);
         start.settings.budget = {Budget::Kind::unlimited, 0};
         Session<2> whole = start.session();
@@ -334,7 +335,7 @@ TEST(Session, ATimeBudgetRecordsWhereItStopped) {
 TEST(Session, MarkersNamePenaltiesInversionsAndShares) {
     Random random(28);
     std::array<int, marker_words.size()> seen{};
-    for (int i = 0; i < 100; ++i) {
+    for (int i = 0; i < test::soak_count(100); ++i) {
         const test::Start start = test::random_start(random, 120);
         Session<2> session = start.session();
         // Written down by stepping, from explanations and counters.
@@ -421,7 +422,7 @@ TEST(Session, WithoutPrimitivesItStillSteps) {
 TEST(Session, MarkersDoNotDependOnWhereARunMustStop) {
     Random random(28);
     std::size_t penalties = 0;
-    for (int i = 0; i < 60; ++i) {
+    for (int i = 0; i < test::soak_count(60); ++i) {
         Session<2> session = test::random_cell_start(random).session();
         session.run();
         const auto all = session.markers();

@@ -11,6 +11,7 @@
 #include "tests/scene/mutation.h"
 #include "tests/scene/scene_support.h"
 #include "tests/session/session_support.h"
+#include "tests/soak.h"
 
 namespace sightline {
 namespace {
@@ -83,7 +84,7 @@ void expect_same(const Session<2>& a, const Session<2>& b) {
 
 TEST(StateFile, OpensWhatWasSaved) {
     Random random(61);
-    for (int i = 0; i < 300; ++i) {
+    for (int i = 0; i < test::soak_count(300); ++i) {
         test::Start start = test::random_start(random);
         Scene<2> scene = *start.scene;
         scene.id = "scene " + std::to_string(i);
@@ -140,7 +141,7 @@ TEST(StateFile, OpensWhatWasSaved) {
 
 TEST(StateFile, OpensTwoSessionsBesideEachOther) {
     Random random(64);
-    for (int i = 0; i < 100; ++i) {
+    for (int i = 0; i < test::soak_count(100); ++i) {
         const test::Start start = test::random_start(random);
         test::Start beside = random.below(2) ? start : test::random_start(random);
         beside.settings = test::random_settings(random);

@@ -7,6 +7,7 @@
 
 #include "core/session/explain.h"
 #include "tests/session/session_support.h"
+#include "tests/soak.h"
 
 namespace sightline {
 namespace {
@@ -30,7 +31,7 @@ std::set<std::uint32_t> met(const Session<2>& session) {
 TEST(Substep, MarksChangeFacetByFacet) {
     Random random(61);
     int changed = 0, walked_back = 0;
-    for (int i = 0; i < 150; ++i) {
+    for (int i = 0; i < test::soak_count(150); ++i) {
         const test::Start start = test::random_cell_start(random);
         Session<2> session = start.session();
         const bool recorded_before = random.below(2) == 0;
@@ -112,7 +113,7 @@ TEST(Substep, MarksChangeFacetByFacet) {
 TEST(Substep, OrdersOfPrimitivesPopAndRender) {
     Random random(62);
     int steps = 0;
-    for (int i = 0; i < 60; ++i) {
+    for (int i = 0; i < test::soak_count(60); ++i) {
         test::Start start = test::random_start(random, 200);
         start.settings.method = "centroid";
         Session<2> session = start.session();
@@ -136,7 +137,7 @@ TEST(Substep, OrdersOfPrimitivesPopAndRender) {
 /// would otherwise be put back in the wrong order.
 TEST(Substep, NoCellMeetsANeighbourTwice) {
     Random random(63);
-    for (int i = 0; i < 200; ++i) {
+    for (int i = 0; i < test::soak_count(200); ++i) {
         const Session<2> session = test::random_start(random).session();
         for (std::uint32_t cell = 0; cell < session.cells().cell_count(); ++cell) {
             std::set<std::uint32_t> seen;

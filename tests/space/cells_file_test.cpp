@@ -12,6 +12,7 @@
 #include "core/settings/settings_table.h"
 #include "core/traversal/methods.h"
 #include "tests/scene/random_scene.h"
+#include "tests/soak.h"
 
 namespace sightline {
 namespace {
@@ -71,7 +72,7 @@ std::string complaint(const Scene<D>& scene, const Settings& settings) {
 template <int D>
 void expect_round_trips(std::uint64_t seed) {
     Random random(seed);
-    for (int i = 0; i < 40; ++i) {
+    for (int i = 0; i < test::soak_count(40); ++i) {
         const Scene<D> scene = some_scene<D>(random);
         const Settings settings = some_settings(random);
         const CellComplex<D> cells = build_cells(scene, settings);
@@ -135,7 +136,7 @@ TEST(CellsFile, AnyChangedByteIsNoticed) {
     settings.error_bound = 0.5;
     write_cells(build_cells(scene, settings), scene, settings, some_file());
     const std::string good = read_file(some_file());
-    for (int i = 0; i < 200; ++i) {
+    for (int i = 0; i < test::soak_count(200); ++i) {
         std::string bad = good;
         if (i % 4 == 0) {
             bad.resize(random.below(bad.size()));

@@ -7,6 +7,7 @@
 #include "core/space/builders.h"
 #include "core/space/triangle_test.h"
 #include "tests/scene/random_scene.h"
+#include "tests/soak.h"
 #include "tests/space/space_support.h"
 
 namespace sightline {
@@ -35,7 +36,7 @@ Settings settings_for(Random& random) {
 
 TEST(Space3, CellsAreLinkedBothWaysAndFillTheirBox) {
     Random random(31);
-    for (int i = 0; i < 60; ++i) {
+    for (int i = 0; i < test::soak_count(60); ++i) {
         const Scene<3> scene = test::random_scene_3d(random, random.below(60));
         const Settings settings = settings_for(random);
         const CellComplex<3> cells = build_cells(scene, settings);
@@ -56,7 +57,7 @@ TEST(Space3, CellsAreLinkedBothWaysAndFillTheirBox) {
 
 TEST(Space3, TetrahedraArePositiveHaveEmptyCircumspheresAndAConvexBorder) {
     Random random(32);
-    for (int i = 0; i < 24; ++i) {
+    for (int i = 0; i < test::soak_count(24); ++i) {
         Settings settings;
         settings.jitter = i % 2 ? 0 : 0.02;
         settings.border = i % 3 ? Border::inflated : Border::none;
@@ -101,7 +102,7 @@ TEST(Space3, TheOrderOfTheTrianglesDoesNotChangeTheCells) {
 
 TEST(Space3, LocateFindsTheLowestCellThatHoldsThePoint) {
     Random random(34);
-    for (int i = 0; i < 40; ++i) {
+    for (int i = 0; i < test::soak_count(40); ++i) {
         const CellComplex<3> cells = build_cells(test::random_scene_3d(random, random.below(60)), settings_for(random));
         for (int query = 0; query < 50; ++query) {
             const auto coordinate = [&] { return random.uniform(-0.2, 1.2); };
@@ -126,7 +127,7 @@ bool meets(const CellComplex<3>& cells, std::uint32_t cell, const Exact::Triangl
 TEST(Space3, TrianglesGoToEveryCellTheyMeetAndToNoOther) {
     Random random(35);
     std::size_t met = 0, unassigned = 0;
-    for (int i = 0; i < 100; ++i) {
+    for (int i = 0; i < test::soak_count(100); ++i) {
         const Scene<3> scene = test::random_scene_3d(random, 1 + random.below(20));
         const CellComplex<3> cells = build_cells(scene, settings_for(random));
         std::vector<int> in_cells(scene.primitives.size());
@@ -153,7 +154,7 @@ TEST(Space3, TrianglesGoToEveryCellTheyMeetAndToNoOther) {
 TEST(Space3, NoPointOfATriangleIsUncovered) {
     Random random(36);
     std::size_t held = 0;
-    for (int i = 0; i < 30; ++i) {
+    for (int i = 0; i < test::soak_count(30); ++i) {
         const Scene<3> scene = test::random_scene_3d(random, 40);
         const CellComplex<3> cells = build_cells(scene, settings_for(random));
         for (std::uint32_t p = 0; p < scene.primitives.size(); ++p) {
@@ -177,7 +178,7 @@ TEST(Space3, NoPointOfATriangleIsUncovered) {
 TEST(Space3, TrianglesOutsideTheHullAreCounted) {
     Random random(37);
     std::size_t outside = 0;
-    for (int i = 0; i < 40; ++i) {
+    for (int i = 0; i < test::soak_count(40); ++i) {
         const Scene<3> scene = test::random_scene_3d(random, 30);
         Settings settings;
         settings.border = Border::none;
@@ -197,7 +198,7 @@ TEST(TriangleTest, NeverMissesATetrahedronOrABoxAndSaysWhenItLiesInside) {
     const auto grid = [&] { return Vec<3>(random.below(4), random.below(4), random.below(4)); };
     const auto free = [&] { return Vec<3>(random.uniform(0, 4), random.uniform(0, 4), random.uniform(0, 4)); };
     std::size_t tried = 0, inside = 0, extra = 0;
-    for (int i = 0; i < 20000; ++i) {
+    for (int i = 0; i < test::soak_count(20000); ++i) {
         const double scale = i % 5 == 4 ? std::ldexp(1.0, static_cast<int>(random.below(2000)) - 1000) : 1;
         const auto point = [&] { return (i % 2 ? free() : grid()) * scale; };
         std::array<Vec<3>, 4> tet{point(), point(), point(), point()};
@@ -230,7 +231,8 @@ TEST(TriangleTest, NeverMissesATetrahedronOrABoxAndSaysWhenItLiesInside) {
     }
     EXPECT_GT(tried, 10000u);
     EXPECT_GT(inside, 100u);
-    EXPECT_LE(extra, 10u);  // needles; and scales at which products overflow, which are not counted
+    // Needles; and scales at which products overflow, which are not counted.
+    EXPECT_LE(extra, static_cast<std::size_t>(test::soak_count(10)));
 }
 
 TEST(Space3, ScenesWithoutExtentHaveCellsInsideABorderOnly) {

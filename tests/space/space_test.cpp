@@ -4,6 +4,7 @@
 
 #include "core/space/builders.h"
 #include "tests/scene/random_scene.h"
+#include "tests/soak.h"
 #include "tests/space/space_support.h"
 
 namespace sightline {
@@ -28,7 +29,7 @@ bool sliver(const CellComplex<2>& cells, std::uint32_t cell) { return area(cells
 
 TEST(Space, CellsAreLinkedBothWaysAndFillTheirBox) {
     Random random(21);
-    for (int i = 0; i < 100; ++i) {
+    for (int i = 0; i < test::soak_count(100); ++i) {
         const Scene<2> scene = test::random_scene(random, random.below(100));
         Settings settings = test::random_settings(random);
         const CellComplex<2> cells = build_cells(scene, settings);
@@ -50,7 +51,7 @@ TEST(Space, CellsAreLinkedBothWaysAndFillTheirBox) {
 
 TEST(Space, DelaunayCellsHaveEmptyCircumcircles) {
     Random random(23);
-    for (int i = 0; i < 20; ++i) {
+    for (int i = 0; i < test::soak_count(20); ++i) {
         Settings settings;
         settings.jitter = i % 2 ? 0 : 0.02;
         const CellComplex<2> cells = build_cells(test::random_scene(random, 30), settings);
@@ -66,7 +67,7 @@ TEST(Space, DelaunayCellsHaveEmptyCircumcircles) {
 
 TEST(Space, PrimitivesGoToEveryCellTheyMeetAndToNoOther) {
     Random random(24);
-    for (int i = 0; i < 60; ++i) {
+    for (int i = 0; i < test::soak_count(60); ++i) {
         const Scene<2> scene = test::random_scene(random, random.below(40));
         const Settings settings = test::random_settings(random);
         const CellComplex<2> cells = build_cells(scene, settings);
@@ -90,7 +91,7 @@ TEST(Space, PrimitivesGoToEveryCellTheyMeetAndToNoOther) {
 
 TEST(Space, LocateFindsTheLowestCellThatHoldsThePoint) {
     Random random(25);
-    for (int i = 0; i < 100; ++i) {
+    for (int i = 0; i < test::soak_count(100); ++i) {
         const CellComplex<2> cells =
             build_cells(test::random_scene(random, random.below(60)), test::random_settings(random));
         for (int query = 0; query < 50; ++query) {
@@ -107,7 +108,7 @@ TEST(Space, LocateFindsTheLowestCellThatHoldsThePoint) {
 
 TEST(Space, LeavesHoldOneDistinctVertexOrAreAtTheErrorBound) {
     Random random(26);
-    for (int i = 0; i < 50; ++i) {
+    for (int i = 0; i < test::soak_count(50); ++i) {
         const Scene<2> scene = test::random_scene(random, 1 + random.below(60));
         const double bound = random.uniform(0.01, 0.5);
         const Tree<2> tree = build_tree<2>(scene.primitives, bound);

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/scene/soup_scenes.h"
+#include "tests/soak.h"
 
 namespace sightline::test {
 namespace {
@@ -57,7 +58,7 @@ TEST(ImageTriangles, NeighboursShareTheCornersOfTheirEdgeAlsoWhereItIsCut) {
     Random random(5);
     const View<3> view = view_of({0.1, 0.2, 0.3});
     int cut = 0;
-    for (int i = 0; i < 3000; ++i) {
+    for (int i = 0; i < test::soak_count(3000); ++i) {
         const Vec<3> a = around(random, {0, 0, 0}, 3), b = around(random, {0, 0, 0}, 3);
         Scene<3> scene;
         scene.primitives = {{a, b, around(random, {0, 0, 0}, 3)}, {b, a, around(random, {0, 0, 0}, 3)}};

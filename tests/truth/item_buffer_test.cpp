@@ -6,6 +6,7 @@
 #include "core/base/error.h"
 #include "core/base/random.h"
 #include "core/geometry/predicates.h"
+#include "tests/soak.h"
 
 namespace sightline {
 namespace {
@@ -97,7 +98,7 @@ TEST(ItemBuffer, SegmentsThroughTheEyeAreNotDrawn) {
 
 TEST(ItemBuffer, EveryPixelHasTheNearestPrimitive) {
     Random random(1);
-    for (int i = 0; i < 3000; ++i) {
+    for (int i = 0; i < test::soak_count(3000); ++i) {
         SCOPED_TRACE(i);
         const auto scene = random_scene(random, 1 + random.below(12), 1 << 16);
         View<2> view;
@@ -115,7 +116,7 @@ TEST(ItemBuffer, EveryPixelHasTheNearestPrimitive) {
 TEST(ItemBuffer, GrowsToTheExactVisibleSet) {
     Random random(2);
     std::size_t coarse = 0, fine = 0, exact = 0;
-    for (int i = 0; i < 60; ++i) {
+    for (int i = 0; i < test::soak_count(60); ++i) {
         SCOPED_TRACE(i);
         auto scene = random_scene(random, 200, 1 << 16);
         for (auto& [a, b] : scene) b = a + glm::round((b - a) / 16.0);
@@ -138,7 +139,7 @@ TEST(ItemBuffer, GrowsToTheExactVisibleSet) {
 TEST(ItemBuffer, AVisiblePieceOwnsThePixelsItCovers) {
     Random random(3);
     constexpr int width = 1 << 14;
-    for (int i = 0; i < 100; ++i) {
+    for (int i = 0; i < test::soak_count(100); ++i) {
         SCOPED_TRACE(i);
         const auto scene = random_scene(random, 20, 1 << 16);
         const View<2> view = look_ahead(Vec<2>(random.below(1 << 16), random.below(1 << 16)));
@@ -159,7 +160,7 @@ TEST(ItemBuffer, AVisiblePieceOwnsThePixelsItCovers) {
 
 TEST(ItemBuffer, DegenerateScenesAndScalesDoNoHarm) {
     Random random(4);
-    for (int i = 0; i < 2000; ++i) {
+    for (int i = 0; i < test::soak_count(2000); ++i) {
         SCOPED_TRACE(i);
         auto scene = random_scene(random, 8, 5);
         View<2> view = i % 2 == 0 ? look_round({random.below(5), random.below(5)})

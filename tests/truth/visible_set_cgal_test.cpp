@@ -11,6 +11,7 @@
 
 #include "core/base/random.h"
 #include "core/truth/visible_set.h"
+#include "tests/soak.h"
 
 namespace sightline {
 namespace {
@@ -80,7 +81,7 @@ TEST(VisibleSet, AgreesWithTriangularExpansion) {
     Random random(1);
     int compared = 0;
     std::size_t hidden = 0;
-    for (int round = 0; round < 60; ++round) {
+    for (int round = 0; round < test::soak_count(60); ++round) {
         std::vector<Primitive<2>> scene{{{{-20, -20}, {120, -20}}},
                                         {{{120, -20}, {120, 120}}},
                                         {{{120, 120}, {-20, 120}}},

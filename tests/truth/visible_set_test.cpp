@@ -7,6 +7,7 @@
 
 #include "core/base/random.h"
 #include "core/geometry/predicates.h"
+#include "tests/soak.h"
 #include "tests/truth/brute_visibility.h"
 
 namespace sightline {
@@ -129,7 +130,7 @@ void check(const Case& c, double tolerance, Tally& tally) {
 TEST(VisibleSet, AgreesWithBruteForceOnDegenerateScenes) {
     Random random(1);
     Tally tally;
-    for (int i = 0; i < 60000; ++i) {
+    for (int i = 0; i < test::soak_count(60000); ++i) {
         SCOPED_TRACE(i);
         const int size = 3 + i % 5;
         ASSERT_NO_FATAL_FAILURE(check<__int128>(degenerate_case(random, size), 1e-13, tally));
@@ -143,7 +144,7 @@ TEST(VisibleSet, AgreesWithBruteForceOnDegenerateScenes) {
 TEST(VisibleSet, AgreesWithBruteForceOnGenericScenes) {
     Random random(2);
     Tally tally;
-    for (int i = 0; i < 20000; ++i) {
+    for (int i = 0; i < test::soak_count(20000); ++i) {
         SCOPED_TRACE(i);
         ASSERT_NO_FATAL_FAILURE(check<__int128>(generic_case(random, i % 2 == 0), 1e-8, tally));
     }
@@ -155,7 +156,7 @@ TEST(VisibleSet, AgreesWithBruteForceOnGenericScenes) {
 TEST(VisibleSet, AgreesWithBruteForceOnLargerScenes) {
     Random random(7);
     Tally tally;
-    for (int i = 0; i < 150; ++i) {
+    for (int i = 0; i < test::soak_count(150); ++i) {
         SCOPED_TRACE(i);
         const Case c = i % 3 == 0 ? degenerate_case(random, 12, 80) : generic_case(random, i % 3 == 1, 80);
         ASSERT_NO_FATAL_FAILURE(check<__int128>(c, 1e-7, tally));
@@ -166,7 +167,7 @@ TEST(VisibleSet, AgreesWithBruteForceOnLargerScenes) {
 TEST(VisibleSet, AgreesWithBruteForceOnNearlyDegenerateDoublesOfManyScales) {
     Random random(3);
     Tally tally;
-    for (int i = 0; i < 6000; ++i) {
+    for (int i = 0; i < test::soak_count(6000); ++i) {
         SCOPED_TRACE(i);
         const Case c = rounded_case(random);
         const Box<2> box = bounds<2>(c.primitives);
@@ -190,7 +191,7 @@ Case scaled(const Case& c, int exponent) {
 
 TEST(VisibleSet, ScalingByAPowerOfTwoChangesNoBit) {
     Random random(4);
-    for (int i = 0; i < 6000; ++i) {
+    for (int i = 0; i < test::soak_count(6000); ++i) {
         SCOPED_TRACE(i);
         const Case c = i % 3 == 0   ? degenerate_case(random, 6)
                        : i % 3 == 1 ? generic_case(random, true)
@@ -212,7 +213,7 @@ TEST(VisibleSet, ScalingByAPowerOfTwoChangesNoBit) {
 
 TEST(VisibleSet, TinyAndHugeCoordinatesKeepTheAnswer) {
     Random random(5);
-    for (int i = 0; i < 1000; ++i) {
+    for (int i = 0; i < test::soak_count(1000); ++i) {
         SCOPED_TRACE(i);
         const Case c = i % 2 == 0 ? degenerate_case(random, 6) : generic_case(random, true);
         const VisibleSet before = exact_visible_set(c.primitives, c.view);
@@ -228,7 +229,7 @@ TEST(VisibleSet, TinyAndHugeCoordinatesKeepTheAnswer) {
 
 TEST(VisibleSet, OrderOfThePrimitivesDoesNotMatter) {
     Random random(6);
-    for (int i = 0; i < 6000; ++i) {
+    for (int i = 0; i < test::soak_count(6000); ++i) {
         SCOPED_TRACE(i);
         const Case c = generic_case(random, i % 2 == 0);
         std::vector<std::uint32_t> old_id(c.primitives.size());

@@ -14,7 +14,8 @@ std::vector<Primitive<2>> onecell(std::uint64_t seed) {
     sketch.line({0, 0}, {1, 0});
     sketch.line({39, 40}, {40, 40});
     for (int i = 0; i < 400; ++i) {
-        const Vec<2> at(random.uniform(24, 24.01), random.uniform(21, 21.01));
+        const double y = random.uniform(21, 21.01), x = random.uniform(24, 24.01);
+        const Vec<2> at(x, y);
         const SinCos turn = sincos_degrees(random.uniform(0, 360));
         sketch.line(at, at + 0.0005 * Vec<2>(turn.cos, turn.sin));
     }

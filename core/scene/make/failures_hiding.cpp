@@ -60,7 +60,8 @@ std::vector<Primitive<2>> fog(std::uint64_t seed) {
     Random random(seed);
     Sketch sketch;
     for (int i = 0; i < 70; ++i) {
-        const Vec<2> at(random.uniform(20, 40), random.uniform(8, 30));
+        const double y = random.uniform(8, 30), x = random.uniform(20, 40);
+        const Vec<2> at(x, y);
         const SinCos turn = sincos_degrees(random.uniform(-40, 40));
         sketch.line(at, at + random.uniform(0.25, 0.45) * Vec<2>(turn.cos, turn.sin));
     }

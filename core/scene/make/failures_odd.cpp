@@ -10,8 +10,10 @@ std::vector<Primitive<2>> planks(std::uint64_t seed) {
     Random random(seed);
     Sketch sketch;
     for (int i = 0; i < 20; ++i) {
-        sketch.line({0, random.uniform(8, 39)}, {40, random.uniform(8, 39)});
-        sketch.line({random.uniform(1, 39), 8}, {random.uniform(1, 39), 40});
+        const double right = random.uniform(8, 39), left = random.uniform(8, 39);
+        sketch.line({0, left}, {40, right});
+        const double top = random.uniform(1, 39), bottom = random.uniform(1, 39);
+        sketch.line({bottom, 8}, {top, 40});
     }
     crate_rows(sketch, random, {0, 0, 40, 40}, 3, 0.3);
     return sketch.segments;
@@ -80,7 +82,8 @@ std::vector<Primitive<2>> broken(std::uint64_t seed) {
     const std::vector<Primitive<2>> good = sketch.segments;
     constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < 10; ++i) {
-        const Vec<2> at(random.uniform(0, 40), random.uniform(0, 40));
+        const double y = random.uniform(0, 40), x = random.uniform(0, 40);
+        const Vec<2> at(x, y);
         sketch.segments.push_back({at, Vec<2>(nan, at.y)});
         sketch.segments.push_back({Vec<2>(at.x, i % 2 == 0 ? infinite : -infinite), at});
         sketch.segments.push_back({at, at});

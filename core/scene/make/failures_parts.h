@@ -16,9 +16,11 @@ inline void pieces(Sketch& sketch, const Vec<2>& a, const Vec<2>& b, int count) 
 /// Crates in rows, their sides about `share` of the spacing.
 inline void crate_rows(Sketch& sketch, Random& random, const Room& area, double spacing, double share) {
     for (double y = area.y0 + spacing / 2; y + spacing / 2 <= area.y1; y += spacing)
-        for (double x = area.x0 + spacing / 2; x + spacing / 2 <= area.x1; x += spacing)
-            crate(sketch, random, {x + random.uniform(-0.1, 0.1) * spacing, y + random.uniform(-0.1, 0.1) * spacing},
-                  spacing * share * random.uniform(0.8, 1.2));
+        for (double x = area.x0 + spacing / 2; x + spacing / 2 <= area.x1; x += spacing) {
+            const double side = spacing * share * random.uniform(0.8, 1.2);
+            const double dx = random.uniform(-0.1, 0.1), dy = random.uniform(-0.1, 0.1);
+            crate(sketch, random, {x + dx * spacing, y + dy * spacing}, side);
+        }
 }
 
 }  // namespace sightline::failures

@@ -119,8 +119,8 @@ std::vector<Primitive<2>> jungle(std::uint64_t seed) {
     const Vec<2> clearing(20, 7);
     for (int row = 0; row < 9; ++row)
         for (int column = 0; column < 9; ++column) {
-            const Vec<2> trunk(size * (column + random.uniform(0.25, 0.75)) / 9,
-                               size * (row + random.uniform(0.25, 0.75)) / 9);
+            const double in_row = random.uniform(0.25, 0.75), in_column = random.uniform(0.25, 0.75);
+            const Vec<2> trunk(size * (column + in_column) / 9, size * (row + in_row) / 9);
             if (glm::dot(trunk - clearing, trunk - clearing) < 12) continue;
             const double crown = random.uniform(1.3, 2.4);
             // Strips of bark, then leaves along branches; each is a segment of its own.
@@ -140,7 +140,8 @@ std::vector<Primitive<2>> jungle(std::uint64_t seed) {
             }
         }
     for (int i = 0; i < 500; ++i) {  // undergrowth
-        const Vec<2> at(random.uniform(0, size), random.uniform(0, size));
+        const double y = random.uniform(0, size), x = random.uniform(0, size);
+        const Vec<2> at(x, y);
         const SinCos turn = sincos_degrees(random.uniform(0, 360));
         if (glm::dot(at - clearing, at - clearing) > 5)
             sketch.line(at, at + random.uniform(0.05, 0.15) * Vec<2>(turn.cos, turn.sin));
@@ -172,9 +173,11 @@ std::vector<Primitive<2>> statue(std::uint64_t seed) {
     for (const double x : {22.5, 27.5}) sketch.line({x, 18}, {x, 40});
     for (const Room& area : {Room{1, 20, 21.5, 39}, Room{28.5, 20, 39, 39}})
         for (double y = area.y0 + 1; y < area.y1; y += 2.2)
-            for (double x = area.x0 + 1; x < area.x1; x += 2.2)
-                crate(sketch, random, {x + random.uniform(-0.2, 0.2), y + random.uniform(-0.2, 0.2)},
-                      random.uniform(0.8, 1.3));
+            for (double x = area.x0 + 1; x < area.x1; x += 2.2) {
+                const double side = random.uniform(0.8, 1.3);
+                const double dx = random.uniform(-0.2, 0.2), dy = random.uniform(-0.2, 0.2);
+                crate(sketch, random, {x + dx, y + dy}, side);
+            }
     // Panels along the gallery and a show case at its end.
     for (int i = 0; i < 5; ++i) {
         sketch.box(22.6, 28 + 2.3 * i, 22.75, 29.4 + 2.3 * i);
@@ -186,7 +189,9 @@ std::vector<Primitive<2>> statue(std::uint64_t seed) {
         for (const double x : {8.0, 33.0}) sketch.ring({x, y}, 0.6, 12);
     for (const double x : {17.0, 30.0}) sketch.box(x, 11, x + 2, 11.6);
     for (int i = 0; i < 7; ++i) {
-        sketch.frame = turned({random.uniform(12, 21), random.uniform(11, 16)}, random.uniform(0, 360));
+        const double degrees = random.uniform(0, 360);
+        const double x = random.uniform(12, 21), y = random.uniform(11, 16);
+        sketch.frame = turned({x, y}, degrees);
         sketch.path({{-0.25, -0.1}, {0.25, -0.1}, {0.28, 0.05}, {-0.28, 0.05}}, true);
         sketch.ring({0, 0.16}, 0.1, 6);
     }

@@ -25,8 +25,10 @@ void block(Sketch& sketch, Random& random, const Room& lot, const HouseStyle& st
     sketch.frame = {};
     if (!yards) return;
     const double middle = (lot.y0 + lot.y1) / 2;
-    for (double x = lot.x0 + 3; x < lot.x1 - 3; x += random.uniform(4, 8))
-        tree(sketch, random, {x, middle + random.uniform(-1.2, 1.2)}, random.uniform(1, 1.8));
+    for (double x = lot.x0 + 3; x < lot.x1 - 3; x += random.uniform(4, 8)) {
+        const double radius = random.uniform(1, 1.8), dy = random.uniform(-1.2, 1.2);
+        tree(sketch, random, {x, middle + dy}, radius);
+    }
 }
 
 void parked_car(Sketch& sketch, Random& random, const Vec<2>& centre) {

@@ -9,9 +9,11 @@ namespace {
 /// Rows of crates and shelves between x0 and x1.
 void store(Sketch& sketch, Random& random, const Room& area, double spacing) {
     for (double y = area.y0 + spacing / 2; y < area.y1; y += spacing)
-        for (double x = area.x0 + spacing / 2; x < area.x1; x += spacing)
-            crate(sketch, random, {x + random.uniform(-0.1, 0.1) * spacing, y + random.uniform(-0.1, 0.1) * spacing},
-                  spacing * random.uniform(0.35, 0.6));
+        for (double x = area.x0 + spacing / 2; x < area.x1; x += spacing) {
+            const double side = spacing * random.uniform(0.35, 0.6);
+            const double dx = random.uniform(-0.1, 0.1), dy = random.uniform(-0.1, 0.1);
+            crate(sketch, random, {x + dx * spacing, y + dy * spacing}, side);
+        }
 }
 
 }  // namespace
@@ -39,8 +41,8 @@ std::vector<Primitive<2>> bottleneck(std::uint64_t seed) {
                 const double x = gap + spacing * (column + 0.6), y = front + spacing * (row + 0.6);
                 const double roof = back + (outer_back - back) * (x + 0.3 - gap) / (end - gap);
                 if (x > end - 0.4 * spacing || y + 0.35 * spacing > roof) continue;
-                const Vec<2> shift(random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1));
-                crate(sketch, random, at(x, y) + spacing * shift, spacing * random.uniform(0.35, 0.55));
+                const double dy = random.uniform(-0.1, 0.1), dx = random.uniform(-0.1, 0.1);
+                crate(sketch, random, at(x, y) + spacing * Vec<2>(dx, dy), spacing * random.uniform(0.35, 0.55));
             }
         // Behind the block and hidden by it.
         for (const Vec<2>& crates : {Vec<2>(3.1, 12.5), Vec<2>(3.5, 15)})
@@ -102,8 +104,8 @@ std::vector<Primitive<2>> forget(std::uint64_t seed) {
     // On the right reeds: many, but so thin that one looks deep into them.
     for (int row = 0; row < 30; ++row)
         for (int column = 0; column < 30; ++column) {
-            const Vec<2> at(10.2 + 0.33 * (column + random.uniform(-0.4, 0.4)),
-                            9.9 + 0.33 * (row + random.uniform(-0.4, 0.4)));
+            const double dy = random.uniform(-0.4, 0.4), dx = random.uniform(-0.4, 0.4);
+            const Vec<2> at(10.2 + 0.33 * (column + dx), 9.9 + 0.33 * (row + dy));
             const SinCos turn = sincos_degrees(random.uniform(0, 360));
             sketch.line(at, at + random.uniform(0.04, 0.08) * Vec<2>(turn.cos, turn.sin));
         }
