@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -18,5 +19,8 @@ InputError input_error(std::string_view name, std::string_view place, std::strin
 
 /// "line 3, column 14" of a byte offset; both count from 1, columns in bytes.
 std::string line_and_column(std::string_view text, std::size_t offset);
+
+/// The word that a mistyped one most likely stands for: few letters to put in, take out or change. Empty: none.
+std::string_view closest(std::string_view mistyped, std::span<const std::string_view> words);
 
 }  // namespace sightline
