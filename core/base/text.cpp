@@ -6,6 +6,7 @@
 #include <charconv>
 #include <filesystem>
 #include <fstream>
+#include <vector>
 
 namespace sightline {
 
@@ -67,6 +68,38 @@ std::string clean_text(std::string_view text) {
         i += std::max<std::size_t>(length, 1);
     }
     return clean;
+}
+
+namespace {
+
+/// Levenshtein's distance, by rows of its table.
+std::size_t letters_apart(std::string_view a, std::string_view b) {
+    std::vector<std::size_t> row(b.size() + 1);
+    for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        std::size_t diagonal = row[0];
+        row[0] = i + 1;
+        for (std::size_t j = 0; j < b.size(); ++j) {
+            const std::size_t changed = diagonal + (a[i] != b[j]);
+            diagonal = row[j + 1];
+            row[j + 1] = std::min({changed, row[j] + 1, row[j + 1] + 1});
+        }
+    }
+    return row.back();
+}
+
+}  // namespace
+
+std::string_view closest(std::string_view mistyped, std::span<const std::string_view> words) {
+    std::string_view best;
+    std::size_t least = (mistyped.size() + 1) / 3 + 1;  // fewer than so many letters
+    for (const std::string_view word : words) {
+        const std::size_t apart = letters_apart(mistyped, word);
+        if (apart >= least || apart >= word.size()) continue;
+        best = word;
+        least = apart;
+    }
+    return best;
 }
 
 }  // namespace sightline

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -24,5 +25,8 @@ std::size_t character_length(std::string_view text, std::size_t at);
 
 /// Valid UTF-8: broken bytes become U+FFFD, tabs a space, other control characters but line feeds vanish.
 std::string clean_text(std::string_view text);
+
+/// The word that a mistyped one most likely stands for: few letters to put in, take out or change. Empty: none.
+std::string_view closest(std::string_view mistyped, std::span<const std::string_view> words);
 
 }  // namespace sightline

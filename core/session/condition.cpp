@@ -106,9 +106,9 @@ Formula formula_of(const std::string& text) {
     for (const std::string_view word : {"step", "cell"})
         if (text.starts_with(std::string(word) + ":"))
             formula = std::string(word) + " == " + text.substr(word.size() + 1);
-    std::vector<std::string> names;
-    for (const RecordField<D>& field : fields<D>()) names.emplace_back(field.name);
-    return {formula, std::move(names), text};
+    std::vector<std::string_view> names;
+    for (const RecordField<D>& field : fields<D>()) names.push_back(field.name);
+    return Formula(formula, names, "condition", text);
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/session/formula.h"
+#include "core/base/formula.h"
 #include "core/session/session.h"
 
 namespace sightline {

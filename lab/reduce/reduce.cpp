@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "core/base/error.h"
+#include "core/base/formula.h"
 #include "core/session/condition.h"
 #include "core/space/builders.h"
 
@@ -67,10 +68,10 @@ Holds holds_in(const LabScene<D>& lab, const MethodChoice& method, const Budget&
             return run_until(session, *condition) == Stop::breakpoint;
         };
     }
-    std::vector<std::string> names;
+    std::vector<std::string_view> names;
     for (const MeasureRow& row : measure_table()) names.emplace_back(row.id);
-    const auto formula = std::make_shared<const Formula>(wanted.measures, std::move(names), wanted.measures);
-    for (const std::size_t used : formula->used())
+    const Formula formula(wanted.measures, names, "condition");
+    for (const std::size_t used : formula.used())
         if (measure_table()[used].is_time)
             throw InputError("reduce: " + std::string(measure_table()[used].id) + " differs from run to run");
     return [=](std::span<const std::uint32_t> kept) {
@@ -89,7 +90,7 @@ Holds holds_in(const LabScene<D>& lab, const MethodChoice& method, const Budget&
         Instruments instruments;
         instruments.draw_ids = draw_ids;
         const std::vector<Row> rows = measure_path<D>(part, study, instruments);
-        return !rows.empty() && formula->holds(rows.front().values.back().all);
+        return !rows.empty() && formula.holds(rows.front().values.back().all);
     };
 }
 

@@ -11,7 +11,6 @@
 #include "core/base/file.h"
 #include "core/base/random.h"
 #include "core/session/condition.h"
-#include "core/session/formula.h"
 #include "core/settings/settings_file.h"
 #include "core/settings/settings_table.h"
 #include "lab/cells/cells_report.h"
