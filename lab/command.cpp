@@ -2,6 +2,12 @@
 #include "lab/command.h"
 
 #include <array>
+#include <exception>
+#include <iostream>
+#include <string>
+
+#include "core/base/error.h"
+#include "core/base/text.h"
 
 namespace sightline::lab {
 
@@ -20,6 +26,40 @@ std::span<const Command> commands() {
         Command{"merge", "puts the parts of a study together that were measured apart", merge_command},
     };
     return table;
+}
+
+namespace {
+
+void print_help(std::ostream& out) {
+    out << "Measures occlusion-culling methods: speed against accuracy, stability, and where they fail.\n\n"
+           "lab COMMAND …   (lab COMMAND --help lists its options)\n\n";
+    for (const Command& command : commands())
+        out << "  " << command.id << std::string(12 - command.id.size(), ' ') << command.text << "\n";
+}
+
+int run(int argc, const char* const* argv, const MethodTables& tables) {
+    const std::string id = argc > 1 ? argv[1] : "";
+    if (id.empty() || id == "--help" || id == "-h") {
+        print_help(id.empty() ? std::cerr : std::cout);
+        return id.empty() ? 2 : 0;
+    }
+    for (const Command& command : commands())
+        if (command.id == id) return command.run(argc - 1, argv + 1, tables);
+    throw InputError("there is no command '" + id + "' (lab --help lists them)");
+}
+
+}  // namespace
+
+int lab_program(int argc, const char* const* argv, const MethodTables& tables) {
+    try {
+        return run(argc, argv, tables);
+    } catch (const InputError& error) {
+        std::cerr << "lab: " << one_line(error.what(), 4096) << "\n";
+        return 2;
+    } catch (const std::exception& error) {
+        std::cerr << "lab: " << one_line(error.what(), 4096) << "\n";
+        return 1;
+    }
 }
 
 }  // namespace sightline::lab

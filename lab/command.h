@@ -5,23 +5,29 @@
 #include <span>
 #include <string_view>
 
+#include "core/methods/method_table.h"
+
 namespace sightline::lab {
 
 struct Command {
     std::string_view id;
     std::string_view text;  ///< one sentence
     /// Arguments as main has them, argv[0] being "lab COMMAND". Returns the exit status; throws InputError, WorkError.
-    int (*run)(int argc, const char* const* argv);
+    int (*run)(int argc, const char* const* argv, const MethodTables& tables);
 };
 
 std::span<const Command> commands();
 
-int measure_command(int argc, const char* const* argv);
-int gallery_command(int argc, const char* const* argv);
-int merge_command(int argc, const char* const* argv);
-int stability_command(int argc, const char* const* argv);
-int cells_command(int argc, const char* const* argv);
-int compare_command(int argc, const char* const* argv);
-int reduce_command(int argc, const char* const* argv);
+/// The program: argv as main has it. Another table of methods makes a lab that measures those. Returns the exit status
+/// and writes errors to standard error.
+int lab_program(int argc, const char* const* argv, const MethodTables& tables = {});
+
+int measure_command(int argc, const char* const* argv, const MethodTables& tables);
+int gallery_command(int argc, const char* const* argv, const MethodTables& tables);
+int merge_command(int argc, const char* const* argv, const MethodTables& tables);
+int stability_command(int argc, const char* const* argv, const MethodTables& tables);
+int cells_command(int argc, const char* const* argv, const MethodTables& tables);
+int compare_command(int argc, const char* const* argv, const MethodTables& tables);
+int reduce_command(int argc, const char* const* argv, const MethodTables& tables);
 
 }  // namespace sightline::lab

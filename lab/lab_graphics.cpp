@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/lab_graphics.h"
 
-#include "core/settings/settings_table.h"
+#include "core/session/settings_table.h"
 #include "shell/gl/context.h"
 #include "shell/gl/draw_clock.h"
 #include "shell/gl/id_renderer.h"

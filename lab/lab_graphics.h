@@ -7,7 +7,7 @@
 
 #include "core/draw/solid_list.h"
 #include "core/measure/frame_clock.h"
-#include "core/settings/settings.h"
+#include "core/session/settings.h"
 #include "core/truth/id_image.h"
 
 namespace sightline::lab {

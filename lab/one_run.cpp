@@ -3,32 +3,40 @@
 
 #include <cmath>
 
-#include "core/traversal/methods.h"
+#include "core/run/drive.h"
 
 namespace sightline::lab {
 
 template <int D>
-OneRun one_run(const Scene<D>& scene, const CellComplex<D>& cells, const View<D>& view, const Settings& settings) {
-    const Method<D>& method = find_method<D>(method_table<D>(), settings.method);
-    const Frame<D> frame = make_frame<D>(scene.primitives, cells, view, settings, scene.two_sided);
-    State<D> state;
-    method.start(frame, state);
-    method.run(frame, state, none);
+Problem<D> problem_of(std::span<const Method<D>> methods, const Scene<D>& scene, const CellComplex<D>& cells,
+                      const View<D>& view, const Settings& settings, Method<D>& method) {
+    Variant<D> variant = make_variant<D>(methods, settings.method, settings.parameters);
+    method = std::move(variant.method);
+    return {&scene, &cells, view, settings.budget.primitives(scene.primitives.size()), std::move(variant.parameters),
+            nullptr, {}};
+}
+
+template <int D>
+OneRun one_run(std::span<const Method<D>> methods, const Scene<D>& scene, const CellComplex<D>& cells,
+               const View<D>& view, const Settings& settings) {
+    Method<D> method;
+    const Problem<D> problem = problem_of(methods, scene, cells, view, settings, method);
+    const std::unique_ptr<Run<D>> made = method.start(problem);
+    drive(settings.budget, *made);
     OneRun run;
-    run.rendered.resize(scene.primitives.size());
-    for (std::uint32_t i = 0; i < state.touched_count; ++i) {
-        if (state.touched[i] & State<D>::culled_bit) continue;
-        run.order.push_back(state.touched[i]);
-        run.rendered[state.touched[i]] = 1;
-    }
-    run.steps = state.step;
+    run.order = rendered_ids(made->met());
+    run.rendered = rendered_mask(made->met(), scene.primitives.size());
+    run.steps = made->steps();
     for (std::uint32_t cell = 0; cell < cells.cell_count(); ++cell)
-        run.not_finite += !std::isfinite(state.mark(cell).key);
+        run.not_finite += !std::isfinite(made->mark(cell).key);
     return run;
 }
 
 #define SIGHTLINE_INSTANTIATE(D) \
-    template OneRun one_run<D>(const Scene<D>&, const CellComplex<D>&, const View<D>&, const Settings&);
+    template Problem<D> problem_of<D>(std::span<const Method<D>>, const Scene<D>&, const CellComplex<D>&,             \
+                                      const View<D>&, const Settings&, Method<D>&);                                   \
+    template OneRun one_run<D>(std::span<const Method<D>>, const Scene<D>&, const CellComplex<D>&, const View<D>&, \
+                               const Settings&);
 SIGHTLINE_INSTANTIATE(2)
 SIGHTLINE_INSTANTIATE(3)
 #undef SIGHTLINE_INSTANTIATE

@@ -5,9 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/scene/scene.h"
-#include "core/scene/view.h"
-#include "core/space/cell_complex.h"
+#include "core/run/method.h"
+#include "core/session/settings.h"
 
 namespace sightline::lab {
 
@@ -18,8 +17,14 @@ struct OneRun {
     std::uint32_t not_finite = 0;  ///< cells whose key is NaN or infinite
 };
 
+/// What a run of the settings' method, or variant, is given; the method itself goes to `method`.
+template <int D>
+Problem<D> problem_of(std::span<const Method<D>> methods, const Scene<D>& scene, const CellComplex<D>& cells,
+                      const View<D>& view, const Settings& settings, Method<D>& method);
+
 /// To the budget of the settings.
 template <int D>
-OneRun one_run(const Scene<D>& scene, const CellComplex<D>& cells, const View<D>& view, const Settings& settings);
+OneRun one_run(std::span<const Method<D>> methods, const Scene<D>& scene, const CellComplex<D>& cells,
+               const View<D>& view, const Settings& settings);
 
 }  // namespace sightline::lab

@@ -17,7 +17,7 @@ namespace {
 constexpr float drag_threshold = 4;
 
 std::string cell_tip(const Session<2>& session, std::uint32_t cell) {
-    const CellMark mark = session.state().mark(cell);
+    const Mark mark = session.mark(cell);
     std::string text =
         "cell " + std::to_string(cell) + ", " + std::string(cell_state_words[static_cast<std::size_t>(mark.state)]);
     if (mark.state == CellState::enqueued || mark.state == CellState::projected)

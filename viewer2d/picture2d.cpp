@@ -9,6 +9,7 @@
 #include "core/draw/palette.h"
 #include "core/draw/shown_world.h"
 #include "core/session/substep.h"
+#include "core/session/explain.h"
 #include "shell/desk/into.h"
 #include "shell/window/theme.h"
 
@@ -65,8 +66,8 @@ void Picture2d::update(const Ui& ui, const Area& area) {
         options.heat_range = heat.range;
         options.world = panes[i].camera.world;
         options.sides = sides_;
-        if (i == 0 && bench_.substep && *bench_.substep >= first_facet_substep)
-            options.facet = *bench_.substep - first_facet_substep;
+        if (i == 0 && bench_.substep)
+            options.facet = shown_in_substep(bench_.session, bench_.session.position(), *bench_.substep);
         panes_[i].update(ui, session, options, ui.revision, panes[i].camera.area, bench_.desk.projector,
                          i == 0 && bench_.desk.legend);
     }

@@ -4,7 +4,7 @@
 
 #include <span>
 
-#include "core/traversal/methods.h"
+#include "core/methods/method_table.h"
 
 namespace sightline {
 

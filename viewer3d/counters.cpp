@@ -50,22 +50,20 @@ std::vector<ImVec2> places(const Ui& ui, const std::vector<Counter>& counters, f
 
 std::vector<Counter> counters(const Session<3>& session, const std::string& title, double draw_ms,
                               std::optional<double> speed) {
-    const State<3>& state = session.state();
     const auto as_wide = [](std::size_t most, const std::string& unit) {
         return std::string(std::to_string(most).size(), '8') + unit;
     };
     std::vector<Counter> all{{title, "", true}};
-    all.push_back({std::to_string(state.rendered_count) + " triangles",
+    all.push_back({std::to_string(session.counters().rendered_count) + " triangles",
                    as_wide(session.scene().primitives.size(), " triangles")});
-    const std::string steps = session.method().orders_cells ? " cells" : " batches";
-    all.push_back({std::to_string(state.step) + steps, as_wide(session.cells().cell_count(), steps)});
+    const std::string steps = session.method().orders_cells() ? " cells" : " batches";
+    all.push_back({std::to_string(session.traversal().steps()) + steps, as_wide(session.cells().cell_count(), steps)});
     const bool measured = !session.flying() || session.has_reference();
     const std::string later = "…";
-    const auto touched = std::span(state.touched).first(state.touched_count);
     all.push_back(
         {"coverage " + (measured ? percent(coverage(session.reference(), session.visible_rendered())) : later),
          "coverage 88.8 %"});
-    all.push_back({"wrong pixels " + (measured ? percent(wrong_pixels(session.reference(), touched)) : later),
+    all.push_back({"wrong pixels " + (measured ? percent(wrong_pixels(session.reference(), session.met())) : later),
                    "wrong pixels 88.8 %"});
     // A frame that is stepped through was recorded on the way, which takes longer than flying.
     const std::string how = session.flying() ? " ms" : " ms recorded";

@@ -7,7 +7,7 @@
 #include "core/draw/insets.h"
 #include "core/draw/shown_cells.h"
 #include "core/draw/wrong_picture.h"
-#include "core/settings/settings_table.h"
+#include "core/session/settings_table.h"
 #include "shell/window/theme.h"
 
 namespace sightline {
@@ -64,8 +64,7 @@ void EyePictures::update(const Session<3>& session, std::uint64_t revision) {
         draw(*exact_, exact_image(session));
     }
     if (shows_missed(settings)) {
-        const State<3>& state = session.state();
-        const Pixels pixels = wrong_picture(session.reference(), std::span(state.touched).first(state.touched_count));
+        const Pixels pixels = wrong_picture(session.reference(), session.met());
         glBindTexture(GL_TEXTURE_2D, missed_.name());
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);

@@ -28,7 +28,7 @@ constexpr ImGuiButtonFlags any_button =
     ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle;
 
 std::string cell_words(const Session<3>& session, std::uint32_t cell) {
-    const CellMark mark = session.state().mark(cell);
+    const Mark mark = session.mark(cell);
     std::string text =
         "cell " + std::to_string(cell) + ", " + std::string(cell_state_words[static_cast<std::size_t>(mark.state)]);
     if (mark.state == CellState::enqueued || mark.state == CellState::projected)

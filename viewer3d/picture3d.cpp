@@ -11,9 +11,10 @@
 #include "core/draw/projection.h"
 #include "core/draw/shown_cells.h"
 #include "core/session/substep.h"
-#include "core/settings/settings_table.h"
+#include "core/session/settings_table.h"
 #include "shell/desk/camera.h"
 #include "shell/desk/flight.h"
+#include "core/session/explain.h"
 #include "shell/desk/into.h"
 #include "shell/window/theme.h"
 
@@ -68,8 +69,7 @@ bool Picture3d::takes_key(const std::string& key) const {
 }
 
 std::string Picture3d::title_of(std::size_t pane) const {
-    const std::string guarantee =
-        session_of(pane).method().guarantee == Guarantee::approximate ? ", approximate" : ", conservative";
+    const std::string guarantee = ", " + session_of(pane).guarantee();
     if (!bench_.other) return std::string(bench_.session.method().id) + guarantee;
     return (pane == 0 ? "left: " : "right: ") + side_titles(bench_)[pane] + guarantee;
 }
@@ -158,8 +158,8 @@ void Picture3d::update(const Ui& ui) {
         options.heat_range = heat.range;
         options.aspect = picture.w / picture.h;
         options.sides = sides_;
-        if (i == 0 && bench_.substep && *bench_.substep >= first_facet_substep)
-            options.facet = *bench_.substep - first_facet_substep;
+        if (i == 0 && bench_.substep)
+            options.facet = shown_in_substep(bench_.session, bench_.session.position(), *bench_.substep);
         eyes_[i].update(session, ui.revision);
         panes_[i].update(ui, session, options, ui.revision, bench_.run, picture, bench_.desk.projector,
                          i == 0 && bench_.desk.legend, mouse_.dragging() || lively(),

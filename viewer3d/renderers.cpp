@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "viewer3d/renderers.h"
 
-#include "core/settings/settings_table.h"
+#include "core/session/settings_table.h"
 
 namespace sightline {
 

@@ -51,4 +51,11 @@ std::string short_number(double value, int digits) {
     return plain;
 }
 
+int separating_digits(double a, double b) {
+    if (a == b) return 3;
+    for (int digits = 3; digits < 17; ++digits)
+        if (short_number(a, digits) != short_number(b, digits)) return digits;
+    return 17;
+}
+
 }  // namespace sightline

@@ -24,4 +24,7 @@ std::string duration_text(double seconds);
 /// At most `digits` significant digits, for people.
 std::string short_number(double value, int digits = 3);
 
+/// As few significant digits, but no fewer than 3, as tell two different numbers apart.
+int separating_digits(double a, double b);
+
 }  // namespace sightline

@@ -10,7 +10,7 @@ std::vector<std::optional<double>> cell_numbers(const Session<D>& session, CellN
     const CellComplex<D>& cells = session.cells();
     std::vector<std::optional<double>> numbers(cells.cell_count());
     for (std::uint32_t cell = 0; cell < cells.cell_count(); ++cell) {
-        const CellMark mark = session.state().mark(cell);
+        const Mark mark = session.mark(cell);
         switch (what) {
             case CellNumber::solidity:
                 if (mark.state == CellState::enqueued || mark.state == CellState::projected) numbers[cell] = mark.key;
@@ -36,7 +36,7 @@ std::vector<std::optional<double>> cell_numbers(const Session<D>& session, CellN
     }
     if (what == CellNumber::order)
         for (std::uint32_t step = 1; step <= std::min(session.position(), session.recorded()); ++step)
-            if (const std::uint32_t cell = session.timeline().steps[step - 1].cell; cell != none) numbers[cell] = step;
+            if (const std::uint32_t cell = id_of(session.timeline().steps[step - 1].item, Kind::cell); cell != none) numbers[cell] = step;
     return numbers;
 }
 
@@ -49,14 +49,16 @@ std::optional<std::array<double, 2>> number_range(const Session<D>& session, Cel
     };
     if (what == CellNumber::order) {
         for (std::uint32_t step = 1; step <= session.recorded(); ++step)
-            if (session.timeline().steps[step - 1].cell != none) add(step);
+            if (session.timeline().steps[step - 1].item.kind == Kind::cell) add(step);
         return range;
     }
     for (const auto& number : cell_numbers(session, what))
         if (number) add(*number);
     if (what == CellNumber::solidity)  // a record holds the key that its step took away, or will give
-        for (const FacetRecord& record : session.timeline().facets)
-            if (record.state == CellState::enqueued || record.state == CellState::projected) add(record.key);
+        for (const Change& change : session.timeline().changes)
+            if (change.kind == Kind::cell &&
+                (change.state == CellState::enqueued || change.state == CellState::projected))
+                add(change.key);
     return range;
 }
 

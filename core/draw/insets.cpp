@@ -13,7 +13,7 @@ namespace {
 /// Triangles as the culling view sees them, in one colour.
 SolidList seen_by_culling_eye(const Session<3>& session, std::vector<std::uint32_t> triangles) {
     SolidList list;
-    list.camera = session.frame().view;
+    list.camera = session.problem().view;
     list.styles = {solid_styles(session.settings().palette)[static_cast<std::size_t>(SolidLook::plain)]};
     list.background = colours(session.settings().palette).background;
     list.scene = session.shared_scene();
@@ -25,11 +25,7 @@ SolidList seen_by_culling_eye(const Session<3>& session, std::vector<std::uint32
 }  // namespace
 
 SolidList image_so_far(const Session<3>& session) {
-    std::vector<std::uint32_t> triangles;
-    const State<3>& state = session.state();
-    for (const std::uint32_t entry : std::span(state.touched).first(state.touched_count))
-        if (!(entry & State<3>::culled_bit)) triangles.push_back(entry);
-    return seen_by_culling_eye(session, std::move(triangles));
+    return seen_by_culling_eye(session, rendered_ids(session.met()));
 }
 
 SolidList exact_image(const Session<3>& session) {
@@ -45,7 +41,6 @@ std::vector<Figure::Inset> make_insets(const Session<3>& session) {
     const Settings& set = session.settings();
     const ImageSize size = image_size<3>(set.reference_size);
     const double aspect = static_cast<double>(size.width) / size.height;
-    const State<3>& state = session.state();
     std::vector<Figure::Inset> insets;
     const auto solid = [&](const char* title, SolidList list) {
         insets.push_back({title, aspect, std::make_shared<const SolidList>(std::move(list)), nullptr});
@@ -54,8 +49,7 @@ std::vector<Figure::Inset> make_insets(const Session<3>& session) {
     if (set.inset == Inset::exact) solid(title_of_exact, exact_image(session));
     if (set.inset == Inset::missed || set.inset == Inset::both)
         insets.push_back({title_of_missed, aspect, nullptr,
-                          std::make_shared<const Pixels>(wrong_picture(
-                              session.reference(), std::span(state.touched).first(state.touched_count)))});
+                          std::make_shared<const Pixels>(wrong_picture(session.reference(), session.met()))});
     return insets;
 }
 

@@ -8,7 +8,7 @@
 #include "core/draw/draw_list.h"
 #include "core/draw/solid_list.h"
 #include "core/session/note.h"
-#include "core/settings/settings.h"
+#include "core/session/settings.h"
 
 namespace sightline {
 

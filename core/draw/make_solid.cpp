@@ -72,7 +72,7 @@ std::vector<CellPaint> paint_cells(const Session<3>& session, const PictureOptio
     std::vector<CellPaint> paint(shown.size());
     for (std::uint32_t cell = 0; cell < paint.size(); ++cell) {
         if (!shown[cell]) continue;
-        SolidLook look = look_of(session.state().mark(cell).state);
+        SolidLook look = look_of(session.mark(cell).state);
         if (!options.sides.empty() && !heat) {
             if (options.sides[cell] == Side::neither) continue;
             look = options.sides[cell] == Side::both   ? SolidLook::both

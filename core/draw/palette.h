@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/draw/draw_list.h"
-#include "core/settings/settings.h"
+#include "core/session/settings.h"
 
 namespace sightline {
 

@@ -11,7 +11,7 @@
 #include "core/draw/palette.h"
 #include "core/draw/shown_world.h"
 #include "core/session/explain.h"
-#include "core/traversal/facet_geometry.h"
+#include "core/methods/cells/facet_geometry.h"
 
 namespace sightline {
 
@@ -60,7 +60,7 @@ private:
 
     void states() {
         for (std::uint32_t cell = 0; cell < cells_.cell_count(); ++cell) {
-            const CellState state = session_.state().mark(cell).state;
+            const CellState state = session_.mark(cell).state;
             if (state == CellState::enqueued) cell_shape(cell, index(Look::enqueued));
             if (state == CellState::projected) cell_shape(cell, index(Look::projected));
             if (state == CellState::unseen) cell_shape(cell, index(Look::unseen));
@@ -79,7 +79,7 @@ private:
     void projected_borders() {
         if (colours_.looks[index(Look::projected)].stroke.a == 0) return;
         for (std::uint32_t cell = 0; cell < cells_.cell_count(); ++cell)
-            if (session_.state().mark(cell).state == CellState::projected)
+            if (session_.mark(cell).state == CellState::projected)
                 for (const HalfFacet& half : cells_.facets_of(cell)) {
                     const auto [a, b] = facet_ends(cells_, half);
                     list_.add(ShapeKind::polyline, index(Look::projected), {a, b});
@@ -113,10 +113,7 @@ private:
         const auto& segments = session_.scene().primitives;
         const bool tell = set_.show_visibility == Switch::on;
         const Reference& reference = session_.reference();
-        std::vector<std::uint8_t> rendered(segments.size());
-        const State<2>& state = session_.state();
-        for (std::uint32_t i = 0; i < state.touched_count; ++i)
-            if (!(state.touched[i] & State<2>::culled_bit)) rendered[state.touched[i]] = 1;
+        const std::vector<std::uint8_t> rendered = rendered_mask(session_.met(), segments.size());
         const auto look = [&](std::size_t p) {
             if (!tell) return rendered[p] ? Look::rendered : Look::other;
             if (rendered[p]) return reference.visible[p] ? Look::rendered : Look::wasted;
@@ -139,7 +136,7 @@ private:
     }
 
     void view() {
-        if (session_.state().seed != none) cell_shape(session_.state().seed, index(Look::seed));
+        if (seed_cell(session_) != none) cell_shape(seed_cell(session_), index(Look::seed));
         cone(session_.culling_view(), Look::view);
         const ViewSpec<2>& spec = session_.culling_view();
         const Vec<2> forward = make_view(spec).forward();
@@ -209,7 +206,7 @@ private:
     void chain() {
         for (const ChainLink& link : update_chain(session_, session_.selected_cell))
             list_.add(ShapeKind::arrow, index(Look::chain),
-                      {cells_.centre(link.update.from), cells_.centre(link.update.neighbour)}, 4);
+                      {cells_.centre(link.update.from.id), cells_.centre(link.update.item.id)}, 4);
     }
 
     /// Distance from a cell's centre to its nearest edge.
@@ -230,7 +227,7 @@ private:
         const std::uint32_t last = last_cell(session_);
         for (std::uint32_t cell = 0; cell < numbers.size(); ++cell) {
             if (!numbers[cell]) continue;
-            const bool in_front = session_.state().mark(cell).state == CellState::enqueued;
+            const bool in_front = session_.mark(cell).state == CellState::enqueued;
             const bool wanted = set_.label_where == LabelWhere::all || cell == session_.selected_cell ||
                                 (set_.label_where == LabelWhere::front && (in_front || cell == last));
             if (!wanted || !list_.world.contains(cells_.centre(cell))) continue;

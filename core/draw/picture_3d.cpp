@@ -13,8 +13,8 @@
 #include "core/draw/shown_cells.h"
 #include "core/draw/solid_cells.h"
 #include "core/session/explain.h"
-#include "core/traversal/facet_geometry.h"
-#include "core/traversal/star_shape.h"
+#include "core/methods/cells/facet_geometry.h"
+#include "core/methods/cells/star_shape.h"
 
 namespace sightline {
 
@@ -97,8 +97,8 @@ private:
 
     /// The pyramid that the culling view sees, as far as the cells reach (TVCG fig. 7 in 2D), and its eye.
     void view() {
-        if (session_.state().seed != none) outline_cell(session_.state().seed, index(Look::seed));
-        const View<3>& culling = session_.frame().view;
+        if (seed_cell(session_) != none) outline_cell(seed_cell(session_), index(Look::seed));
+        const View<3>& culling = session_.problem().view;
         double reach = 0;
         for (const Vec<3>& p : cells_.points) reach = std::max(reach, depth(culling, p));
         if (reach <= 0) reach = 1;
@@ -115,7 +115,7 @@ private:
 
     /// From the culling eye itself: where its image ends in a picture of another shape.
     void frame() {
-        const View<3>& culling = session_.frame().view;
+        const View<3>& culling = session_.problem().view;
         if (std::abs(picture_plane(culling).max.x - list_.world.max.x) < 1e-9) return;
         for (std::size_t i = 0; i < 4; ++i) line(culling.corners[i], culling.corners[(i + 1) % 4], Look::view);
     }
@@ -142,15 +142,15 @@ private:
         const std::uint32_t cell = session_.selected_cell != none ? session_.selected_cell : last_cell(session_);
         if (cell == none) return;
         const std::vector<ChainLink> chain = update_chain(session_, cell);
-        if (!chain.empty() && chain.back().update.terms->star_tested) star_test(cell, chain.back().update);
+        if (!chain.empty() && chain.back().update.key->tested) star_test(cell, chain.back().update);
     }
 
     /// TVCG section 3.2: the ray from the eye to the cell's centre, the facet that it should cross, where it crosses
     /// the plane of that facet, and what it costs when it does so beside the facet.
-    void star_test(std::uint32_t cell, const FacetExplanation& update) {
-        const auto facets = cells_.facets_of(update.from);
+    void star_test(std::uint32_t cell, const Considered& update) {
+        const auto facets = cells_.facets_of(update.from.id);
         const HalfFacet& half = *std::find_if(facets.begin(), facets.end(),
-                                              [&](const HalfFacet& own) { return own.facet() == update.facet; });
+                                              [&](const HalfFacet& own) { return own.facet() == update.via.id; });
         const Style& look = colours_.looks[index(Look::eye_ray)];
         const std::uint16_t ray = add_style("star_ray", look.stroke, 1.2);
         outline_facet(half, add_style("star_facet", colours_.accent, 1.8));
@@ -161,7 +161,7 @@ private:
         const double along = glm::dot(facet.normal, centre - eye);
         const double share = along != 0 ? glm::dot(facet.normal, facet.centroid - eye) / along : -1;
         const Vec<3> crossing = share >= 0 && share <= 1 ? eye + (centre - eye) * share : facet.centroid;
-        if (update.terms->star_shaped)
+        if (!update.key->penalised)
             mark(ShapeKind::ring, crossing, ray, 2.6);
         else
             mark(ShapeKind::cross, crossing, index(Look::penalty), 3.4);
@@ -171,7 +171,7 @@ private:
         label.at = *at;
         label.offset_pt = {6, 6};
         label.align = TextAlign::left;
-        label.text = update.terms->star_shaped ? "star-shaped: no penalty" : formula_penalty(*update.terms, set_);
+        label.text = update.key->penalised ? update.key->penalty : "star-shaped: no penalty";
         label.scale = 0.8;
         label.colour = colours_.ink;
         label.halo = colours_.halo;
@@ -197,7 +197,7 @@ private:
 
     void chain() {
         for (const ChainLink& link : update_chain(session_, session_.selected_cell))
-            arrow(cells_.centre(link.update.from), cells_.centre(link.update.neighbour), index(Look::chain));
+            arrow(cells_.centre(link.update.from.id), cells_.centre(link.update.item.id), index(Look::chain));
     }
 
     /// In heights of the picture, how far the centre of the cell as it is drawn is from its nearest facet.
@@ -225,7 +225,7 @@ private:
         for (std::uint32_t cell = 0; cell < numbers.size(); ++cell) {
             const bool highlighted = cell == last || cell == session_.selected_cell;
             if (!numbers[cell] || !(shown[cell] || highlighted)) continue;
-            const bool in_front = session_.state().mark(cell).state == CellState::enqueued;
+            const bool in_front = session_.mark(cell).state == CellState::enqueued;
             if (set_.label_where == LabelWhere::all || cell == session_.selected_cell ||
                 (set_.label_where == LabelWhere::front && (in_front || cell == last)))
                 if (in_picture(cells_.centre(cell)))

@@ -66,7 +66,7 @@ std::vector<std::uint8_t> shown_cells(const Session<3>& session, const std::opti
         shown.assign(cells.cell_count(), 1);
     if (set.only == OnlyCells::front)
         for (std::uint32_t cell = 0; cell < shown.size(); ++cell)
-            shown[cell] = session.state().mark(cell).state == CellState::enqueued;
+            shown[cell] = session.mark(cell).state == CellState::enqueued;
     if (slice)
         for (std::uint32_t cell = 0; cell < shown.size(); ++cell)
             if (glm::dot(slice->normal, cells.centre(cell)) > slice->offset) shown[cell] = 0;

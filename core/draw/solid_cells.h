@@ -5,7 +5,7 @@
 #include <span>
 
 #include "core/draw/solid_list.h"
-#include "core/settings/settings.h"
+#include "core/session/settings.h"
 #include "core/space/cell_complex.h"
 
 namespace sightline {

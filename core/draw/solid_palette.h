@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/draw/solid_list.h"
-#include "core/settings/settings.h"
+#include "core/session/settings.h"
 
 namespace sightline {
 

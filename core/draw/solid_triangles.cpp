@@ -10,13 +10,13 @@ namespace sightline {
 void add_triangles(const Session<3>& session, bool tell_visible, SolidList& list) {
     const Triangles wanted = session.settings().triangles;
     if (wanted == Triangles::off) return;
-    const State<3>& state = session.state();
+    const std::span<const Met> met = session.met();
     const bool needs_reference = tell_visible || wanted == Triangles::visible;
     const std::uint8_t* visible = needs_reference ? session.reference().visible.data() : nullptr;
     // Flying leaves no record of steps.
     const bool recorded = session.position() > 0 && session.position() <= session.recorded();
     const std::uint32_t before_last =
-        recorded ? session.timeline().touched_before(session.position()) : state.touched_count;
+        recorded ? session.timeline().before(session.position()).touched_count : session.counters().touched_count;
 
     std::array<std::vector<std::uint32_t>, static_cast<std::size_t>(SolidLook::count)> by_look;
     const auto add = [&](std::uint32_t triangle, SolidLook look) {
@@ -24,9 +24,9 @@ void add_triangles(const Session<3>& session, bool tell_visible, SolidList& list
     };
     std::vector<std::uint8_t> is_rendered;
     if (wanted != Triangles::rendered) is_rendered.resize(session.scene().primitives.size());
-    for (std::uint32_t i = 0; i < state.touched_count; ++i) {
-        const std::uint32_t triangle = state.touched[i];
-        if (triangle & State<3>::culled_bit) continue;
+    for (std::uint32_t i = 0; i < met.size(); ++i) {
+        if (met[i].culled()) continue;
+        const std::uint32_t triangle = met[i].primitive();
         if (!is_rendered.empty()) is_rendered[triangle] = 1;
         if (wanted == Triangles::visible && !visible[triangle]) continue;
         SolidLook look = SolidLook::plain;

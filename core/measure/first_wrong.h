@@ -6,7 +6,8 @@
 #include <optional>
 #include <span>
 
-#include "core/traversal/timeline.h"
+#include "core/run/drawn.h"
+#include "core/run/step.h"
 #include "core/truth/reference.h"
 
 namespace sightline {
@@ -21,9 +22,8 @@ struct FirstWrong {
 /// With m(s) visible primitives missing after step s and b(s) left of the budget, max(0, m(s) - b(s)) of them stay
 /// missing whatever comes. The first recorded step that makes this number larger than max(0, |V| - budget), which no
 /// order avoids: from there on the frame ends below the oracle. Nothing when no step does, e.g. without a budget.
-/// `touched` is that of the whole recording.
-template <int D>
-std::optional<FirstWrong> first_wrong(const Reference& reference, std::span<const std::uint32_t> touched,
-                                      const Timeline& timeline, std::uint32_t budget);
+/// `met` is that of the whole recording.
+std::optional<FirstWrong> first_wrong(const Reference& reference, std::span<const Met> met,
+                                      const Recording& recording, std::uint32_t budget);
 
 }  // namespace sightline

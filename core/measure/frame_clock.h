@@ -10,7 +10,7 @@
 #include "core/base/stopwatch.h"
 #include "core/measure/summary.h"
 #include "core/scene/scene.h"
-#include "core/traversal/methods.h"
+#include "core/run/method.h"
 
 namespace sightline {
 
@@ -31,22 +31,14 @@ struct TimeSamples {
 /// Sets the times of a frame: medians, their sum, and the standard errors of the samples' means.
 void set_times(const TimeSamples& samples, Values& values);
 
-/// Milliseconds of starting and running the method to the frame's budget, unrecorded. `state` is reused from frame to
-/// frame, as a flight does; it ends as the run leaves it.
+/// Milliseconds of starting and running the method to the problem's budget, unrecorded. `run` is reused from frame to
+/// frame, as a flight does; it must be empty or one of this method.
 template <int D>
-double run_milliseconds(const Method<D>& method, const Frame<D>& frame, State<D>& state) {
+double run_milliseconds(const Method<D>& method, const Problem<D>& problem, OwnRun<D>& run) {
     const Stopwatch stopwatch;
-    method.start(frame, state);
-    method.run(frame, state, none);
+    run.start(problem, method.start);
+    run->run(none);
     return stopwatch.milliseconds();
-}
-
-/// The primitives that a state's run has rendered, in their order.
-template <int D>
-void rendered_ids(const State<D>& state, std::vector<std::uint32_t>& ids) {
-    ids.clear();
-    for (std::uint32_t i = 0; i < state.touched_count; ++i)
-        if (!(state.touched[i] & State<D>::culled_bit)) ids.push_back(state.touched[i]);
 }
 
 }  // namespace sightline

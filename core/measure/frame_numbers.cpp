@@ -11,9 +11,6 @@ namespace sightline {
 
 namespace {
 
-constexpr std::uint32_t culled_bit = State<3>::culled_bit;
-static_assert(culled_bit == State<2>::culled_bit);
-
 /// Coverage that k95 asks for.
 constexpr double enough = 0.95;
 
@@ -22,51 +19,54 @@ double ratio(double part, double whole) { return whole > 0 ? part / whole : std:
 }  // namespace
 
 template <int D>
-WholeRunner<D>::WholeRunner(const Method<D>& method, Frame<D> frame) : method_(method), frame_(std::move(frame)) {
-    frame_.budget = none;
-    method_.start(frame_, state_);
-    timeline_.seed_count = largest_front_ = state_.front_size;
-    run_.culled_costs = frame_.settings.culled_cost == CulledCost::charged;
+WholeRunner<D>::WholeRunner(const Method<D>& method, Problem<D> problem) {
+    problem.budget = none;
+    run_ = method.start(problem);
+    recording_.start = run_->counters();
+    largest_front_ = run_->counters().front_size;
+    whole_.culled_costs =
+        problem.parameters.template choice<CulledCost>(culled_cost_row()) == CulledCost::charged;
 }
 
 template <int D>
 bool WholeRunner<D>::advance(std::uint32_t steps) {
+    Recorder recorder(recording_);
     for (; steps > 0; --steps) {
-        if (method_.record(frame_, state_, timeline_) != Stop::none) return false;
-        largest_front_ = std::max(largest_front_, state_.front_size);
-        run_.touched_after.push_back(state_.touched_count);
-        run_.largest_front.push_back(largest_front_);
+        if (run_->run(1, &recorder) != Stop::steps) return false;
+        largest_front_ = std::max(largest_front_, run_->counters().front_size);
+        whole_.touched_after.push_back(run_->counters().touched_count);
+        whole_.largest_front.push_back(largest_front_);
     }
     return true;
 }
 
 template <int D>
 WholeRun WholeRunner<D>::finish(const Reference& reference, bool with_inversions) {
-    WholeRun run = std::move(run_);
+    WholeRun whole = std::move(whole_);
     if (with_inversions) {
-        run.inversions = inversions(reference, frame_, state_, timeline_);
-        std::sort(run.inversions->begin(), run.inversions->end(),
+        whole.inversions = inversions(reference, *run_, recording_);
+        std::sort(whole.inversions->begin(), whole.inversions->end(),
                   [](const Inversion& a, const Inversion& b) { return a.step < b.step; });
     }
-    state_.touched.resize(state_.touched_count);
-    run.touched = std::move(state_.touched);
+    whole.met.assign(run_->met().begin(), run_->met().end());
     std::uint32_t rendered = 0;
     std::size_t found = 0;
-    for (const std::uint32_t entry : run.touched) {
-        if (entry & culled_bit) continue;
+    for (const Met entry : whole.met) {
+        if (entry.culled()) continue;
         ++rendered;
-        found += reference.visible[entry];
-        if (reference.visible[entry] && static_cast<double>(found) >= enough * static_cast<double>(reference.count)) {
-            run.k95 = rendered;
+        found += reference.visible[entry.primitive()];
+        if (reference.visible[entry.primitive()] &&
+            static_cast<double>(found) >= enough * static_cast<double>(reference.count)) {
+            whole.k95 = rendered;
             break;
         }
     }
-    return run;
+    return whole;
 }
 
 template <int D>
-WholeRun whole_run(const Method<D>& method, Frame<D> frame, const Reference& reference, bool with_inversions) {
-    WholeRunner<D> runner(method, std::move(frame));
+WholeRun whole_run(const Method<D>& method, Problem<D> problem, const Reference& reference, bool with_inversions) {
+    WholeRunner<D> runner(method, std::move(problem));
     runner.advance(none);
     return runner.finish(reference, with_inversions);
 }
@@ -74,19 +74,16 @@ WholeRun whole_run(const Method<D>& method, Frame<D> frame, const Reference& ref
 Cut cut_at(const WholeRun& run, std::uint32_t budget) {
     std::uint32_t spent = 0;
     std::size_t end = 0;
-    for (; spent < budget && end < run.touched.size(); ++end)
-        spent += run.culled_costs || !(run.touched[end] & culled_bit);
+    for (; spent < budget && end < run.met.size(); ++end)
+        spent += run.culled_costs || !run.met[end].culled();
     if (spent < budget) return {end, run.touched_after.size()};
     if (budget == 0) return {};
     const auto last = std::lower_bound(run.touched_after.begin(), run.touched_after.end(), end);
     return {end, static_cast<std::size_t>(last - run.touched_after.begin()) + 1};
 }
 
-std::vector<std::uint8_t> rendered_by(const WholeRun& run, std::size_t touched, std::size_t primitive_count) {
-    std::vector<std::uint8_t> rendered(primitive_count);
-    for (std::size_t i = 0; i < touched; ++i)
-        if (!(run.touched[i] & culled_bit)) rendered[run.touched[i]] = 1;
-    return rendered;
+std::vector<std::uint8_t> rendered_by(const WholeRun& run, std::size_t met, std::size_t primitive_count) {
+    return rendered_mask(std::span(run.met).first(met), primitive_count);
 }
 
 Values frame_numbers(const WholeRun& run, const Truth& truth, std::uint32_t budget,
@@ -137,7 +134,7 @@ Values frame_numbers(const WholeRun& run, const Truth& truth, std::uint32_t budg
 
 template class WholeRunner<2>;
 template class WholeRunner<3>;
-template WholeRun whole_run<2>(const Method<2>&, Frame<2>, const Reference&, bool);
-template WholeRun whole_run<3>(const Method<3>&, Frame<3>, const Reference&, bool);
+template WholeRun whole_run<2>(const Method<2>&, Problem<2>, const Reference&, bool);
+template WholeRun whole_run<3>(const Method<3>&, Problem<3>, const Reference&, bool);
 
 }  // namespace sightline

@@ -7,55 +7,54 @@
 #include <vector>
 
 #include "core/measure/measure_table.h"
+#include "core/measure/inversion.h"
 #include "core/measure/metrics.h"
-#include "core/traversal/methods.h"
+#include "core/run/method.h"
 #include "core/truth/truth.h"
 
 namespace sightline {
 
 /// A method's run over one frame without a budget.
 struct WholeRun {
-    std::vector<std::uint32_t> touched;                ///< as State::touched
+    std::vector<Met> met;
     std::vector<std::uint32_t> touched_after;          ///< per step, how many of them were met by its end
     std::vector<std::uint32_t> largest_front;          ///< per step, the most cells in the front after it or one before
     std::optional<std::vector<Inversion>> inversions;  ///< by step; nothing: not made
     std::optional<std::uint32_t> k95;                  ///< rendered primitives with coverage >= 0.95 for the first time
-    bool culled_costs = false;                         ///< Settings::culled_cost
+    bool culled_costs = false;                         ///< the parameter culled_cost
 };
 
-/// The same in pieces, for whoever must not be away for long.
+/// The same in slices, for callers that must stay responsive.
 template <int D>
 class WholeRunner {
 public:
-    /// `frame` with its budget lifted; what it points to must live longer.
-    WholeRunner(const Method<D>& method, Frame<D> frame);
+    /// `problem` with its budget lifted; what it points to must live longer.
+    WholeRunner(const Method<D>& method, Problem<D> problem);
     /// At most `steps` steps; false when the run is at its end.
     bool advance(std::uint32_t steps);
     /// When it is. `with_inversions`: they take as long as the run itself.
     WholeRun finish(const Reference& reference, bool with_inversions);
 
 private:
-    Method<D> method_;
-    Frame<D> frame_;
-    State<D> state_;
-    Timeline timeline_;
-    WholeRun run_;
+    OwnRun<D> run_;
+    Recording recording_;
+    WholeRun whole_;
     std::uint32_t largest_front_ = 0;
 };
 
 /// A WholeRunner from its start to its end.
 template <int D>
-WholeRun whole_run(const Method<D>& method, Frame<D> frame, const Reference& reference, bool with_inversions = true);
+WholeRun whole_run(const Method<D>& method, Problem<D> problem, const Reference& reference, bool with_inversions = true);
 
 /// Where a budget ends a run.
 struct Cut {
-    std::size_t touched = 0;  ///< so many of WholeRun::touched were met, culled ones behind the last rendered left out
+    std::size_t met = 0;      ///< so many of WholeRun::met, culled ones behind the last rendered left out
     std::size_t steps = 0;    ///< steps taken, the one that the budget cuts included
 };
 Cut cut_at(const WholeRun& run, std::uint32_t budget);
 
-/// Per primitive, 1 where it is among the first `touched` of the run's and not culled.
-std::vector<std::uint8_t> rendered_by(const WholeRun& run, std::size_t touched, std::size_t primitive_count);
+/// Per primitive, 1 where it is among the first `met` of the run's and not culled.
+std::vector<std::uint8_t> rendered_by(const WholeRun& run, std::size_t met, std::size_t primitive_count);
 
 /// Every measure of a frame on its own: no times, and nothing that compares with another frame. `rendered` is
 /// rendered_by, `wrong` wrong_mask at this budget; `best_cells` the cell oracle, which depends on the tessellation

@@ -20,27 +20,31 @@ constexpr std::uint32_t repeats = 3;
 }  // namespace
 
 template <int D>
-FrontierStudy<D>::FrontierStudy(FrontierTask<D> task) : task_(std::move(task)) {
-    for (std::size_t m = 0; m < task_.methods.size(); ++m) {
-        if (task_.methods[m].guarantee == Guarantee::conservative) {
-            dots_.push_back({m, {}});
-            continue;
-        }
-        for (const double share : usual_shares) dots_.push_back({m, {Budget::Kind::share, share}});
-    }
+FrontierStudy<D>::FrontierStudy(FrontierTask<D> task) : task_(std::move(task)), timed_(task_.variants.size()) {
+    for (std::size_t v = 0; v < task_.variants.size(); ++v) add_usual_dots(v);
 }
 
 template <int D>
-void FrontierStudy<D>::ask(const std::string& id, const Budget& budget) {
-    const auto& methods = task_.methods;
-    const auto method = std::find_if(methods.begin(), methods.end(), [&](const Method<D>& m) { return m.id == id; });
-    const auto same = [&](const FrontierDot& dot) { return methods[dot.method].id == id && dot.budget == budget; };
+void FrontierStudy<D>::add_usual_dots(std::size_t v) {
+    if (!task_.variants[v].method.budgeted) return dots_.push_back({v, {}});
+    for (const double share : usual_shares) dots_.push_back({v, {Budget::Kind::share, share}});
+}
+
+template <int D>
+void FrontierStudy<D>::ask(const Variant<D>& variant, const Budget& budget) {
+    auto& all = task_.variants;
+    const auto found =
+        std::find_if(all.begin(), all.end(), [&](const Variant<D>& other) { return other.text == variant.text; });
+    const auto v = static_cast<std::size_t>(found - all.begin());
+    if (found == all.end()) {
+        all.push_back(variant);
+        timed_.emplace_back();
+        add_usual_dots(v);
+    }
+    const auto same = [&](const FrontierDot& dot) { return dot.variant == v && dot.budget == budget; };
     if (std::any_of(dots_.begin(), dots_.end(), same)) return;
     std::erase_if(dots_, [](const FrontierDot& dot) { return dot.asked; });
-    if (method == methods.end() || method->guarantee == Guarantee::conservative ||
-        budget.kind == Budget::Kind::milliseconds)
-        return;
-    dots_.push_back({static_cast<std::size_t>(method - methods.begin()), budget, {}, true});
+    if (variant.method.budgeted && budget.kind != Budget::Kind::milliseconds) dots_.push_back({v, budget, {}, true});
 }
 
 template <int D>
@@ -77,7 +81,7 @@ const FrontierDot* FrontierStudy<D>::next_dot() const {
     const FrontierDot* next = nullptr;
     for (const FrontierDot& dot : dots_) {
         if (dot.frames.size() == task_.views.size()) continue;
-        if (work_ && dot.frames.size() == work_->view && dot.method == work_->method) return &dot;
+        if (work_ && dot.frames.size() == work_->view && dot.variant == work_->variant) return &dot;
         if (!next || dot.frames.size() < next->frames.size()) next = &dot;
     }
     return next;
@@ -93,16 +97,15 @@ bool FrontierStudy<D>::advance() {
         make_truth(view);
         return true;
     }
-    if (!work_ || work_->view != view || work_->method != dot->method) {
-        Settings settings = task_.settings;
-        const Method<D>& method = task_.methods[dot->method];
-        settings.method = method.id;
+    if (!work_ || work_->view != view || work_->variant != dot->variant) {
+        const Variant<D>& variant = task_.variants[dot->variant];
         work_.emplace();
         work_->view = view;
-        work_->method = dot->method;
-        work_->frame =
-            make_frame<D>(task_.scene->primitives, *task_.cells, task_.views[view], settings, task_.scene->two_sided);
-        work_->runner.emplace(method, work_->frame);
+        work_->variant = dot->variant;
+        work_->problem = {task_.scene.get(), task_.cells.get(), task_.views[view], none, variant.parameters};
+        const auto visible = std::make_shared<const std::vector<std::uint8_t>>(truth_.reference.visible);
+        work_->problem.services.visible_set = [visible] { return visible; };
+        work_->runner.emplace(variant.method, work_->problem);
     } else if (!work_->run) {
         if (work_->runner->advance(steps_a_slice)) return true;
         work_->run = work_->runner->finish(truth_.reference, false);
@@ -120,7 +123,7 @@ void FrontierStudy<D>::make_truth(std::size_t view) {
     work_.reset();  // its run is judged by the truth of its view
     truth_view_.reset();
     const CellComplex<D>* const cells = task_.cells.get();
-    truth_ = std::move(make_truths<D>(*task_.scene, {&cells, 1}, task_.views[view], task_.settings.reference_size,
+    truth_ = std::move(make_truths<D>(*task_.scene, {&cells, 1}, task_.views[view], task_.reference_size,
                                       task_.draw_ids, false)
                            .front());
     truth_view_ = view;
@@ -129,7 +132,7 @@ void FrontierStudy<D>::make_truth(std::size_t view) {
 template <int D>
 void FrontierStudy<D>::measure(const FrontierDot& dot) {
     const std::uint32_t budget = primitives(dot.budget);
-    const auto rendered = rendered_by(*work_->run, cut_at(*work_->run, budget).touched, task_.scene->primitives.size());
+    const auto rendered = rendered_by(*work_->run, cut_at(*work_->run, budget).met, task_.scene->primitives.size());
     const auto wrong = wrong_mask(truth_.reference.image, rendered);
     work_->values = frame_numbers(*work_->run, truth_, budget, rendered, wrong, std::nullopt);
     work_->budget = dot.budget;
@@ -145,10 +148,11 @@ void FrontierStudy<D>::take_time(FrontierDot& dot) {
     const bool drawn = D == 3 && task_.time_drawing;
     const std::uint32_t sample = work.samples++;
     if (sample <= repeats) {
-        work.frame.budget = primitives(dot.budget);
-        const double ms = run_milliseconds(task_.methods[dot.method], work.frame, state_);
+        work.problem.budget = primitives(dot.budget);
+        OwnRun<D>& run = timed_[dot.variant];
+        const double ms = run_milliseconds(task_.variants[dot.variant].method, work.problem, run);
         if (sample > 0) work.times.traverse.push_back(ms);
-        if (sample == repeats) rendered_ids(state_, ids_);
+        if (sample == repeats) rendered_ids(run->met(), ids_);
     } else if constexpr (D == 3) {
         const DrawTimes times = task_.time_drawing(task_.scene, task_.views[work.view], ids_);
         if (sample > repeats + 1) {

@@ -10,6 +10,7 @@
 
 #include "core/measure/frame_clock.h"
 #include "core/measure/frame_numbers.h"
+#include "core/run/budget.h"
 #include "core/space/cell_complex.h"
 
 namespace sightline {
@@ -19,31 +20,31 @@ template <int D>
 struct FrontierTask {
     std::shared_ptr<const Scene<D>> scene{};
     std::shared_ptr<const CellComplex<D>> cells{};
-    Settings settings{};  ///< method and budget aside
+    ImageSize reference_size{};
     std::vector<View<D>> views{};
-    std::vector<Method<D>> methods{};
+    std::vector<Variant<D>> variants{};
     DrawIds draw_ids{};          ///< 3D
     TimeDrawing time_drawing{};  ///< 3D; empty: drawing is not timed
 };
 
-/// A method at a budget; what it makes of the views so far, in their order.
+/// A variant at a budget; what it makes of the views so far, in their order.
 struct FrontierDot {
-    std::size_t method = 0;  ///< index into FrontierTask::methods
+    std::size_t variant = 0;  ///< index into FrontierTask::variants
     Budget budget;
     std::vector<Values> frames{};
     bool asked = false;  ///< one of the usual budgets is not
 };
 
-/// Approximate methods at 1, 2, 5 and 10 % of the scene, conservative ones without a budget; view by view.
+/// Methods at 1, 2, 5 and 10 % of the scene, those that have no use for a budget without one; view by view.
 template <int D>
 class FrontierStudy {
 public:
     FrontierStudy() = default;  ///< nothing to measure
     explicit FrontierStudy(FrontierTask<D> task);
 
-    /// Measures this pair too, where it is none of the usual ones; what was asked for before is dropped. A budget in
-    /// milliseconds, and one of a conservative method, is not measured.
-    void ask(const std::string& method, const Budget& budget);
+    /// Measures this variant too, and it at this budget, where that is none of the usual ones; the budget that was asked
+    /// for before is dropped. One in milliseconds, and one of a method that has no use for it, is not measured.
+    void ask(const Variant<D>& variant, const Budget& budget);
 
     /// One slice: the exact image of a view, a piece of a run, the numbers of one budget, or one timed traversal or
     /// drawing. False when there is nothing left to do. Throws WorkError where there is no OpenGL.
@@ -54,7 +55,7 @@ public:
     bool finished() const { return done() == total(); }
     /// The dot that the next slice is for, whose next view it is for; nullptr: all are finished.
     const FrontierDot* next_dot() const;
-    /// Views x methods x budgets measured, and there are.
+    /// Views x variants x budgets measured, and there are.
     std::size_t done() const;
     std::size_t total() const { return dots_.size() * task_.views.size(); }
     /// Views that all usual dots have measured.
@@ -65,8 +66,8 @@ public:
 
 private:
     struct Work {
-        std::size_t view = 0, method = 0;
-        Frame<D> frame{};
+        std::size_t view = 0, variant = 0;
+        Problem<D> problem{};
         std::optional<WholeRunner<D>> runner{};
         std::optional<WholeRun> run{};
         // Of the dot that is being measured.
@@ -75,6 +76,7 @@ private:
         std::uint32_t samples = 0;  ///< taken, those to warm up included
         TimeSamples times{};
     };
+    void add_usual_dots(std::size_t variant);
     void make_truth(std::size_t view);
     void measure(const FrontierDot& dot);
     void take_time(FrontierDot& dot);
@@ -85,7 +87,7 @@ private:
     std::optional<std::size_t> truth_view_;
     Truth truth_;
     std::optional<Work> work_;
-    State<D> state_;
+    std::vector<OwnRun<D>> timed_;  ///< of the variants
     std::vector<std::uint32_t> ids_;
 };
 

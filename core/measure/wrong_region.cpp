@@ -8,7 +8,7 @@ namespace sightline {
 std::vector<std::uint8_t> wrong_mask(const IdImage& exact, std::span<const std::uint8_t> rendered) {
     std::vector<std::uint8_t> mask(exact.ids.size());
     std::transform(exact.ids.begin(), exact.ids.end(), mask.begin(),
-                   [&](std::uint32_t id) { return static_cast<std::uint8_t>(id != no_primitive && !rendered[id]); });
+                   [&](std::uint32_t id) { return static_cast<std::uint8_t>(id != none && !rendered[id]); });
     return mask;
 }
 

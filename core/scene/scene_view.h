@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/scene/view.h"
-#include "core/settings/settings_table.h"
+#include "core/base/image_size.h"
 
 namespace sightline {
 

@@ -14,13 +14,9 @@ namespace {
 /// The primitives that a recorded step rendered, in order.
 template <int D>
 std::vector<std::uint32_t> rendered_in(const Session<D>& session, std::uint32_t step) {
-    const std::uint32_t first = session.timeline().touched_before(step);
-    const std::uint32_t end = session.timeline().steps[step - 1].touched_count;
-    std::vector<std::uint32_t> primitives;
-    for (std::uint32_t i = first; i < end; ++i)
-        if (const std::uint32_t entry = session.state().touched[i]; !(entry & State<D>::culled_bit))
-            primitives.push_back(entry);
-    return primitives;
+    const Counters &before = session.timeline().before(step), &after = session.timeline().after(step);
+    return rendered_ids(session.traversal().drawn().all().subspan(before.touched_count,
+                                                                  after.touched_count - before.touched_count));
 }
 
 /// What one side does in a step. `theirs` is the cell that the other side pops, none where cell ids do not compare.
@@ -30,7 +26,7 @@ std::string what_it_does(const Session<D>& session, const std::string& name, std
     if (step > session.recorded())
         return name + " is recorded for " + std::to_string(session.recorded()) +
                (session.recorded() == 1 ? " step" : " steps") + " only";
-    const std::uint32_t cell = session.timeline().steps[step - 1].cell;
+    const std::uint32_t cell = id_of(session.timeline().steps[step - 1].item, Kind::cell);
     if (cell == none) {
         const auto primitives = rendered_in(session, step);
         return name + " renders " + std::to_string(primitives.size()) +
@@ -39,9 +35,9 @@ std::string what_it_does(const Session<D>& session, const std::string& name, std
     }
     const Session<D> before = copy_at(session, step - 1);
     std::string text = name + " projects cell " + std::to_string(cell) + " with key " +
-                       short_number(before.state().mark(cell).key, digits);
+                       short_number(before.mark(cell).key, digits);
     if (theirs == none || theirs == cell) return text;
-    const CellMark mark = before.state().mark(theirs);
+    const Mark mark = before.mark(theirs);
     text += " (its cell " + std::to_string(theirs) + ": " +
             std::string(cell_state_words[static_cast<std::size_t>(mark.state)]);
     if (mark.state == CellState::enqueued || mark.state == CellState::projected)
@@ -53,11 +49,11 @@ std::string what_it_does(const Session<D>& session, const std::string& name, std
 template <int D>
 int digits_of(const Session<D>& session, std::uint32_t step, std::uint32_t theirs) {
     if (step > session.recorded()) return 3;
-    const std::uint32_t cell = session.timeline().steps[step - 1].cell;
+    const std::uint32_t cell = id_of(session.timeline().steps[step - 1].item, Kind::cell);
     if (cell == none || theirs == none) return 3;
     const Session<D> before = copy_at(session, step - 1);
-    const CellMark mark = before.state().mark(theirs);
-    return mark.state == CellState::enqueued ? separating_digits(before.state().mark(cell).key, mark.key) : 3;
+    const Mark mark = before.mark(theirs);
+    return mark.state == CellState::enqueued ? separating_digits(before.mark(cell).key, mark.key) : 3;
 }
 
 }  // namespace
@@ -80,8 +76,8 @@ std::vector<Side> projected_sides(const Session<D>& a, const Session<D>& b) {
     if (!same_cells(a, b)) return sides;
     sides.reserve(a.cells().cell_count());
     for (std::uint32_t cell = 0; cell < a.cells().cell_count(); ++cell) {
-        const bool left = a.state().mark(cell).state == CellState::projected;
-        const bool right = b.state().mark(cell).state == CellState::projected;
+        const bool left = a.mark(cell).state == CellState::projected;
+        const bool right = b.mark(cell).state == CellState::projected;
         sides.push_back(left && right ? Side::both : left ? Side::left : right ? Side::right : Side::neither);
     }
     return sides;
@@ -89,10 +85,10 @@ std::vector<Side> projected_sides(const Session<D>& a, const Session<D>& b) {
 
 template <int D>
 std::optional<std::uint32_t> first_difference(const Session<D>& a, const Session<D>& b) {
-    const bool by_cells = a.method().orders_cells && b.method().orders_cells && same_cells(a, b);
+    const bool by_cells = a.method().orders_cells() && b.method().orders_cells() && same_cells(a, b);
     const std::uint32_t common = std::min(a.recorded(), b.recorded());
     for (std::uint32_t step = 1; step <= common; ++step) {
-        const bool same = by_cells ? a.timeline().steps[step - 1].cell == b.timeline().steps[step - 1].cell
+        const bool same = by_cells ? a.timeline().steps[step - 1].item == b.timeline().steps[step - 1].item
                                    : rendered_in(a, step) == rendered_in(b, step);
         if (!same) return step;
     }
@@ -106,9 +102,9 @@ void follow(const Session<D>& lead, Session<D>& other, Align align) {
         other.seek(lead.position());
         return;
     }
-    const std::uint32_t wanted = lead.state().rendered_count;
+    const std::uint32_t wanted = lead.counters().rendered_count;
     other.seek(step_of_rendered(other, wanted));
-    while (other.state().rendered_count < wanted)
+    while (other.counters().rendered_count < wanted)
         if (other.step() != Stop::none) return;
 }
 
@@ -116,7 +112,7 @@ template <int D>
 std::string difference_sentence(const Session<D>& a, const Session<D>& b, std::uint32_t step) {
     const bool comparable = same_cells(a, b);
     const auto popped = [&](const Session<D>& session) {
-        return comparable && step <= session.recorded() ? session.timeline().steps[step - 1].cell : none;
+        return comparable && step <= session.recorded() ? id_of(session.timeline().steps[step - 1].item, Kind::cell) : none;
     };
     const std::uint32_t left = popped(a), right = popped(b);
     const int digits = std::max(digits_of(a, step, right), digits_of(b, step, left));

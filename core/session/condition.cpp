@@ -3,6 +3,8 @@
 
 #include <limits>
 
+#include "core/methods/cells/cell_rules.h"
+
 namespace sightline {
 
 namespace {
@@ -10,50 +12,39 @@ namespace {
 constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 
 template <int D>
-const StepRecord& last(const Session<D>& s) {
+const Step& last(const Session<D>& s) {
     return s.timeline().steps[s.position() - 1];
 }
 
 template <int D>
+std::uint32_t last_popped(const Session<D>& s) {
+    return id_of(last(s).item, Kind::cell);
+}
+
+template <int D>
 std::uint32_t rendered_in_step(const Session<D>& s) {
-    return last(s).rendered_count - s.timeline().rendered_before(s.position());
+    return last(s).after.rendered_count - s.timeline().before(s.position()).rendered_count;
 }
 
 template <int D>
 std::size_t visible_in_step(const Session<D>& s) {
-    const std::uint32_t before = s.timeline().touched_before(s.position());
-    return visible_rendered<D>(s.reference(),
-                               std::span(s.state().touched).subspan(before, last(s).touched_count - before));
+    return visible_rendered(s.reference(), s.met().subspan(s.timeline().before(s.position()).touched_count));
 }
 
 template <int D>
 double count_rules(const Session<D>& s, std::initializer_list<Rule> rules) {
     double count = 0;
-    for (const FacetRecord& record : s.timeline().facets_of(s.position()))
-        for (const Rule rule : rules) count += record.rule == rule;
+    if (last(s).item.kind != Kind::cell) return count;
+    for (const Change& change : s.timeline().changes_of(s.position()))
+        for (const Rule rule : rules) count += Rule{change.rule} == rule;
     return count;
 }
 
 /// 0: none; 1: mis-ranked; 2: unreached.
 template <int D>
 double inversion(const Session<D>& s) {
-    const Reference& reference = s.reference();
-    const StepRecord& record = last(s);
-    if (record.cell == none || reference.cell_share[record.cell] > 0 || s.cells().count(record.cell) == 0) return 0;
-    // Cells that this very step enqueued were still clean when it popped.
-    std::vector<std::uint32_t> fresh;
-    const auto records = s.timeline().facets_of(s.position());
-    for (std::size_t i = 0; i < records.size(); ++i)
-        if (records[i].rule == Rule::enqueued) fresh.push_back(s.cells().facets_of(record.cell)[i].neighbour);
-    bool clean = false;
-    for (std::uint32_t cell = 0; cell < s.cells().cell_count(); ++cell) {
-        if (reference.cell_share[cell] == 0) continue;
-        const CellState state = s.state().mark(cell).state;
-        const bool is_fresh = std::find(fresh.begin(), fresh.end(), cell) != fresh.end();
-        if (state == CellState::enqueued && !is_fresh) return 1;
-        clean |= state == CellState::clean || is_fresh;
-    }
-    return clean ? 2 : 0;
+    const auto found = s.inversion_at(s.position());
+    return !found ? 0 : found->kind == Inversion::Kind::mis_ranked ? 1 : 2;
 }
 
 template <int D>
@@ -61,23 +52,23 @@ const std::vector<RecordField<D>>& fields() {
     using S = const Session<D>&;
     static const std::vector<RecordField<D>> table{
         {"step", "number of the step", [](S s) -> double { return s.position(); }},
-        {"cell", "the cell that was popped",
-         [](S s) -> double { return last(s).cell == none ? no_value : last(s).cell; }},
-        {"rho", "its key: accumulated solidity, or layer",
-         [](S s) -> double { return last(s).cell == none ? no_value : s.state().mark(last(s).cell).key; }},
+        {"cell", "what was popped: the number of the cell",
+         [](S s) -> double { return last(s).item ? last(s).item.id : no_value; }},
+        {"rho", "its key: accumulated solidity, or what the method has instead",
+         [](S s) -> double { return last(s).item ? last(s).key : no_value; }},
         {"count", "|A|, the primitives in it",
-         [](S s) -> double { return last(s).cell == none ? no_value : s.cells().count(last(s).cell); }},
+         [](S s) -> double { return last_popped(s) == none ? no_value : s.cells().count(last_popped(s)); }},
         {"runner_up", "the key of the next cell in the front",
-         [](S s) -> double { return last(s).runner_up == none ? no_value : last(s).runner_up_key; }},
+         [](S s) -> double { return last(s).runner_up ? last(s).runner_up_key : no_value; }},
         {"visible_share", "part of the exact visible angle inside the cell; 0: hidden",
-         [](S s) -> double { return last(s).cell == none ? no_value : s.reference().cell_share[last(s).cell]; }},
+         [](S s) -> double { return last_popped(s) == none ? no_value : s.reference().cell_share[last_popped(s)]; }},
         {"rendered_now", "primitives rendered in this step", [](S s) -> double { return rendered_in_step(s); }},
         {"visible_now", "visible ones among them",
          [](S s) -> double { return static_cast<double>(visible_in_step(s)); }},
         {"hidden_now", "hidden ones among them",
          [](S s) -> double { return static_cast<double>(rendered_in_step(s) - visible_in_step(s)); }},
-        {"rendered", "primitives rendered so far", [](S s) -> double { return s.state().rendered_count; }},
-        {"front", "cells in the front after the step", [](S s) -> double { return s.state().front_size; }},
+        {"rendered", "primitives rendered so far", [](S s) -> double { return s.counters().rendered_count; }},
+        {"front", "cells in the front after the step", [](S s) -> double { return s.counters().front_size; }},
         {"enqueued", "neighbours put into the front", [](S s) { return count_rules(s, {Rule::enqueued}); }},
         {"reenqueued", "neighbours in the front that got a new key",
          [](S s) { return count_rules(s, {Rule::reenqueued}); }},

@@ -16,14 +16,14 @@ PrimitiveExplanation explain_primitive(const Session<D>& session, std::uint32_t 
         if (std::find(held.begin(), held.end(), primitive) != held.end()) e.cells.push_back(cell);
     }
     const Session<D> end = copy_at(session, session.recorded());
-    const State<D>& state = end.state();
-    for (std::uint32_t i = 0; i < state.touched_count; ++i) {
-        if ((state.touched[i] & ~State<D>::culled_bit) != primitive) continue;
-        e.culled = state.touched[i] & State<D>::culled_bit;
+    const auto met = end.met();
+    for (std::uint32_t i = 0; i < met.size(); ++i) {
+        if (met[i].primitive() != primitive) continue;
+        e.culled = met[i].culled();
         const auto& steps = end.timeline().steps;
-        const auto met = std::find_if(steps.begin(), steps.end(),
-                                      [i](const StepRecord& record) { return record.touched_count > i; });
-        e.met_at = static_cast<std::uint32_t>(met - steps.begin()) + 1;
+        const auto step =
+            std::find_if(steps.begin(), steps.end(), [i](const Step& s) { return s.after.touched_count > i; });
+        e.met_at = static_cast<std::uint32_t>(step - steps.begin()) + 1;
     }
     return e;
 }

@@ -9,11 +9,11 @@ namespace sightline {
 template <int D>
 Lanes make_lanes(const Session<D>& session) {
     constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
-    // The keys of cells projected after the position are known at the end of the recording.
+    // What undone steps met is known at the end of the recording.
     const Session<D> end = copy_at(session, session.recorded());
 
     const Reference& reference = session.reference();
-    const Timeline& timeline = end.timeline();
+    const Timeline<D>& timeline = end.timeline();
     const std::size_t steps = timeline.steps.size();
     Lanes lanes;
     lanes.cell.reserve(steps);
@@ -21,19 +21,19 @@ Lanes make_lanes(const Session<D>& session) {
     for (auto* lane : {&lanes.key, &lanes.coverage, &lanes.oracle}) lane->reserve(steps);
     std::size_t visible_so_far = 0;
     for (std::uint32_t step = 1; step <= steps; ++step) {
-        const StepRecord& record = timeline.steps[step - 1];
-        const std::uint32_t first = timeline.touched_before(step);
-        const std::size_t visible =
-            visible_rendered<D>(reference, std::span(end.state().touched).subspan(first, record.touched_count - first));
+        const Counters &before = timeline.before(step), &after = timeline.after(step);
+        const std::size_t visible = visible_rendered(
+            reference, end.met().subspan(before.touched_count, after.touched_count - before.touched_count));
         visible_so_far += visible;
-        lanes.cell.push_back(record.cell);
+        const Step& popped = timeline.steps[step - 1];
+        lanes.cell.push_back(id_of(popped.item, Kind::cell));
         lanes.visible.push_back(static_cast<std::uint32_t>(visible));
-        lanes.hidden.push_back(record.rendered_count - timeline.rendered_before(step) - lanes.visible.back());
-        lanes.rendered.push_back(record.rendered_count);
-        lanes.front.push_back(record.front_size);
-        lanes.key.push_back(record.cell == none ? no_value : end.state().mark(record.cell).key);
+        lanes.hidden.push_back(after.rendered_count - before.rendered_count - lanes.visible.back());
+        lanes.rendered.push_back(after.rendered_count);
+        lanes.front.push_back(after.front_size);
+        lanes.key.push_back(popped.item ? popped.key : no_value);
         lanes.coverage.push_back(coverage(reference, visible_so_far).value_or(no_value));
-        lanes.oracle.push_back(oracle(reference, record.rendered_count).value_or(no_value));
+        lanes.oracle.push_back(oracle(reference, after.rendered_count).value_or(no_value));
     }
     return lanes;
 }
@@ -41,9 +41,9 @@ Lanes make_lanes(const Session<D>& session) {
 template <int D>
 std::uint32_t step_of_rendered(const Session<D>& session, std::uint32_t rendered) {
     if (rendered == 0) return 0;
-    const std::vector<StepRecord>& steps = session.timeline().steps;
+    const std::vector<Step>& steps = session.timeline().steps;
     const auto found = std::partition_point(steps.begin(), steps.end(),
-                                            [&](const StepRecord& record) { return record.rendered_count < rendered; });
+                                            [&](const Step& step) { return step.after.rendered_count < rendered; });
     return found == steps.end() ? session.recorded() : static_cast<std::uint32_t>(found - steps.begin()) + 1;
 }
 

@@ -3,19 +3,6 @@
 
 namespace sightline {
 
-namespace {
-
-/// Per primitive, 1 where the state's run has rendered it.
-template <int D>
-std::vector<std::uint8_t> rendered(const State<D>& state, std::size_t primitive_count) {
-    std::vector<std::uint8_t> mask(primitive_count);
-    for (std::uint32_t i = 0; i < state.touched_count; ++i)
-        if (!(state.touched[i] & State<D>::culled_bit)) mask[state.touched[i]] = 1;
-    return mask;
-}
-
-}  // namespace
-
 template <int D>
 std::vector<Marker> pop_markers(const Session<D>& session, const ViewSpec<D>& before) {
     Session<D> earlier = session, now = session;
@@ -23,7 +10,7 @@ std::vector<Marker> pop_markers(const Session<D>& session, const ViewSpec<D>& be
     earlier.fly(before);
     now.run();
     const std::size_t count = session.scene().primitives.size();
-    const std::vector<std::uint8_t> then = rendered(earlier.state(), count), here = rendered(now.state(), count);
+    const std::vector<std::uint8_t> then = rendered_mask(earlier.met(), count), here = rendered_mask(now.met(), count);
     const auto &visible_then = earlier.reference().visible, &visible_here = now.reference().visible;
 
     std::vector<Marker> markers;
@@ -32,11 +19,9 @@ std::vector<Marker> pop_markers(const Session<D>& session, const ViewSpec<D>& be
     };
     for (std::uint32_t step = 1; step <= now.position(); ++step) {
         std::size_t appear = 0;
-        for (std::uint32_t i = now.timeline().touched_before(step); i < now.timeline().steps[step - 1].touched_count;
-             ++i) {
-            const std::uint32_t p = now.state().touched[i];
-            if (!(p & State<D>::culled_bit)) appear += visible_here[p] && visible_then[p] && !then[p];
-        }
+        const std::uint32_t first = now.timeline().before(step).touched_count;
+        for_rendered(now.met().subspan(first, now.timeline().after(step).touched_count - first),
+                     [&](std::uint32_t p) { appear += visible_here[p] && visible_then[p] && !then[p]; });
         mark(step, appear, " appear that the frame before, too, should have shown");
     }
     std::size_t vanish = 0;

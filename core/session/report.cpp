@@ -6,7 +6,7 @@
 
 #include "core/base/number.h"
 #include "core/session/explain.h"
-#include "core/truth/item_buffer.h"
+#include "core/truth/truth.h"
 
 namespace sightline {
 
@@ -25,28 +25,34 @@ std::uint32_t budget_in_primitives(const Session<D>& session) {
 }
 
 Json other_reference(const Session<2>& session) {
-    const View<2> view = make_view(session.culling_view());
-    // An all-round view has four image lines of equal width.
-    int width = image_size<2>(session.settings().reference_size).width;
-    if (view.all_round) width = std::max(4, width / 4 * 4);
-    const ItemBuffer buffer = item_buffer(session.scene().primitives, view, width);
+    const IdImage image = item_row(session.scene(), session.problem().view, session.settings().reference_size);
     Reference reference;
-    reference.visible = visible_in(buffer, session.scene().primitives.size());
+    reference.image = image;
+    reference.pixels = pixels_of(image, session.scene().primitives.size());
+    for (const std::uint32_t pixels : reference.pixels) reference.visible.push_back(pixels > 0);
     reference.count = static_cast<std::size_t>(std::count(reference.visible.begin(), reference.visible.end(), 1));
-    const State<2>& state = session.state();
-    const auto touched = std::span(state.touched).first(state.touched_count);
-    const std::size_t found = visible_rendered<2>(reference, touched);
-    std::vector<std::uint8_t> rendered(reference.visible.size());
-    for (const std::uint32_t entry : touched)
-        if (!(entry & State<2>::culled_bit)) rendered[entry] = 1;
-    const auto wrong = std::count_if(buffer.ids.begin(), buffer.ids.end(),
-                                     [&](std::uint32_t id) { return id != no_primitive && !rendered[id]; });
-    return {{"reference", "item buffer " + std::to_string(width)},
+    const std::size_t found = visible_rendered(reference, session.met());
+    return {{"reference", "item buffer " + std::to_string(image.width)},
             {"visible", reference.count},
             {"visible_rendered", found},
             {"coverage", or_null(coverage(reference, found))},
             {"oracle", or_null(oracle(reference, budget_in_primitives(session)))},
-            {"wrong_pixels", static_cast<double>(wrong) / static_cast<double>(buffer.ids.size())}};
+            {"wrong_pixels", wrong_pixels(reference, session.met())}};
+}
+
+/// By name; a word in place of a number is JSON as it stands, else a text.
+Json terms_json(const KeyExplanation& key) {
+    Json json = Json::object();
+    for (const Term& term : key.terms) {
+        if (term.words.empty()) {
+            const bool whole = term.value >= 0 && term.value < 4294967296.0 && term.name == "count";
+            json[std::string(term.name)] = whole ? Json(static_cast<std::uint32_t>(term.value)) : Json(term.value);
+            continue;
+        }
+        Json word = Json::parse(term.words, nullptr, false);
+        json[std::string(term.name)] = word.is_discarded() ? Json(term.words) : std::move(word);
+    }
+    return json;
 }
 
 }  // namespace
@@ -55,10 +61,9 @@ template <int D>
 std::string stats_json(const Session<D>& session, Stop stop) {
     const Scene<D>& scene = session.scene();
     const Reference& reference = session.reference();
-    const State<D>& state = session.state();
     std::array<std::size_t, 4> cells_in{};
     for (std::uint32_t cell = 0; cell < session.cells().cell_count(); ++cell)
-        ++cells_in[static_cast<std::size_t>(state.mark(cell).state)];
+        ++cells_in[static_cast<std::size_t>(session.mark(cell).state)];
     const auto inversions = session.inversions();
     const auto up_to_now = [&](Inversion::Kind kind) {
         return std::count_if(inversions.begin(), inversions.end(),
@@ -75,7 +80,8 @@ std::string stats_json(const Session<D>& session, Stop stop) {
         {"seed", scene.seed},
         {"scene_hash", hash_text(scene_hash(scene))},
         {"method", session.settings().method},
-        {"approximate", session.method().guarantee == Guarantee::approximate},
+        {"approximate", session.traversal().misses() == Misses::may},
+        {"guarantee", session.guarantee()},
         {"tessellation", words<Tessellation>[static_cast<std::size_t>(session.settings().tessellation)]},
         {"cells", session.cells().cell_count()},
         {"primitives", scene.primitives.size()},
@@ -87,12 +93,12 @@ std::string stats_json(const Session<D>& session, Stop stop) {
         {"projected", cells_in[static_cast<std::size_t>(CellState::projected)]},
         {"enqueued", cells_in[static_cast<std::size_t>(CellState::enqueued)]},
         {"unseen", cells_in[static_cast<std::size_t>(CellState::unseen)]},
-        {"rendered", state.rendered_count},
+        {"rendered", session.counters().rendered_count},
         {"visible", reference.count},
         {"visible_rendered", found},
         {"coverage", or_null(coverage(reference, found))},
         {"oracle", or_null(oracle(reference, budget_in_primitives(session)))},
-        {"cell_oracle", or_null(cell_oracle(reference, session.frame()))},
+        {"cell_oracle", or_null(cell_oracle(reference, session.problem()))},
         {"inversions", mis_ranked + unreached},
         {"mis_ranked", mis_ranked},
         {"unreached", unreached},
@@ -121,7 +127,7 @@ std::string stats_json(const Session<D>& session, Stop stop) {
     if constexpr (D == 2)
         json["item_buffer"] = other_reference(session);
     else
-        json["wrong_pixels"] = wrong_pixels(reference, std::span(state.touched).first(state.touched_count));
+        json["wrong_pixels"] = wrong_pixels(reference, session.met());
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -130,7 +136,7 @@ std::string trace_json(const Session<D>& session) {
     Json steps = Json::array();
     for (std::uint32_t step = 1; step <= session.position(); ++step) {
         const StepExplanation e = explain_step(session, step);
-        const StepRecord& record = session.timeline().steps[step - 1];
+        const Counters &before = session.timeline().before(step), &after = session.timeline().after(step);
         Json row{{"step", step},
                  {"cell", or_null(e.cell)},
                  {"key", e.key},
@@ -140,28 +146,18 @@ std::string trace_json(const Session<D>& session) {
                  {"visible_share", e.visible_share},
                  {"rendered_now", e.rendered},
                  {"visible_now", e.visible},
-                 {"rendered", record.rendered_count},
-                 {"front", record.front_size}};
-        Json primitives = Json::array();
-        for (std::uint32_t i = session.timeline().touched_before(step); i < record.touched_count; ++i)
-            if (const std::uint32_t entry = session.state().touched[i]; !(entry & State<D>::culled_bit))
-                primitives.push_back(entry);
-        row["primitives"] = std::move(primitives);
+                 {"rendered", after.rendered_count},
+                 {"front", after.front_size}};
+        if (e.item && e.cell == none) row["item"] = {{"kind", kind_word(e.item.kind)}, {"id", e.item.id}};
+        row["primitives"] =
+            rendered_ids(session.met().subspan(before.touched_count, after.touched_count - before.touched_count));
         Json facets = Json::array();
-        for (const FacetExplanation& f : e.facets) {
-            Json facet{{"neighbour", or_null(f.neighbour)},
-                       {"rule", rule_words[static_cast<std::size_t>(f.rule)]},
-                       {"state_before", cell_state_words[static_cast<std::size_t>(f.before.state)]},
-                       {"key_before", f.before.key}};
-            if (f.terms)
-                facet["terms"] = {{"rho_a", f.terms->rho_a},
-                                  {"count", f.terms->count},
-                                  {"density", f.terms->density},
-                                  {"alignment", f.terms->alignment},
-                                  {"weight", f.terms->weight},
-                                  {"star_shaped", f.terms->star_tested ? Json(f.terms->star_shaped) : Json(nullptr)},
-                                  {"unpenalised", f.terms->unpenalised},
-                                  {"key", f.terms->key}};
+        for (const Considered& c : e.looked_at) {
+            Json facet{{"neighbour", c.item ? Json(c.item.id) : Json(nullptr)},
+                       {"rule", c.words},
+                       {"state_before", cell_state_words[static_cast<std::size_t>(c.before.state)]},
+                       {"key_before", c.before.key}};
+            if (c.key) facet["terms"] = terms_json(*c.key);
             facets.push_back(std::move(facet));
         }
         row["facets"] = std::move(facets);
@@ -170,7 +166,7 @@ std::string trace_json(const Session<D>& session) {
     const Json json{{"format", "sightline-trace"},
                     {"version", 1},
                     {"conditions", conditions(session)},
-                    {"seed_cell", or_null(session.state().seed)},
+                    {"seed_cell", or_null(seed_cell(session))},
                     {"state_hash", hash_text(session.hash())},
                     {"steps", std::move(steps)}};
     return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
@@ -184,7 +180,7 @@ std::string conditions(const Session<D>& session) {
     std::string text = scene.title.empty() ? scene.id : scene.title;
     if (scene.source == "generated") text += " (" + scene.id + ", seed " + std::to_string(scene.seed) + ")";
     text += ", " + std::to_string(scene.primitives.size()) + primitives + ". Method " + settings.method + " (" +
-            (session.method().guarantee == Guarantee::approximate ? "approximate" : "conservative") + "), " +
+            session.guarantee() + "), " +
             std::to_string(session.cells().cell_count()) + " " +
             (settings.tessellation == Tessellation::delaunay ? "Delaunay"
              : D == 2                                        ? "quadtree"

@@ -8,8 +8,10 @@
 #include "core/base/number.h"
 #include "core/base/stopwatch.h"
 #include "core/measure/first_wrong.h"
-#include "core/scene/scene_view.h"
+#include "core/methods/cells/cell_rules.h"
+#include "core/run/drive.h"
 #include "core/space/builders.h"
+#include "core/truth/truth.h"
 
 namespace sightline {
 
@@ -26,27 +28,9 @@ auto timed(double& milliseconds, Work work) {
     return work();
 }
 
-Reference make_reference(const Scene<2>& scene, const CellComplex<2>& cells, const View<2>& view, const Settings&,
-                         const DrawIds&) {
-    return exact_reference(scene.primitives, cells, view);
-}
-
-Reference make_reference(const Scene<3>& scene, const CellComplex<3>& cells, const View<3>& view,
-                         const Settings& settings, const DrawIds& draw_ids) {
-    if (!draw_ids) throw WorkError("the exact image cannot be drawn: there is no OpenGL");
-    auto images = draw_ids(scene, view, image_size<3>(settings.reference_size), 1);
-    return image_reference(std::move(images.front()), scene, cells, view);
-}
-
-std::vector<std::uint32_t> make_layering(const Scene<2>& scene, const View<2>& view, const Settings&, const DrawIds&) {
-    return layering_numbers(scene.primitives, view);
-}
-
-std::vector<std::uint32_t> make_layering(const Scene<3>& scene, const View<3>& view, const Settings& settings,
-                                         const DrawIds& draw_ids) {
-    if (!draw_ids) throw WorkError("layering numbers cannot be drawn: there is no OpenGL");
-    return layering_numbers(draw_ids(scene, view, image_size<3>(settings.reference_size), most_layers),
-                            scene.primitives.size());
+/// Whether the step gave a key that carries a penalty.
+bool gives_penalty(const Change& change) {
+    return change.penalty && (Rule{change.rule} == Rule::enqueued || Rule{change.rule} == Rule::reenqueued);
 }
 
 }  // namespace
@@ -58,12 +42,12 @@ Session<D>::Session(std::shared_ptr<const Scene<D>> scene, const ViewSpec<D>& vi
     : scene_(std::move(scene)),
       cells_(std::move(cells)),
       methods_(methods),
-      method_(find_method<D>(methods, settings.method)),
       settings_(settings),
       draw_ids_(std::move(draw_ids)),
       culling_view_(view),
       display_view_(view),
       view_(scene_view(view, *scene_, settings.reference_size)) {
+    resolve_method(settings_, method_);
     if (!cells_) tessellate(progress);
     restart();
 }
@@ -93,17 +77,33 @@ void Session<D>::drop_dangling() {
 
 template <int D>
 void Session<D>::forget_measures() {
+    inversions_.reset();
     reference_.reset();
     layering_.reset();
 }
 
+/// Finds the method; the assignments of a variant go to the parameters.
+template <int D>
+void Session<D>::resolve_method(Settings& settings, Method<D>& method) const {
+    Parameters parameters = settings.parameters;
+    method = find_variant<D>(methods_, read_variant(settings.method), parameters);
+    settings.method = method.id;
+    settings.parameters = std::move(parameters);
+}
+
 template <int D>
 void Session<D>::restart() {
+    Problem<D> problem{scene_.get(), cells_.get(), view_, settings_.budget.primitives(scene_->primitives.size()),
+                       settings_.parameters, method_.needs.history ? history_ : nullptr};
+    if (method_.needs.visible_set) {
+        reference();
+        const std::shared_ptr<const std::vector<std::uint8_t>> visible(reference_, &reference_->visible);
+        problem.services.visible_set = [visible] { return visible; };
+    }
+    run_.start(problem, method_.start);
     flying_ = false;
-    frame_ = make_frame<D>(scene_->primitives, *cells_, view_, settings_, scene_->two_sided);
-    method_.start(frame_, state_);
-    timeline_ = {};
-    timeline_.seed_count = state_.front_size;
+    timeline_.begin(*run_);
+    inversions_.reset();
     time_stop_ = none;
     times_.traverse = 0;
 }
@@ -111,42 +111,34 @@ void Session<D>::restart() {
 template <int D>
 Stop Session<D>::step() {
     land();
-    if (state_.step >= time_stop_) return Stop::budget;
-    if (state_.step < timeline_.steps.size()) {
-        redo_step(frame_, state_, timeline_);
-        return Stop::none;
-    }
-    return timed(times_.traverse, [&] { return method_.record(frame_, state_, timeline_); });
+    if (run_->steps() >= time_stop_) return Stop::budget;
+    if (run_->steps() < recorded()) return timeline_.forward(run_);
+    return timed(times_.traverse, [&] { return timeline_.forward(run_); });
 }
 
 template <int D>
 bool Session<D>::finished() const {
-    if (state_.step >= time_stop_) return true;
-    if (!flying_ && state_.step < recorded()) return false;
-    if (state_.spent >= frame_.budget) return true;
-    return method_.orders_cells ? state_.front_size == 0 && state_.partial_cell == none
-                                : state_.offset >= state_.order.size();
+    if (run_->steps() >= time_stop_) return true;
+    if (!flying_ && run_->steps() < recorded()) return false;
+    return run_->finished();
 }
 
 template <int D>
 bool Session<D>::back() {
     land();
-    if (state_.step == 0) return false;
-    undo_step(frame_, state_, timeline_);
-    return true;
+    return timeline_.back(run_);
 }
 
 template <int D>
 template <typename Holds>
 Stop Session<D>::advance(std::uint32_t steps, Holds holds) {
-    const bool limited_by_time = settings_.budget.kind == Budget::Kind::milliseconds && time_stop_ == none;
-    const Stopwatch running;
-    for (std::uint32_t made = 0; made < steps; ++made) {
-        if (const Stop stop = step(); stop != Stop::none) return stop;
-        if (limited_by_time && running.milliseconds() >= settings_.budget.value) time_stop_ = state_.step;
-        if (holds(*this)) return Stop::breakpoint;
-    }
-    return Stop::steps;
+    // A budget in milliseconds ends a run once; from then on the step at which it did is the end.
+    const Stop stop = drive(
+        time_stop_ == none ? settings_.budget : Budget{}, steps, [&] { return step(); },
+        [&] { return holds(*this); });
+    if (stop == Stop::budget && time_stop_ == none && settings_.budget.kind == Budget::Kind::milliseconds)
+        time_stop_ = run_->steps();
+    return stop;
 }
 
 template <int D>
@@ -162,22 +154,22 @@ Stop Session<D>::run_until(const std::function<bool(const Session&)>& holds) {
 template <int D>
 Stop Session<D>::seek(std::uint32_t step) {
     land();
-    while (state_.step > step) undo_step(frame_, state_, timeline_);
-    while (state_.step < std::min<std::size_t>({step, timeline_.steps.size(), time_stop_}))
-        redo_step(frame_, state_, timeline_);
-    while (state_.step < step)
+    timeline_.seek(run_, std::min({step, recorded(), std::max(time_stop_, run_->steps())}));
+    while (run_->steps() < step)
         if (const Stop stop = this->step(); stop != Stop::none) return stop;
     return Stop::steps;
 }
 
 template <int D>
 Invalidates Session<D>::change(const Settings& settings) {
-    const Invalidates what = difference(settings_, settings);
-    const Method<D>& method = find_method<D>(methods_, settings.method);
+    Settings wanted = settings;
+    Method<D> method;
+    resolve_method(wanted, method);
+    const Invalidates what = difference(settings_, wanted);
     const View<D> view = scene_view(culling_view_, *scene_, settings.reference_size);
     land();
-    const std::uint32_t step = state_.step;
-    const Settings before = std::exchange(settings_, settings);
+    const std::uint32_t step = run_->steps();
+    const Settings before = std::exchange(settings_, wanted);
     if (what >= Invalidates::tessellation) {
         try {
             tessellate();
@@ -187,13 +179,22 @@ Invalidates Session<D>::change(const Settings& settings) {
         }
         forget_measures();
     }
-    method_ = method;
+    if (method.id != method_.id) run_ = {};
+    std::swap(method_, method);
     if (what == Invalidates::reference) forget_measures();
     const bool another_view = view.corners != view_.corners;  // the reference's size is the view's aspect
     view_ = view;
     if (what >= Invalidates::traversal || another_view) {
-        restart();
-        seek(step);
+        try {
+            start_again(step);
+        } catch (...) {  // the method cannot run here
+            settings_.method = before.method;
+            settings_.parameters = before.parameters;
+            std::swap(method_, method);
+            run_ = {};
+            start_again(step);
+            throw;
+        }
     }
     return what;
 }
@@ -214,7 +215,7 @@ void Session<D>::check(const ViewSpec<D>& view) const {
 template <int D>
 void Session<D>::set_culling_view(const ViewSpec<D>& view) {
     land();
-    const std::uint32_t step = state_.step;
+    const std::uint32_t step = run_->steps();
     aim(view);
     restart();
     seek(step);
@@ -234,21 +235,16 @@ void Session<D>::set_view(const ViewSpec<D>& view) {
 
 template <int D>
 Stop Session<D>::fly(const ViewSpec<D>& view) {
+    if (method_.needs.history && run_->finished()) {
+        lane_.push_back(culling_view_);
+        history_ = run_->next_history();
+    }
     aim(view);
     restart();
     flying_ = true;
     const Stopwatch flight;
-    Stop stop = Stop::none;
-    if (settings_.budget.kind == Budget::Kind::milliseconds) {
-        while ((stop = method_.run(frame_, state_, 1)) == Stop::steps)
-            if (flight.milliseconds() >= settings_.budget.value) break;
-        if (stop == Stop::steps) {
-            time_stop_ = state_.step;
-            stop = Stop::budget;
-        }
-    } else {
-        stop = method_.run(frame_, state_, none);
-    }
+    const Stop stop = drive(settings_.budget, *run_);
+    if (stop == Stop::budget && settings_.budget.kind == Budget::Kind::milliseconds) time_stop_ = run_->steps();
     times_.traverse = flight.milliseconds();
     return stop;
 }
@@ -256,16 +252,52 @@ Stop Session<D>::fly(const ViewSpec<D>& view) {
 template <int D>
 void Session<D>::land() {
     if (!flying_) return;
-    const std::uint32_t step = state_.step, time_stop = time_stop_;
+    const std::uint32_t step = run_->steps(), time_stop = time_stop_;
     restart();
     time_stop_ = time_stop;
     seek(step);
 }
 
 template <int D>
+void Session<D>::set_lane(std::vector<ViewSpec<D>> lane) {
+    land();
+    const std::uint32_t step = run_->steps();
+    lane_ = std::move(lane);
+    start_again(step);
+}
+
+/// Another run, at the same step as far as it has one; what the frame depends on is run before.
+template <int D>
+void Session<D>::start_again(std::uint32_t step) {
+    history_ = nullptr;
+    if (method_.needs.history) {
+        const ViewSpec<D> here = culling_view_;
+        for (const ViewSpec<D>& view : lane_) {
+            aim(view);
+            restart();
+            drive(settings_.budget, *run_);
+            history_ = run_->next_history();
+        }
+        if (!lane_.empty()) aim(here);
+    }
+    restart();
+    seek(step);
+}
+
+template <int D>
+void Session<D>::step_into(std::size_t frame) {
+    std::vector<ViewSpec<D>> before = lane_;
+    const ViewSpec<D> view = before.at(frame);
+    before.resize(frame);
+    set_lane(std::move(before));
+    set_culling_view(view);
+    run();
+}
+
+template <int D>
 void Session<D>::set_scene(std::shared_ptr<const Scene<D>> scene) {
     land();
-    const std::uint32_t step = state_.step;
+    const std::uint32_t step = run_->steps();
     std::swap(scene_, scene);
     try {
         tessellate();
@@ -274,8 +306,7 @@ void Session<D>::set_scene(std::shared_ptr<const Scene<D>> scene) {
         throw;
     }
     forget_measures();
-    restart();
-    seek(step);
+    start_again(step);
 }
 
 template <int D>
@@ -289,7 +320,8 @@ template <int D>
 const Reference& Session<D>::reference() const {
     if (!reference_)
         reference_ = timed(times_.reference, [&] {
-            return std::make_shared<const Reference>(make_reference(*scene_, *cells_, view_, settings_, draw_ids_));
+            return std::make_shared<const Reference>(
+                make_reference(*scene_, *cells_, view_, settings_.reference_size, draw_ids_));
         });
     return *reference_;
 }
@@ -297,58 +329,76 @@ const Reference& Session<D>::reference() const {
 template <int D>
 const std::vector<std::uint32_t>& Session<D>::layering() const {
     if (!layering_)
-        layering_ =
-            std::make_shared<const std::vector<std::uint32_t>>(make_layering(*scene_, view_, settings_, draw_ids_));
+        layering_ = std::make_shared<const std::vector<std::uint32_t>>(
+            make_layering(*scene_, view_, settings_.reference_size, draw_ids_));
     return *layering_;
 }
 
 template <int D>
 std::size_t Session<D>::visible_rendered() const {
-    return sightline::visible_rendered<D>(reference(), std::span(state_.touched).first(state_.touched_count));
+    return sightline::visible_rendered(reference(), met());
+}
+
+template <int D>
+const Inversions& Session<D>::followed_inversions() const {
+    if (!inversions_) inversions_.emplace(reference().cell_share, reference().visible, run_->seeds());
+    const auto count = [&](std::uint32_t cell) { return cells_->count(cell); };
+    if (inversions_->followed() == recorded()) return *inversions_;
+    // What undone steps met is known to a run that undoes by marks; another has to be where they are done.
+    if (run_->undoes_by_marks() || run_->steps() == recorded())
+        inversions_->follow(timeline_, run_->drawn().all(), count);
+    else
+        inversions_->follow(timeline_, copy_at(*this, recorded()).met(), count);
+    return *inversions_;
 }
 
 template <int D>
 std::vector<Inversion> Session<D>::inversions() const {
-    return sightline::inversions(reference(), frame_, state_, timeline_);
+    std::vector<Inversion> found = followed_inversions().found();
+    std::stable_sort(found.begin(), found.end(),
+                     [](const Inversion& a, const Inversion& b) { return a.wasted > b.wasted; });
+    return found;
+}
+
+template <int D>
+std::optional<Inversion> Session<D>::inversion_at(std::uint32_t step) const {
+    const Inversion* const found = followed_inversions().at(step);
+    return found ? std::optional(*found) : std::nullopt;
 }
 
 template <int D>
 std::vector<HalfFacet> Session<D>::penalised_facets(std::uint32_t step) const {
     std::vector<HalfFacet> found;
-    const std::uint32_t cell = timeline_.steps[step - 1].cell;
+    const std::uint32_t cell = id_of(timeline_.steps[step - 1].item, Kind::cell);
     if (cell == none) return found;
-    const auto records = timeline_.facets_of(step);
-    const auto facets = cells_->facets_of(cell);
-    for (std::size_t i = 0; i < records.size(); ++i)
-        if ((records[i].rule == Rule::enqueued || records[i].rule == Rule::reenqueued) &&
-            method_.terms(frame_, cell, state_.mark(cell).key, facets[i]).penalised())
-            found.push_back(facets[i]);
+    for (const Change& change : timeline_.changes_of(step))
+        if (gives_penalty(change))
+            for (const HalfFacet& half : cells_->facets_of(cell))
+                if (half.facet() == change.via) found.push_back(half);
     return found;
 }
 
 template <int D>
 std::vector<Marker> Session<D>::markers() const {
     std::vector<Marker> markers;
-    if (method_.terms) {
-        // The keys of cells projected later are known where all is done.
-        const Session end = copy_at(*this, recorded());
-        for (std::uint32_t step = 1; step <= end.position(); ++step)
-            if (const std::size_t penalised = end.penalised_facets(step).size(); penalised > 0)
-                markers.push_back({step, Marker::Kind::penalty, std::to_string(penalised) + " penalised"});
+    for (std::uint32_t step = 1; step <= recorded(); ++step) {
+        const auto changes = timeline_.changes_of(step);
+        if (const auto penalised = std::count_if(changes.begin(), changes.end(), gives_penalty); penalised > 0)
+            markers.push_back({step, Marker::Kind::penalty, std::to_string(penalised) + " penalised"});
     }
     for (const Inversion& inversion : inversions())
         markers.push_back(
             {inversion.step,
              inversion.kind == Inversion::Kind::mis_ranked ? Marker::Kind::mis_ranked : Marker::Kind::unreached,
              std::to_string(inversion.wasted) + " wasted"});
-    if (const auto lost = first_wrong<D>(reference(), state_.touched, timeline_, frame_.budget))
+    if (const auto lost = first_wrong(reference(), run_->drawn().all(), timeline_, problem().budget))
         markers.push_back({lost->step, Marker::Kind::first_wrong,
                            std::to_string(lost->missing) + " visible still missing, budget for " +
                                std::to_string(lost->left) + " left"});
     for (const double share : {0.01, 0.02, 0.05, 0.10}) {
         const std::uint32_t wanted = Budget{Budget::Kind::share, share}.primitives(scene_->primitives.size());
         const auto reached = std::find_if(timeline_.steps.begin(), timeline_.steps.end(),
-                                          [&](const StepRecord& record) { return record.spent >= wanted; });
+                                          [&](const Step& step) { return step.after.spent >= wanted; });
         if (reached != timeline_.steps.end())
             markers.push_back({static_cast<std::uint32_t>(reached - timeline_.steps.begin()) + 1, Marker::Kind::budget,
                                short_number(share * 100) + " %"});

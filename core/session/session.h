@@ -7,15 +7,19 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/base/progress.h"
+#include "core/measure/inversion.h"
 #include "core/measure/metrics.h"
 #include "core/session/note.h"
-#include "core/settings/settings_table.h"
-#include "core/traversal/methods.h"
+#include "core/session/settings_table.h"
+#include "core/methods/method_table.h"
+#include "core/run/timeline.h"
+#include "core/scene/scene_view.h"
 
 namespace sightline {
 
@@ -71,14 +75,19 @@ public:
     const ViewSpec<D>& display_view() const { return frozen() ? display_view_ : culling_view_; }
     bool frozen() const { return frozen_ != Frozen::nothing; }
     Frozen frozen_part() const { return frozen_; }
-    const Frame<D>& frame() const { return frame_; }
-    const State<D>& state() const { return state_; }
-    const Timeline& timeline() const { return timeline_; }
-    std::uint32_t position() const { return flying_ ? 0 : state_.step; }
-    std::uint32_t recorded() const { return static_cast<std::uint32_t>(timeline_.steps.size()); }
+    const Run<D>& traversal() const { return *run_; }
+    const Problem<D>& problem() const { return run_->problem(); }
+    const Counters& counters() const { return run_->counters(); }
+    std::span<const Met> met() const { return run_->met(); }
+    Mark mark(std::uint32_t cell) const { return run_->mark(cell); }
+    const Timeline<D>& timeline() const { return timeline_; }
+    std::uint32_t position() const { return flying_ ? 0 : run_->steps(); }
+    std::uint32_t recorded() const { return timeline_.size(); }
     /// Whether the run ends here: step() would say why.
     bool finished() const;
-    std::uint64_t hash() const { return state_hash(state_); }
+    /// "approximate", "conservative", … of this run, here (method.h).
+    std::string guarantee() const { return guarantee_words(method_, *run_); }
+    std::uint64_t hash() const { return run_->hash(); }
     const Times& times() const { return times_; }
     Times& times() { return times_; }
 
@@ -102,6 +111,13 @@ public:
     /// (substep.h): nothing further is in its marks, its counters or its record of the step. The session itself from
     /// the last substep on, and at step 0.
     Session in_the_middle(std::uint32_t substep) const;
+
+    // The lane of frames: what a method that needs a history was shown before this frame.
+    /// Runs these views one after the other, as a flight does; what they leave is the history of the frame at hand.
+    void set_lane(std::vector<ViewSpec<D>> lane);
+    const std::vector<ViewSpec<D>>& lane() const { return lane_; }
+    /// Goes back into frame i of the lane: runs it again with a recording, after those before it.
+    void step_into(std::size_t frame);
 
     // Changing it. Each keeps the step as far as the new traversal has it, and the selection.
     /// What was made again.
@@ -145,7 +161,10 @@ public:
     /// Layering number ζ of each primitive; 0: hit by no ray (visible_set.h).
     const std::vector<std::uint32_t>& layering() const;
     std::size_t visible_rendered() const;
+    /// Of the whole recording, most wasted primitives first.
     std::vector<Inversion> inversions() const;
+    /// Of one recorded step; nothing: it is none.
+    std::optional<Inversion> inversion_at(std::uint32_t step) const;
     /// Penalties, inversions, the first wrong pixel (first_wrong.h) and the ticks of 1, 2, 5 and 10 % budget, by step.
     std::vector<Marker> markers() const;
 
@@ -153,6 +172,9 @@ private:
     void tessellate(const Progress& progress = {});
     void aim(const ViewSpec<D>& view);
     void restart();
+    void start_again(std::uint32_t step);
+    void resolve_method(Settings& settings, Method<D>& method) const;
+    const Inversions& followed_inversions() const;
     void drop_dangling();
     void forget_measures();
     /// The one way forward: until the budget, the empty front, `steps` steps, or `holds` after a step.
@@ -167,14 +189,16 @@ private:
     DrawIds draw_ids_;
     ViewSpec<D> culling_view_, display_view_;
     View<D> view_;
-    Frame<D> frame_;  ///< points into what scene_ and cells_ own, which copies of the session share
     Frozen frozen_ = Frozen::nothing;
     bool flying_ = false;
-    State<D> state_;
-    Timeline timeline_;
+    OwnRun<D> run_;  ///< points into what scene_ and cells_ own, which copies of the session share
+    Timeline<D> timeline_;
+    std::vector<ViewSpec<D>> lane_;
+    std::shared_ptr<const FrameHistory> history_;
     std::uint32_t time_stop_ = none;
     mutable std::shared_ptr<const Reference> reference_;
     mutable std::shared_ptr<const std::vector<std::uint32_t>> layering_;
+    mutable std::optional<Inversions> inversions_;
     mutable Times times_;
 };
 
@@ -184,7 +208,15 @@ extern template class Session<3>;
 /// The cell that the last step projected; none at step 0, for orders of primitives, and when flying.
 template <int D>
 std::uint32_t last_cell(const Session<D>& session) {
-    return session.position() > 0 && !session.flying() ? session.timeline().steps[session.position() - 1].cell : none;
+    return session.position() > 0 && !session.flying() ? id_of(session.timeline().steps[session.position() - 1].item, Kind::cell)
+                                                       : none;
+}
+
+/// The first of the cells that a run starts from; none for other methods.
+template <int D>
+std::uint32_t seed_cell(const Session<D>& session) {
+    const auto seeds = session.traversal().seeds();
+    return seeds.empty() ? none : id_of(seeds.front(), Kind::cell);
 }
 
 /// Both views and what of them is frozen, at once; the traversal is made again where the culling view is another one.

@@ -2,7 +2,7 @@
 #include "core/session/start_settings.h"
 
 #include "core/scene/make/catalogue.h"
-#include "core/settings/settings_table.h"
+#include "core/session/settings_table.h"
 
 namespace sightline {
 

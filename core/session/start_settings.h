@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "core/settings/settings.h"
+#include "core/session/settings.h"
 
 namespace sightline {
 

@@ -203,6 +203,11 @@ OpenedState<D> read_state(const Json& json, const std::string& name, std::span<c
         {},
         {}};
     Session<D>& session = opened.session;
+    if (json.contains("lane")) {
+        std::vector<ViewSpec<D>> lane;
+        for (const Json& view : list(json, "lane")) lane.push_back(read_view<D>(view));
+        session.set_lane(std::move(lane));
+    }
     if (json.contains("time_stop")) session.set_time_stop(read_count(json.at("time_stop")));
     const std::uint32_t step = read_count(json.at("step"));
     session.seek(step);
@@ -278,12 +283,24 @@ OrderedJson scene_part(const Scene<D>& scene) {
     return json;
 }
 
+/// With the parameters that the table of settings does not have: those of a method from another table.
+template <int D>
+std::string method_text(const Session<D>& session) {
+    VariantText text{session.settings().method, {}};
+    const auto known = all_parameters();
+    for (const ParameterRow* row : session.method().parameters)
+        if (std::none_of(known.begin(), known.end(), [&](const auto* other) { return other->name == row->name; }))
+            text.assignments.emplace_back(row->name, session.settings().parameters.text(*row));
+    return text.text();
+}
+
 /// All but the scene and the figure, which two states may share.
 template <int D>
 OrderedJson session_part(const Session<D>& session) {
     OrderedJson settings;
     for (const SettingRow& row : settings_table())
         if (row.dimension == 0 || row.dimension == D) settings[std::string(row.name)] = row.get(session.settings());
+    settings["method"] = method_text(session);
     OrderedJson json{{"settings", std::move(settings)},
                      {"view", view_json<D>(session.culling_view())},
                      {"step", session.position()},
@@ -291,6 +308,7 @@ OrderedJson session_part(const Session<D>& session) {
     if (session.frozen()) json["display_view"] = view_json<D>(session.display_view());
     if (session.frozen() && session.frozen_part() != Frozen::all)
         json["frozen"] = frozen_words[static_cast<std::size_t>(session.frozen_part())];
+    for (const ViewSpec<D>& view : session.lane()) json["lane"].push_back(view_json<D>(view));
     if (session.time_stop() != none) json["time_stop"] = session.time_stop();
     if (session.selected_cell != none) json["selected_cell"] = session.selected_cell;
     if (session.selected_primitive != none) json["selected_primitive"] = session.selected_primitive;

@@ -9,12 +9,12 @@ namespace sightline {
 
 /// Delaunay triangulation of the (jittered) leaf centres (TVCG section 4.3), renumbered canonically: points in leaf
 /// order and then the border's corners, cells sorted by their corners. Moves the tree into the result.
-CellComplex<2> delaunay_cells(Tree<2> tree, const Settings& settings);
-CellComplex<3> delaunay_cells(Tree<3> tree, const Settings& settings);
+CellComplex<2> delaunay_cells(Tree<2> tree, const TessellationSettings& settings);
+CellComplex<3> delaunay_cells(Tree<3> tree, const TessellationSettings& settings);
 
 /// The tessellation that the settings ask for, without primitives.
 template <int D>
-CellComplex<D> tessellation(const Scene<D>& scene, const Settings& settings);
+CellComplex<D> tessellation(const Scene<D>& scene, const TessellationSettings& settings);
 
 /// The leaves as cells; face neighbours of different size in both directions (TVCG fig. 9).
 template <int D>

@@ -134,14 +134,14 @@ void set_border_cells(CellComplex<D>& cells) {
 }
 
 template <int D>
-CellComplex<D> tessellation(const Scene<D>& scene, const Settings& settings) {
+CellComplex<D> tessellation(const Scene<D>& scene, const TessellationSettings& settings) {
     Tree<D> tree = build_tree<D>(scene.primitives, settings.error_bound);
     return settings.tessellation == Tessellation::delaunay ? delaunay_cells(std::move(tree), settings)
                                                            : tree_cells(std::move(tree));
 }
 
 template <int D>
-CellComplex<D> build_cells(const Scene<D>& scene, const Settings& settings) {
+CellComplex<D> build_cells(const Scene<D>& scene, const TessellationSettings& settings) {
     CellComplex<D> cells = tessellation(scene, settings);
     assign_primitives(cells, scene.primitives);
     return cells;
@@ -155,8 +155,8 @@ CellComplex<D> build_cells(const Scene<D>& scene, const Settings& settings) {
     template void set_cell_primitives<D>(CellComplex<D>&, std::span<const CellPrimitive>);      \
     template void set_solidity_scales<D>(CellComplex<D>&);                                      \
     template void set_border_cells<D>(CellComplex<D>&);                                         \
-    template CellComplex<D> tessellation<D>(const Scene<D>&, const Settings&);                  \
-    template CellComplex<D> build_cells<D>(const Scene<D>&, const Settings&);
+    template CellComplex<D> tessellation<D>(const Scene<D>&, const TessellationSettings&);                  \
+    template CellComplex<D> build_cells<D>(const Scene<D>&, const TessellationSettings&);
 SIGHTLINE_INSTANTIATE(2)
 SIGHTLINE_INSTANTIATE(3)
 #undef SIGHTLINE_INSTANTIATE

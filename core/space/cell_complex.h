@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/geometry/predicates.h"
-#include "core/settings/settings.h"
+#include "core/space/tessellation.h"
 #include "core/space/tree.h"
 
 namespace sightline {
@@ -121,9 +121,9 @@ double distance_to_facet(const CellComplex<D>& cells, std::uint32_t facet, const
 /// Builds the tessellation that the settings ask for and gives every primitive to each cell whose closure it meets.
 /// The Delaunay form has no cell when too few centres remain, or all lie on one line or plane (border = none).
 template <int D>
-CellComplex<D> build_cells(const Scene<D>& scene, const Settings& settings);
+CellComplex<D> build_cells(const Scene<D>& scene, const TessellationSettings& settings);
 
-extern template CellComplex<2> build_cells<2>(const Scene<2>&, const Settings&);
-extern template CellComplex<3> build_cells<3>(const Scene<3>&, const Settings&);
+extern template CellComplex<2> build_cells<2>(const Scene<2>&, const TessellationSettings&);
+extern template CellComplex<3> build_cells<3>(const Scene<3>&, const TessellationSettings&);
 
 }  // namespace sightline

@@ -12,8 +12,9 @@
 
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/base/hash.h"
+#include "core/base/number.h"
 #include "core/base/output_file.h"
-#include "core/settings/settings_table.h"
 #include "core/space/builders.h"
 #include "core/space/cells_check.h"
 
@@ -51,12 +52,10 @@ void for_each_array(Cells& cells, Visit visit) {
     visit(cells.leaf_cell);
 }
 
-std::string tessellation_settings(const Settings& settings) {
-    std::string text;
-    for (const SettingRow& row : settings_table())
-        if (row.invalidates == Invalidates::tessellation)
-            text += std::string(row.name) + "=" + row.get(settings) + "\n";
-    return text;
+std::string tessellation_settings(const TessellationSettings& settings) {
+    return "tessellation=" + std::string(word(settings.tessellation)) +
+           "\nerror_bound=" + number_text(settings.error_bound) + "\nborder=" + std::string(word(settings.border)) +
+           "\njitter=" + number_text(settings.jitter) + "\nseed=" + std::to_string(settings.seed) + "\n";
 }
 
 /// Writes whole words and keeps the checksum of what went out.
@@ -171,7 +170,7 @@ std::uint32_t count_unassigned(const CellComplex<D>& cells, std::size_t primitiv
 }  // namespace
 
 template <int D>
-void write_cells(const CellComplex<D>& cells, const Scene<D>& scene, const Settings& settings,
+void write_cells(const CellComplex<D>& cells, const Scene<D>& scene, const TessellationSettings& settings,
                  const std::filesystem::path& path) {
     const std::string text = tessellation_settings(settings);
     std::size_t size = sizeof(Header) + 8 + padded(text.size()) + 8;
@@ -191,7 +190,7 @@ void write_cells(const CellComplex<D>& cells, const Scene<D>& scene, const Setti
 }
 
 template <int D>
-CellComplex<D> read_cells(const std::filesystem::path& path, const Scene<D>& scene, const Settings& settings) {
+CellComplex<D> read_cells(const std::filesystem::path& path, const Scene<D>& scene, const TessellationSettings& settings) {
     const std::string file = read_file(path, largest_file);
     Reader reader(path, file);
     const Header header = read_header(reader, file, D);
@@ -215,9 +214,9 @@ CellComplex<D> read_cells(const std::filesystem::path& path, const Scene<D>& sce
     return cells;
 }
 
-template void write_cells<2>(const CellComplex<2>&, const Scene<2>&, const Settings&, const std::filesystem::path&);
-template void write_cells<3>(const CellComplex<3>&, const Scene<3>&, const Settings&, const std::filesystem::path&);
-template CellComplex<2> read_cells<2>(const std::filesystem::path&, const Scene<2>&, const Settings&);
-template CellComplex<3> read_cells<3>(const std::filesystem::path&, const Scene<3>&, const Settings&);
+template void write_cells<2>(const CellComplex<2>&, const Scene<2>&, const TessellationSettings&, const std::filesystem::path&);
+template void write_cells<3>(const CellComplex<3>&, const Scene<3>&, const TessellationSettings&, const std::filesystem::path&);
+template CellComplex<2> read_cells<2>(const std::filesystem::path&, const Scene<2>&, const TessellationSettings&);
+template CellComplex<3> read_cells<3>(const std::filesystem::path&, const Scene<3>&, const TessellationSettings&);
 
 }  // namespace sightline

@@ -62,7 +62,7 @@ void link_triangles(CellComplex<2>& cells) {
 
 }  // namespace
 
-CellComplex<2> delaunay_cells(Tree<2> tree, const Settings& settings) {
+CellComplex<2> delaunay_cells(Tree<2> tree, const TessellationSettings& settings) {
     CellComplex<2> cells;
     cells.kind = Tessellation::delaunay;
     cells.points = sample_points(tree, settings);

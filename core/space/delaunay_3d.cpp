@@ -82,7 +82,7 @@ void link(CellComplex<3>& cells, const std::vector<Tetrahedron>& tetrahedra) {
 
 }  // namespace
 
-CellComplex<3> delaunay_cells(Tree<3> tree, const Settings& settings) {
+CellComplex<3> delaunay_cells(Tree<3> tree, const TessellationSettings& settings) {
     CellComplex<3> cells;
     cells.kind = Tessellation::delaunay;
     cells.points = sample_points(tree, settings);

@@ -14,7 +14,7 @@ constexpr double border_share = 0.05;
 }  // namespace
 
 template <int D>
-std::vector<Vec<D>> sample_points(const Tree<D>& tree, const Settings& settings) {
+std::vector<Vec<D>> sample_points(const Tree<D>& tree, const TessellationSettings& settings) {
     std::vector<Vec<D>> points;
     points.reserve(tree.leaves.size() + Tree<D>::child_count);
     Random random(settings.seed);
@@ -42,8 +42,8 @@ void set_leaf_cells(CellComplex<D>& cells, std::size_t leaf_count) {
             if (corner < leaf_count) cells.leaf_cell[corner] = cell;
 }
 
-template std::vector<Vec<2>> sample_points<2>(const Tree<2>&, const Settings&);
-template std::vector<Vec<3>> sample_points<3>(const Tree<3>&, const Settings&);
+template std::vector<Vec<2>> sample_points<2>(const Tree<2>&, const TessellationSettings&);
+template std::vector<Vec<3>> sample_points<3>(const Tree<3>&, const TessellationSettings&);
 template void set_leaf_cells<2>(CellComplex<2>&, std::size_t);
 template void set_leaf_cells<3>(CellComplex<3>&, std::size_t);
 

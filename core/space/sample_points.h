@@ -9,7 +9,7 @@ namespace sightline {
 /// Leaf centres in leaf order, each moved by at most `jitter` of the leaf's side along each axis (TVCG section 4.3),
 /// then, with the inflated border, the corners of a box around the tree's root.
 template <int D>
-std::vector<Vec<D>> sample_points(const Tree<D>& tree, const Settings& settings);
+std::vector<Vec<D>> sample_points(const Tree<D>& tree, const TessellationSettings& settings);
 
 /// Fills leaf_cell: for each leaf the last cell that has its point as a corner.
 template <int D>

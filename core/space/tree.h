@@ -5,11 +5,11 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/base/index.h"
 #include "core/scene/scene.h"
 
 namespace sightline {
 
-inline constexpr std::uint32_t none = 0xffffffffu;
 
 /// Nodes in a flat array, root first, the 2^D children of a node side by side. Interior nodes are kept. Child c of a
 /// node covers the upper half of axis i when bit i of c is set.

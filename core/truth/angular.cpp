@@ -89,8 +89,8 @@ Vec<2> point_on(std::span<const Facing> facing, std::uint32_t index, const Vec<2
     }
     const std::uint32_t other = direction.first == index    ? direction.second
                                 : direction.second == index ? direction.first
-                                                            : no_index;
-    if (other == no_index) return hit(segment, eye, crossing_of(facing, direction));
+                                                            : none;
+    if (other == none) return hit(segment, eye, crossing_of(facing, direction));
     return rounded({segment, {facing[other].right, facing[other].left}});
 }
 

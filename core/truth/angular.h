@@ -10,6 +10,7 @@
 
 #include "core/geometry/crossing.h"
 #include "core/geometry/predicates.h"
+#include "core/base/index.h"
 #include "core/scene/scene.h"
 #include "core/scene/view.h"
 
@@ -37,19 +38,18 @@ struct Sector {
 /// The view in counter-clockwise order: its cone, or the upper and the lower half plane.
 std::vector<Sector> sectors(const View<2>& view);
 
-inline constexpr std::uint32_t no_index = 0xffffffffu;
 
 /// A direction from the eye: towards `point`, or when `second` is set towards the crossing of two facing segments.
 struct Direction {
     Vec<2> point{};
-    std::uint32_t first = no_index, second = no_index;
-    bool is_crossing() const { return second != no_index; }
+    std::uint32_t first = none, second = none;
+    bool is_crossing() const { return second != none; }
 };
 
 /// The directions in a sector in which a facing segment is hit; `from` < `to`.
 struct Arc {
     Direction from, to;
-    std::uint32_t facing = no_index;
+    std::uint32_t facing = none;
 };
 
 /// The part of every facing segment inside the sector, in the same order; no empty arcs.

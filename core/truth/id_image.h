@@ -6,12 +6,12 @@
 #include <functional>
 #include <vector>
 
-#include "core/settings/settings.h"
+#include "core/base/image_size.h"
 #include "core/truth/visible_set.h"
 
 namespace sightline {
 
-/// Rows from the top; no_primitive where nothing is seen. The sample of a pixel is its centre.
+/// Rows from the top; none where nothing is seen. The sample of a pixel is its centre.
 struct IdImage {
     int width = 0, height = 0;
     std::vector<std::uint32_t> ids;

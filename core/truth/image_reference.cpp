@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "core/settings/settings_table.h"
+#include "core/base/image_size.h"
 #include "core/space/builders.h"
 #include "core/truth/reference.h"
 
@@ -103,7 +103,7 @@ Reference image_reference(IdImage image, const Scene<3>& scene, const CellComple
         for (int x = 0, end = 0; x < image.width; x = end) {
             const std::uint32_t id = image.at(x, y);
             for (end = x + 1; end < image.width && image.at(end, y) == id;) ++end;
-            if (id == no_primitive) continue;
+            if (id == none) continue;
             covered += static_cast<std::size_t>(end - x);
             reference.pixels[id] += static_cast<std::uint32_t>(end - x);
             cell_pixels.add(id, x, end, y);

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/settings/settings.h"
+#include "core/base/image_size.h"
 #include "core/truth/image_plane.h"
 
 namespace sightline {

@@ -93,7 +93,7 @@ ItemBuffer item_buffer(std::span<const Primitive<2>> primitives, const View<2>& 
     if (view.all_round && width % 4 != 0)
         throw InputError("item buffer: width of an all-round view must be a multiple of 4, not " +
                          std::to_string(width));
-    ItemBuffer buffer{std::vector<std::uint32_t>(width, no_primitive)};
+    ItemBuffer buffer{std::vector<std::uint32_t>(width, none)};
     const std::span<std::uint32_t> ids(buffer.ids);
     if (view.all_round) {
         const std::array<Vec<2>, 4> corners{{{1, -1}, {1, 1}, {-1, 1}, {-1, -1}}};
@@ -112,7 +112,7 @@ ItemBuffer item_buffer(std::span<const Primitive<2>> primitives, const View<2>& 
 std::vector<std::uint8_t> visible_in(const ItemBuffer& buffer, std::size_t primitive_count) {
     std::vector<std::uint8_t> visible(primitive_count, 0);
     for (const std::uint32_t id : buffer.ids)
-        if (id != no_primitive) visible[id] = 1;
+        if (id != none) visible[id] = 1;
     return visible;
 }
 

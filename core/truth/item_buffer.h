@@ -10,7 +10,7 @@
 
 namespace sightline {
 
-/// One primitive id per pixel, no_primitive where nothing is seen; pixel 0 is at the right border of the view. The
+/// One primitive id per pixel, none where nothing is seen; pixel 0 is at the right border of the view. The
 /// pixels are evenly spread over the image line of a perspective camera and sampled at their centres; an all-round
 /// view has four such lines of width / 4 pixels, facing +x, +y, -x, -y, each from its right to its left border.
 /// On equal depth the lowest id wins.

@@ -12,7 +12,7 @@ namespace {
 struct Event {
     Direction at;
     enum Kind { stop, cross, start } kind;
-    std::uint32_t arc = no_index;
+    std::uint32_t arc = none;
 };
 
 struct Sweep {

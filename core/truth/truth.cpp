@@ -4,37 +4,93 @@
 #include <algorithm>
 
 #include "core/base/error.h"
-#include "core/settings/settings_table.h"
 #include "core/truth/item_buffer.h"
 
 namespace sightline {
 
-template <>
-std::vector<Truth> make_truths<2>(const Scene<2>& scene, std::span<const CellComplex<2>* const> tessellations,
-                                  const View<2>& view, const ImageSize& size, const DrawIds&, bool with_zeta) {
-    // An all-round view has four image lines of equal width.
+namespace {
+
+std::vector<IdImage> draw(const Scene<3>& scene, const View<3>& view, const ImageSize& size, const DrawIds& draw_ids,
+                          int layers) {
+    if (!draw_ids) throw WorkError("the exact image cannot be drawn: there is no OpenGL");
+    return draw_ids(scene, view, image_size<3>(size), layers);
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> pixels_of(const IdImage& image, std::size_t primitive_count) {
+    std::vector<std::uint32_t> pixels(primitive_count);
+    for (const std::uint32_t id : image.ids)
+        if (id != none) ++pixels[id];
+    return pixels;
+}
+
+IdImage item_row(const Scene<2>& scene, const View<2>& view, const ImageSize& size) {
     int width = image_size<2>(size).width;
     if (view.all_round) width = std::max(4, width / 4 * 4);
-    const IdImage image{width, 1, item_buffer(scene.primitives, view, width).ids};
-    std::vector<std::uint32_t> pixels(scene.primitives.size());
-    for (const std::uint32_t id : image.ids)
-        if (id != no_primitive) ++pixels[id];
+    return {width, 1, item_buffer(scene.primitives, view, width).ids};
+}
+
+template <>
+std::vector<std::uint8_t> visible_set<2>(const Scene<2>& scene, const View<2>& view, const ImageSize&,
+                                         const DrawIds&) {
+    return exact_visible_set(scene.primitives, view).visible;
+}
+
+template <>
+std::vector<std::uint8_t> visible_set<3>(const Scene<3>& scene, const View<3>& view, const ImageSize& size,
+                                         const DrawIds& draw_ids) {
+    std::vector<std::uint8_t> visible(scene.primitives.size());
+    for (const std::uint32_t id : draw(scene, view, size, draw_ids, 1).front().ids)
+        if (id != none) visible[id] = 1;
+    return visible;
+}
+
+template <>
+Reference make_reference<2>(const Scene<2>& scene, const CellComplex<2>& cells, const View<2>& view, const ImageSize&,
+                            const DrawIds&) {
+    return exact_reference(scene.primitives, cells, view);
+}
+
+template <>
+Reference make_reference<3>(const Scene<3>& scene, const CellComplex<3>& cells, const View<3>& view,
+                            const ImageSize& size, const DrawIds& draw_ids) {
+    return image_reference(std::move(draw(scene, view, size, draw_ids, 1).front()), scene, cells, view);
+}
+
+template <>
+std::vector<std::uint32_t> make_layering<2>(const Scene<2>& scene, const View<2>& view, const ImageSize&,
+                                            const DrawIds&) {
+    return layering_numbers(scene.primitives, view);
+}
+
+template <>
+std::vector<std::uint32_t> make_layering<3>(const Scene<3>& scene, const View<3>& view, const ImageSize& size,
+                                            const DrawIds& draw_ids) {
+    return layering_numbers(draw(scene, view, size, draw_ids, most_layers), scene.primitives.size());
+}
+
+template <>
+std::vector<Truth> make_truths<2>(const Scene<2>& scene, std::span<const CellComplex<2>* const> tessellations,
+                                  const View<2>& view, const ImageSize& size, const DrawIds& draw_ids,
+                                  bool with_zeta) {
+    const IdImage image = item_row(scene, view, size);
     auto zeta = std::make_shared<std::vector<std::uint32_t>>(scene.primitives.size());
-    if (with_zeta) *zeta = layering_numbers(scene.primitives, view);
+    if (with_zeta) *zeta = make_layering(scene, view, size, draw_ids);
     std::vector<Truth> truths;
     for (const CellComplex<2>* cells : tessellations) {
-        truths.push_back({exact_reference(scene.primitives, *cells, view), zeta});
+        truths.push_back({make_reference(scene, *cells, view, size, draw_ids), zeta});
         truths.back().reference.image = image;
-        truths.back().reference.pixels = pixels;
+        truths.back().reference.pixels = pixels_of(image, scene.primitives.size());
     }
     return truths;
 }
 
 template <>
 std::vector<Truth> make_truths<3>(const Scene<3>& scene, std::span<const CellComplex<3>* const> tessellations,
-                                  const View<3>& view, const ImageSize& size, const DrawIds& draw_ids, bool with_zeta) {
-    if (!draw_ids) throw WorkError("the exact image cannot be drawn: there is no OpenGL");
-    const std::vector<IdImage> layers = draw_ids(scene, view, image_size<3>(size), with_zeta ? most_layers : 1);
+                                  const View<3>& view, const ImageSize& size, const DrawIds& draw_ids,
+                                  bool with_zeta) {
+    const std::vector<IdImage> layers = draw(scene, view, size, draw_ids, with_zeta ? most_layers : 1);
     auto zeta = std::make_shared<std::vector<std::uint32_t>>(scene.primitives.size());
     if (with_zeta) *zeta = layering_numbers(layers, scene.primitives.size());
     std::vector<Truth> truths;

@@ -1,4 +1,5 @@
-// What a frame is measured against, in both dimensions: the exact set, an exact image and the layering numbers.
+// What is really visible, made in one place for both dimensions: the exact set, an exact image and the layering
+// numbers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,16 +12,38 @@
 
 namespace sightline {
 
+// 3D: `draw_ids` draws the images and `up_axis` of the scene is that of the view. All that need it throw WorkError
+// where there is no OpenGL.
+
+/// The exact visible set; 3D: from an image of that size.
+template <int D>
+std::vector<std::uint8_t> visible_set(const Scene<D>& scene, const View<D>& view, const ImageSize& size,
+                                      const DrawIds& draw_ids);
+
+/// The set, what of it lies in which cell, and in 3D the image.
+template <int D>
+Reference make_reference(const Scene<D>& scene, const CellComplex<D>& cells, const View<D>& view,
+                         const ImageSize& size, const DrawIds& draw_ids);
+
+/// Layering numbers ζ; 0: unknown or hit by no ray.
+template <int D>
+std::vector<std::uint32_t> make_layering(const Scene<D>& scene, const View<D>& view, const ImageSize& size,
+                                         const DrawIds& draw_ids);
+
+/// The item buffer of the papers in 2D: an image of one row. An all-round view has four image lines of equal width.
+IdImage item_row(const Scene<2>& scene, const View<2>& view, const ImageSize& size);
+
+/// Per primitive, how many pixels of the image show it.
+std::vector<std::uint32_t> pixels_of(const IdImage& image, std::size_t primitive_count);
+
 struct Truth {
-    /// In 2D too with an image, of one row: the item buffer of the papers' reference. 2D: V is the exact set, so that a
-    /// primitive may be visible and own no pixel.
+    /// In 2D too with an image: item_row. 2D: V is the exact set, so that a primitive may be visible and own no pixel.
     Reference reference;
-    std::shared_ptr<const std::vector<std::uint32_t>> zeta;  ///< per primitive; 0: unknown or hit by no ray
+    std::shared_ptr<const std::vector<std::uint32_t>> zeta;  ///< per primitive
 };
 
-/// One per tessellation; what does not depend on cells is made once. 3D: `draw_ids` draws the images and `up_axis` of
-/// the scene is that of the view. `with_zeta`: false leaves the layering numbers out, all 0, which is quicker. Throws
-/// WorkError where there is no OpenGL.
+/// One per tessellation; what does not depend on cells is made once. `with_zeta`: false leaves the layering numbers
+/// out, all 0, which is quicker.
 template <int D>
 std::vector<Truth> make_truths(const Scene<D>& scene, std::span<const CellComplex<D>* const> tessellations,
                                const View<D>& view, const ImageSize& size, const DrawIds& draw_ids,

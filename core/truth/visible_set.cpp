@@ -9,7 +9,7 @@ namespace sightline {
 
 namespace {
 
-/// One owner, or nobody (no_index), from a direction to that of the next stretch or to the left border.
+/// One owner, or nobody (none), from a direction to that of the next stretch or to the left border.
 struct Stretch {
     Direction from;
     std::uint32_t owner;
@@ -43,7 +43,7 @@ struct Sight {
 /// Appends what is seen of segments a and b (or nobody) where both reach from `from` to `to`.
 void append_nearer(const Sight& sight, Envelopes& out, const Direction& from, const Direction& to, std::uint32_t a,
                    std::uint32_t b) {
-    if (a == no_index || b == no_index) return out.append(from, a == no_index ? b : a);
+    if (a == none || b == none) return out.append(from, a == none ? b : a);
     if (a > b) std::swap(a, b);
     const Nearer order = nearer(sight.facing[a], sight.facing[b]);
     if (order == Nearer::first) return out.append(from, a);
@@ -79,12 +79,12 @@ std::vector<Stretch> envelope(const Sight& sight, std::span<const Arc> arcs) {
     Envelopes now, next;
     const Direction right{sight.sector.right};
     for (const Arc& arc : arcs) {
-        if (arc.from.point != sight.sector.right) now.append(right, no_index);
+        if (arc.from.point != sight.sector.right) now.append(right, none);
         now.append(arc.from, arc.facing);
-        if (arc.to.point != sight.sector.left) now.append(arc.to, no_index);
+        if (arc.to.point != sight.sector.left) now.append(arc.to, none);
         now.close();
     }
-    if (arcs.empty()) return {{right, no_index}};
+    if (arcs.empty()) return {{right, none}};
     const auto at = [&](std::size_t i) {
         return std::span(now.stretches).subspan(now.begin[i], now.begin[i + 1] - now.begin[i]);
     };
@@ -108,12 +108,12 @@ VisibleSet exact_visible_set(std::span<const Primitive<2>> primitives, const Vie
     result.visible.assign(primitives.size(), 0);
     const FacingSet set = facing_set(primitives, view.eye);
     result.eye_on = set.eye_on;
-    std::uint32_t last_owner = no_index;
+    std::uint32_t last_owner = none;
     for (const Sector& sector : sectors(view)) {
         const std::vector<Stretch> seen = envelope({sector, set.facing}, clipped_arcs(set.facing, sector));
         for (std::size_t i = 0; i < seen.size(); ++i) {
             const std::uint32_t owner = seen[i].owner;
-            if (owner != no_index) {
+            if (owner != none) {
                 const Direction to = i + 1 < seen.size() ? seen[i + 1].from : Direction{sector.left};
                 const Vec<2> end = point_on(set.facing, owner, view.eye, to);
                 if (owner == last_owner)  // goes on over the border between two sectors

@@ -6,17 +6,17 @@
 #include <span>
 #include <vector>
 
+#include "core/base/index.h"
 #include "core/scene/scene.h"
 #include "core/scene/view.h"
 
 namespace sightline {
 
-inline constexpr std::uint32_t no_primitive = 0xffffffffu;
 
 /// A maximal stretch of one primitive that the eye sees, counter-clockwise about the eye, clipped to the view cone.
 /// Which primitive is seen is exact; the end points are rounded, to within 1e-14 of the primitive's largest coordinate.
 struct VisiblePiece {
-    std::uint32_t primitive = no_primitive;
+    std::uint32_t primitive = none;
     Vec<2> from{}, to{};
 };
 

@@ -5,16 +5,16 @@
 #include <cmath>
 #include <tuple>
 
-#include "core/traversal/methods.h"
+#include "core/methods/method_table.h"
 
 namespace sightline::lab {
 
 namespace {
 
-bool orders_cells(const std::string& id) {
-    for (const Method<3>& method : method_table<3>())
-        if (method.id == id) return method.orders_cells;
-    return false;
+bool orders_cells(const Study& study, const MethodChoice& choice) {
+    const Method<3>* const in_3d = method_of<3>(study.tables, choice);
+    const Method<2>* const in_2d = method_of<2>(study.tables, choice);
+    return in_3d ? in_3d->orders_cells() : in_2d && in_2d->orders_cells();
 }
 
 bool at_least_as_good(Measure measure, double value, double target) {
@@ -26,7 +26,7 @@ bool at_least_as_good(Measure measure, double value, double target) {
 std::vector<double> default_error_bounds() { return {0.8, 0.4, 0.2, 0.1, 0.05, 0.025}; }
 
 Study sweep_study(Study study, std::vector<double> error_bounds) {
-    std::erase_if(study.methods, [](const MethodChoice& choice) { return !orders_cells(choice.id); });
+    std::erase_if(study.methods, [&](const MethodChoice& choice) { return !orders_cells(study, choice); });
     std::sort(error_bounds.rbegin(), error_bounds.rend());
     error_bounds.erase(std::unique(error_bounds.begin(), error_bounds.end()), error_bounds.end());
     study.error_bounds = std::move(error_bounds);
@@ -34,7 +34,7 @@ Study sweep_study(Study study, std::vector<double> error_bounds) {
 }
 
 Study cell_free_study(Study study) {
-    std::erase_if(study.methods, [](const MethodChoice& choice) { return orders_cells(choice.id); });
+    std::erase_if(study.methods, [&](const MethodChoice& choice) { return orders_cells(study, choice); });
     return study;
 }
 
@@ -77,11 +77,11 @@ std::string knee_text(const CellsCurve& curve, std::size_t knee) {
 
 std::size_t complexity(const MethodChoice& method) {
     static constexpr std::array simple{"everything", "view", "centroid", "layers"};
-    const auto at = std::find(simple.begin(), simple.end(), method.id);
+    const auto at = std::find(simple.begin(), simple.end(), method.id());
     if (at != simple.end()) return static_cast<std::size_t>(at - simple.begin());
     std::size_t place = simple.size();
     for (const Method<3>& row : method_table<3>()) {
-        if (row.id == method.id) break;
+        if (row.id == method.id()) break;
         ++place;
     }
     return place;

@@ -7,7 +7,6 @@
 #include "core/base/number.h"
 #include "core/base/quote.h"
 #include "core/base/text.h"
-#include "core/traversal/methods.h"
 #include "lab/cells/cells_report.h"
 #include "lab/command.h"
 #include "lab/measure/run_study.h"
@@ -40,17 +39,15 @@ void write_knee(const CellsCurve& curve, Measure measure, double within, const s
 }
 
 /// Empty for a method that needs none.
-std::string on_cells(const Row& row) {
-    const auto table = method_table<3>();
-    const auto method =
-        std::find_if(table.begin(), table.end(), [&](const Method<3>& m) { return m.id == row.method.id; });
-    if (method == table.end() || !method->orders_cells) return {};
+std::string on_cells(const Row& row, const MethodTables& tables) {
+    const Method<3>* const method = method_of<3>(tables, row.method);
+    if (!method || !method->orders_cells()) return {};
     return ", " + std::to_string(row.cells) + " cells (error bound " + short_number(row.error_bound) + ")";
 }
 
 }  // namespace
 
-int cells_command(int argc, const char* const* argv) {
+int cells_command(int argc, const char* const* argv, const MethodTables& tables) {
     CLI::App app{
         "Sweeps the size of the cells and names the coarsest tessellation, and the simplest method, that will do.",
         "lab cells"};
@@ -73,7 +70,7 @@ int cells_command(int argc, const char* const* argv) {
     app.add_option("--out", out, "folder of the results")->capture_default_str();
     if (!parse(app, argc, argv)) return 0;
     const Measure measure = measure_named(measure_id);
-    const Study asked = study_of(options), study = sweep_study(asked, bounds), cell_free = cell_free_study(asked);
+    const Study asked = study_of(options, tables), study = sweep_study(asked, bounds), cell_free = cell_free_study(asked);
     if (study.methods.empty()) throw InputError("lab cells: none of these methods orders cells");
     LabGraphics graphics;
     note_interrupts();
@@ -97,7 +94,7 @@ int cells_command(int argc, const char* const* argv) {
             const Row* found = simplest(group.rows, measure, *reach);
             std::cout << one_line(group.scene, 1000) << ": "
                       << (found ? "the simplest that reaches it is " + method_text(found->method) + ", budget " +
-                                      found->budget + on_cells(*found)
+                                      found->budget + on_cells(*found, tables)
                                 : std::string("nothing that was tried reaches it"))
                       << "\n";
         }

@@ -5,7 +5,7 @@
 
 #include "core/base/file.h"
 #include "core/base/number.h"
-#include "core/settings/settings_file.h"
+#include "core/session/settings_file.h"
 #include "lab/report/method_looks.h"
 #include "lab/report/page.h"
 
@@ -103,7 +103,7 @@ std::string knee_settings(const CellsCurve& curve, Measure measure, double withi
                             curve.budget + ".";
     const auto tessellation = words<Tessellation>[static_cast<std::size_t>(curve.method.tessellation)];
     return write_settings(
-        {"method=" + curve.method.id, "budget=" + curve.budget, "tessellation=" + std::string(tessellation),
+        {"method=" + curve.method.variant, "budget=" + curve.budget, "tessellation=" + std::string(tessellation),
          "error_bound=" + number_text(point.error_bound)},
         why);
 }

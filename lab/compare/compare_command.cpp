@@ -14,13 +14,13 @@ namespace sightline::lab {
 
 namespace {
 
-Side side(const std::string& name, const Results& results) {
-    return {name, read_study(results.conditions.study), results.conditions};
+Side side(const std::string& name, const Results& results, const MethodTables& tables) {
+    return {name, read_study(results.conditions.study, tables), results.conditions};
 }
 
 }  // namespace
 
-int compare_command(int argc, const char* const* argv) {
+int compare_command(int argc, const char* const* argv, const MethodTables& tables) {
     CLI::App app{"Says what changed from A to B, and whether it is more than the noise.", "lab compare"};
     std::string a, b, out = "out/compare";
     StudyOptions options;
@@ -37,15 +37,15 @@ int compare_command(int argc, const char* const* argv) {
         if (!options.scenes.empty()) throw InputError("compare: two studies have their scenes already");
         results_a = load_results(a);
         results_b = load_results(b);
-        comparison = {side(a, results_a), side(b, results_b), true, compare_results(results_a, results_b)};
+        comparison = {side(a, results_a, tables), side(b, results_b, tables), true, compare_results(results_a, results_b)};
     } else {
         options.methods = {a, b};
         note_interrupts();
-        results_a = run_study(study_of(options), std::filesystem::path(out) / "study", graphics,
+        results_a = run_study(study_of(options, tables), std::filesystem::path(out) / "study", graphics,
                               {.say = say, .stopped = interrupted});
         if (interrupted()) return stopped();
-        comparison = {side(a, results_a), side(b, results_a), false,
-                      compare_methods(results_a, parse_method(a), parse_method(b))};
+        comparison = {side(a, results_a, tables), side(b, results_a, tables), false,
+                      compare_methods(results_a, parse_method(a, tables), parse_method(b, tables))};
     }
     say("drawing the frames that changed most");
     std::vector<SideBySide> pictures;

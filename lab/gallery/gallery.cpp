@@ -10,7 +10,7 @@
 #include "core/scene/read/load.h"
 #include "core/session/condition.h"
 #include "core/session/start_settings.h"
-#include "core/settings/settings_table.h"
+#include "core/session/settings_table.h"
 #include "lab/gallery/gallery_measures.h"
 
 namespace sightline::lab {
@@ -32,8 +32,7 @@ Subject parse_subject(const char* text) {
 }
 
 template <int D>
-bool is_method(const std::string& id) {
-    const auto table = method_table<D>();
+bool is_method(std::span<const Method<D>> table, const std::string& id) {
     return std::any_of(table.begin(), table.end(), [&](const Method<D>& method) { return method.id == id; });
 }
 
@@ -121,30 +120,38 @@ const char* verdict_word(const Verdict& verdict) {
 }
 
 template <int D>
-std::vector<Verdict> measure_row(const GalleryRow<D>& row, const DrawIds& draw_ids) {
+std::vector<Verdict> measure_row(const GalleryRow<D>& row, const DrawIds& draw_ids, std::span<const Method<D>> methods,
+                                 std::span<const std::string> also) {
     const auto scene = scene_of(row);
     const ViewSpec<D> view = view_of(row, *scene);
     GalleryScene<D> at(scene, draw_ids, row.parts ? row.parts(*scene) : std::vector<CarPart>{});
+    const auto value_of = [&](const Subject& subject, const Expectation& expectation) {
+        const Probe<D> probe{at, methods, settings_of(row, subject), view, row.to.value_or(view)};
+        return measured(probe, expectation.measure);
+    };
     std::vector<Verdict> verdicts;
     for (const Expectation& expectation : row.expectations) {
         const Subject subject = parse_subject(expectation.subject);
-        const bool known = needs_no_method(subject.id) || is_method<D>(subject.id);
-        double value = std::numeric_limits<double>::quiet_NaN();
-        if (known) {
-            const Probe<D> probe{at, settings_of(row, subject), view, row.to.value_or(view)};
-            value = measured(probe, expectation.measure);
-        }
+        const bool known = needs_no_method(subject.id) || is_method<D>(methods, subject.id);
+        const double value =
+            known ? value_of(subject, expectation) : std::numeric_limits<double>::quiet_NaN();
         verdicts.push_back(judge(expectation, known, value));
+        verdicts.back().subject = expectation.subject;
+        if (verdicts.back().subject != "published") continue;
+        for (const std::string& variant : also) {
+            const double other = value_of(parse_subject(variant.c_str()), expectation);
+            verdicts.push_back({Verdict::Kind::asked, &expectation, other, passes(expectation, other), variant});
+        }
     }
     return verdicts;
 }
 
 template <int D>
-Session<D> gallery_session(const GalleryRow<D>& row, const DrawIds& draw_ids) {
+Session<D> gallery_session(const GalleryRow<D>& row, const DrawIds& draw_ids, std::span<const Method<D>> methods) {
     const auto scene = scene_of(row);
     Settings settings = settings_of(row, parse_subject(shown(row).subject));
     settings.inset = Inset::missed;
-    Session<D> session(scene, view_of(row, *scene), settings, method_table<D>(), draw_ids);
+    Session<D> session(scene, view_of(row, *scene), settings, methods, draw_ids);
     if (*row.until == 0)
         session.run();
     else if (run_until(session, Condition<D>(row.until)) != Stop::breakpoint)
@@ -156,8 +163,9 @@ Session<D> gallery_session(const GalleryRow<D>& row, const DrawIds& draw_ids) {
 }
 
 #define SIGHTLINE_INSTANTIATE(D)                                                        \
-    template std::vector<Verdict> measure_row<D>(const GalleryRow<D>&, const DrawIds&); \
-    template Session<D> gallery_session<D>(const GalleryRow<D>&, const DrawIds&);
+    template std::vector<Verdict> measure_row<D>(const GalleryRow<D>&, const DrawIds&, std::span<const Method<D>>, \
+                                                 std::span<const std::string>);                                   \
+    template Session<D> gallery_session<D>(const GalleryRow<D>&, const DrawIds&, std::span<const Method<D>>);
 SIGHTLINE_INSTANTIATE(2)
 SIGHTLINE_INSTANTIATE(3)
 #undef SIGHTLINE_INSTANTIATE

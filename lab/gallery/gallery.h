@@ -55,11 +55,13 @@ template <>
 std::span<const GalleryRow<3>> gallery<3>();
 
 struct Verdict {
-    enum class Kind : std::uint8_t { expected, surprise, pending };
+    /// asked: of a method beside the gallery's own, of which nothing is expected.
+    enum class Kind : std::uint8_t { expected, surprise, pending, asked };
     Kind kind = Kind::expected;
     const Expectation* expectation = nullptr;
     double value = 0;  ///< NaN when pending, or when there is no such number
     bool passed = false;
+    std::string subject{};  ///< the expectation's, or the method that was asked for
 };
 
 /// Whether a value keeps to the bound; NaN never does.
@@ -69,9 +71,12 @@ bool passes(const Expectation& expectation, double value);
 /// surprise, so that somebody writes down what is expected of it, and so is one that has gone.
 Verdict judge(const Expectation& expectation, bool known, double value);
 
-/// Measures one row. Numbers only, no clock. Throws InputError for a row that names what does not exist.
+/// Measures one row; `also` are variants held to what is asked of `published`. Numbers only, no clock. Throws InputError
+/// for a row that names what does not exist.
 template <int D>
-std::vector<Verdict> measure_row(const GalleryRow<D>& row, const DrawIds& draw_ids);
+std::vector<Verdict> measure_row(const GalleryRow<D>& row, const DrawIds& draw_ids,
+                                 std::span<const Method<D>> methods = method_table<D>(),
+                                 std::span<const std::string> also = {});
 
 /// "passes", "fails", "pending" or "SURPRISE".
 const char* verdict_word(const Verdict& verdict);
@@ -79,6 +84,7 @@ const char* verdict_word(const Verdict& verdict);
 /// The row as a session: the first subject that is to fail, else the first that is measured, at the step that `until`
 /// names, with the caption as a note and as a bookmark.
 template <int D>
-Session<D> gallery_session(const GalleryRow<D>& row, const DrawIds& draw_ids);
+Session<D> gallery_session(const GalleryRow<D>& row, const DrawIds& draw_ids,
+                           std::span<const Method<D>> methods = method_table<D>());
 
 }  // namespace sightline::lab

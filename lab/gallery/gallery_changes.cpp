@@ -17,7 +17,7 @@ namespace {
 
 template <int D>
 OneRun ran_at(const Probe<D>& p, const ViewSpec<D>& view) {
-    return one_run(p.at.scene(), p.at.cells(p.settings), p.at.view(view, p.settings), p.settings);
+    return one_run(p.methods, p.at.scene(), p.at.cells(p.settings), p.at.view(view, p.settings), p.settings);
 }
 
 /// The runs after the eye and what it looks at moved along every axis, both ways, and along the diagonals.
@@ -46,7 +46,7 @@ OneRun ran_elsewhere(const Probe<D>& p, double scale, const Vec<D>& offset, bool
     view.eye -= scene.origin;
     view.look_at -= scene.origin;
     const CellComplex<D> cells = build_cells(scene, p.settings);
-    return one_run(scene, cells, scene_view(view, scene, p.settings.reference_size), p.settings);
+    return one_run(p.methods, scene, cells, scene_view(view, scene, p.settings.reference_size), p.settings);
 }
 
 /// 0 where the other run has lost primitives: two of them fell together.

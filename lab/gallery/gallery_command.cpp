@@ -27,6 +27,8 @@ using Json = nlohmann::ordered_json;
 
 struct Asked {
     std::vector<std::string> ids;
+    std::vector<std::string> also;
+    MethodTables tables;
     bool list = false;
     std::string out, json;
 };
@@ -71,7 +73,7 @@ void print(const Verdict& verdict) {
     const Expectation& e = *verdict.expectation;
     std::string line = "  " + std::string(verdict_word(verdict));
     line.resize(12, ' ');
-    std::cout << line << e.subject << ": ";
+    std::cout << line << verdict.subject << ": ";
     if (verdict.kind == Verdict::Kind::pending) {
         std::cout << "skipped, there is no such method yet; will be held to " << e.measure << " " << bound_text(e)
                   << "\n";
@@ -93,8 +95,8 @@ Json row_json(const GalleryRow<D>& row, std::span<const Verdict> verdicts) {
     for (const Verdict& verdict : verdicts) {
         const Expectation& e = *verdict.expectation;
         static constexpr const char* expects[] = {"pass", "fail", "pending"};
-        static constexpr const char* kinds[] = {"expected", "surprise", "pending"};
-        json["expectations"].push_back({{"subject", e.subject},
+        static constexpr const char* kinds[] = {"expected", "surprise", "pending", "asked"};
+        json["expectations"].push_back({{"subject", verdict.subject},
                                         {"measure", e.measure},
                                         {"value", std::isfinite(verdict.value) ? Json(verdict.value) : Json(nullptr)},
                                         {"bound", e.bound == Bound::at_least ? "at least" : "at most"},
@@ -109,7 +111,7 @@ Json row_json(const GalleryRow<D>& row, std::span<const Verdict> verdicts) {
 /// The state file and the pictures, into the folder that was asked for.
 template <int D>
 void write_files(const GalleryRow<D>& row, const Asked& asked, LabGraphics& graphics, GalleryEntry& entry) {
-    const Session<D> session = gallery_session(row, D == 3 ? graphics.draw_ids() : DrawIds{});
+    const Session<D> session = gallery_session(row, D == 3 ? graphics.draw_ids() : DrawIds{}, asked.tables.of<D>());
     const std::string stem = std::string(row.id) + "-" + std::to_string(D) + "d";
     const fs::path file = fs::path(asked.out) / (stem + ".json");
     write_file(file.string(), state_json(session));
@@ -133,7 +135,7 @@ void measure(const Asked& asked, int number, LabGraphics& graphics, std::size_t 
         say(name_of(row) + ": scene " + std::to_string(entries.size() + 1) + " of " + std::to_string(scenes) +
             remaining.text());
         GalleryEntry entry{name_of(row), D, number, "", "", row.look, {}, {}, ""};
-        entry.verdicts = measure_row(row, D == 3 ? graphics.draw_ids() : DrawIds{});
+        entry.verdicts = measure_row(row, D == 3 ? graphics.draw_ids() : DrawIds{}, asked.tables.of<D>(), asked.also);
         if (!asked.out.empty()) write_files(row, asked, graphics, entry);
         say("");
         std::cout << heading(row) << "\n";
@@ -162,7 +164,7 @@ std::string conditions(const Asked& asked, LabGraphics& graphics) {
 
 }  // namespace
 
-int gallery_command(int argc, const char* const* argv) {
+int gallery_command(int argc, const char* const* argv, const MethodTables& tables) {
     CLI::App app{"Measures the scenes in which methods fail, and says who passes and who does not.", "lab gallery"};
     Asked asked;
     app.add_option("SCENE", asked.ids,
@@ -172,8 +174,14 @@ int gallery_command(int argc, const char* const* argv) {
         "--out", asked.out,
         "folder for gallery.html, a page to hand out, and a state file per scene, which a viewer opens where "
         "it goes wrong");
+    app.add_option("--also", asked.also,
+                   "a method, with parameters if you like, that is held to what is asked of published; may be given "
+                   "several times")
+        ->allow_extra_args(false);
     app.add_option("--json", asked.json, "writes what was measured to this file");
     if (!parse(app, argc, argv)) return 0;
+    asked.tables = tables;
+    for (const std::string& method : asked.also) parse_method(method, tables);  // throws for what does not exist
     check_ids(asked);
     if (!asked.out.empty() && !asked.list) fs::create_directories(asked.out);
     if (asked.list) {

@@ -9,9 +9,10 @@
 #include "core/measure/wrong_region.h"
 #include "core/scene/scene_view.h"
 #include "core/session/condition.h"
-#include "core/settings/settings_table.h"
+#include "core/session/settings_table.h"
 #include "core/space/cell_complex.h"
 #include "lab/gallery/gallery_functions.h"
+#include "core/methods/plp/plp_parameters.h"
 #include "lab/one_run.h"
 
 namespace sightline::lab {
@@ -23,28 +24,27 @@ constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 double ratio(double part, double whole) { return whole > 0 ? part / whole : no_value; }
 
 template <int D>
-const Method<D>& method_of(const Settings& settings) {
-    return find_method<D>(method_table<D>(), settings.method);
+Problem<D> problem(const Probe<D>& p, const CellComplex<D>& cells, Method<D>& method) {
+    return problem_of(p.methods, p.at.scene(), cells, p.at.view(p.view, p.settings), p.settings, method);
 }
 
 template <int D>
 Values values(const Probe<D>& p) {
     const CellComplex<D>& cells = p.at.cells(p.settings);
     const Truth truth = p.at.truth(p.view, p.settings);
-    Frame<D> frame = make_frame<D>(p.at.scene().primitives, cells, p.at.view(p.view, p.settings), p.settings,
-                                   p.at.scene().two_sided);
-    const Method<D>& method = method_of<D>(p.settings);
+    Method<D> method;
+    Problem<D> asked = problem(p, cells, method);
     const auto all = static_cast<std::uint32_t>(p.at.scene().primitives.size());
-    const std::uint32_t k = frame.budget = std::min(all, p.settings.budget.primitives(all));
-    const WholeRun run = whole_run<D>(method, frame, truth.reference, true);
-    const auto rendered = rendered_by(run, cut_at(run, k).touched, all);
-    const auto best = method.orders_cells ? cell_oracle<D>(truth.reference, frame) : std::nullopt;
+    const std::uint32_t k = asked.budget = std::min(all, asked.budget);
+    const WholeRun run = whole_run<D>(method, asked, truth.reference, true);
+    const auto rendered = rendered_by(run, cut_at(run, k).met, all);
+    const auto best = method.orders_cells() ? cell_oracle<D>(truth.reference, asked) : std::nullopt;
     return frame_numbers(run, truth, k, rendered, wrong_mask(truth.reference.image, rendered), best);
 }
 
 template <int D>
 OneRun ran(const Probe<D>& p) {
-    return one_run(p.at.scene(), p.at.cells(p.settings), p.at.view(p.view, p.settings), p.settings);
+    return one_run(p.methods, p.at.scene(), p.at.cells(p.settings), p.at.view(p.view, p.settings), p.settings);
 }
 
 template <int D>
@@ -79,17 +79,16 @@ template <int D>
 double coverage_before_hidden(const Probe<D>& p) {
     Probe<D> all = with(p, {"budget=unlimited"});
     const Reference reference = p.at.truth(p.view, p.settings).reference;
-    Frame<D> frame = make_frame<D>(p.at.scene().primitives, p.at.cells(p.settings), p.at.view(p.view, p.settings),
-                                   all.settings, p.at.scene().two_sided);
-    const Method<D>& method = method_of<D>(p.settings);
-    State<D> state;
-    Timeline timeline;
-    method.start(frame, state);
-    while (method.record(frame, state, timeline) == Stop::none) {
-        const std::uint32_t cell = timeline.steps.back().cell;
-        if (cell == none || reference.cell_share[cell] > 0 || frame.cells->count(cell) == 0) continue;
-        const std::uint32_t before = timeline.touched_before(static_cast<std::uint32_t>(timeline.steps.size()));
-        return coverage(reference, visible_rendered<D>(reference, std::span(state.touched).first(before)))
+    Method<D> method;
+    const Problem<D> asked = problem(all, p.at.cells(p.settings), method);
+    const std::unique_ptr<Run<D>> run = method.start(asked);
+    Recording recording;
+    Recorder recorder(recording);
+    while (run->run(1, &recorder) == Stop::steps) {
+        const std::uint32_t cell = id_of(recording.steps.back().item, Kind::cell);
+        if (cell == none || reference.cell_share[cell] > 0 || asked.cells->count(cell) == 0) continue;
+        return coverage(reference,
+                        visible_rendered(reference, run->met().first(recording.before(recording.size()).touched_count)))
             .value_or(no_value);
     }
     return 1;
@@ -119,10 +118,10 @@ double coverage_at_look(const Probe<D>& p) {
 
 template <int D>
 double shown_count(const Probe<D>& p) {
-    const Frame<D> frame = make_frame<D>(p.at.scene().primitives, p.at.cells(p.settings), p.at.view(p.view, p.settings),
-                                         p.settings, p.at.scene().two_sided);
+    Method<D> method;
+    const Problem<D> asked = problem(p, p.at.cells(p.settings), method);
     double count = 0;
-    for (std::uint32_t i = 0; i < frame.primitives->size(); ++i) count += shows(frame, i);
+    for (std::uint32_t i = 0; i < asked.primitives().size(); ++i) count += shows(asked, i);
     return count;
 }
 
@@ -192,7 +191,7 @@ double cell_count(const Probe<D>& p) {
 template <int D>
 double nearly_empty(const Probe<D>& p) {
     const CellComplex<D>& cells = p.at.cells(p.settings);
-    const double scale = p.settings.solidity_scale == SolidityScale::max ? cells.rho_max : cells.rho_p95;
+    const double scale = p.settings.parameters.template choice<SolidityScale>(solidity_scale_row()) == SolidityScale::max ? cells.rho_max : cells.rho_p95;
     double held = 0, few = 0;
     for (std::uint32_t cell = 0; cell < cells.cell_count(); ++cell) {
         held += cells.count(cell) > 0;

@@ -11,7 +11,8 @@
 #include "core/measure/frame_numbers.h"
 #include "core/scene/make/car_parts.h"
 #include "core/scene/scene.h"
-#include "core/settings/settings.h"
+#include "core/run/method.h"
+#include "core/session/settings.h"
 
 namespace sightline::lab {
 
@@ -44,6 +45,7 @@ private:
 template <int D>
 struct Probe {
     GalleryScene<D>& at;
+    std::span<const Method<D>> methods;
     Settings settings;     ///< with method and budget
     ViewSpec<D> view, to;  ///< `to`: the end of a walk
 };

@@ -23,7 +23,7 @@ template <int D>
 std::string end_text(const Session<D>& end, Stop stop) {
     return "Step " + std::to_string(end.position()) +
            (stop == Stop::budget ? ", the budget is spent: " : ", the end: ") +
-           std::to_string(end.state().rendered_count) + " rendered";
+           std::to_string(end.counters().rendered_count) + " rendered";
 }
 
 GalleryPicture step_picture(const Session<2>& step, const fs::path& stem, LabGraphics&) {
@@ -49,7 +49,7 @@ GalleryPicture end_picture(const Session<3>& end, Stop stop, const fs::path& ste
     const fs::path file = stem.string() + "-end.png";
     const Pixels pixels = missed_in_red(image_so_far(end), end.reference().image, graphics);
     write_file(file, encode_png(image_of(pixels).get(), screen_dpi));
-    const double wrong = wrong_pixels(end.reference(), std::span(end.state().touched).first(end.state().touched_count));
+    const double wrong = wrong_pixels(end.reference(), end.met());
     return {file, end_text(end, stop) + ". Red: what should be seen and is missed, " + short_number(100 * wrong) +
                       " % of the pixels."};
 }

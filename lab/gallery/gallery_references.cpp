@@ -5,7 +5,7 @@
 
 #include "core/base/trig.h"
 #include "core/measure/frame_change.h"
-#include "core/settings/settings_table.h"
+#include "core/session/settings_table.h"
 #include "core/truth/item_buffer.h"
 #include "lab/gallery/gallery_functions.h"
 
@@ -30,7 +30,7 @@ IdImage image_of(const Probe<D>& p, const ViewSpec<D>& view) {
 std::vector<std::uint8_t> shown(const IdImage& image, std::size_t count) {
     std::vector<std::uint8_t> mask(count);
     for (const std::uint32_t id : image.ids)
-        if (id != no_primitive) mask[id] = 1;
+        if (id != none) mask[id] = 1;
     return mask;
 }
 
@@ -131,7 +131,7 @@ IdImage reverse_image(const Probe<D>& p) {
     std::reverse(scene.two_sided.begin(), scene.two_sided.end());
     IdImage image = image_of(scene, p.at.view(p.view, p.settings), p.settings.reference_size, p.at.draw_ids());
     for (std::uint32_t& id : image.ids)
-        if (id != no_primitive) id = static_cast<std::uint32_t>(scene.primitives.size()) - 1 - id;
+        if (id != none) id = static_cast<std::uint32_t>(scene.primitives.size()) - 1 - id;
     return image;
 }
 
@@ -151,7 +151,7 @@ double unexplained_in_reverse(const Probe<D>& p) {
     for (int y = 0; y < a.height; ++y)
         for (int x = 0; x < a.width; ++x) {
             if (a.at(x, y) == b.at(x, y)) continue;
-            if (a.at(x, y) == no_primitive || b.at(x, y) == no_primitive) {
+            if (a.at(x, y) == none || b.at(x, y) == none) {
                 ++wrong;
                 continue;
             }
@@ -182,7 +182,7 @@ double wrong_against_rays(const Probe<D>& p) {
         }
         const std::uint32_t id = image.ids[i];
         ++tried;
-        wrong += !near(id == no_primitive ? missed : along(p.at.scene().primitives[id], view.eye, d), nearest);
+        wrong += !near(id == none ? missed : along(p.at.scene().primitives[id], view.eye, d), nearest);
     }
     return wrong / tried;
 }

@@ -57,6 +57,7 @@ std::pair<std::string, std::string> parts_of(const std::string& subject) {
 }
 
 bool is_surprise(const Verdict& verdict) { return verdict.kind == Verdict::Kind::surprise; }
+bool is_asked(const Verdict& verdict) { return verdict.kind == Verdict::Kind::asked; }
 bool is_pending(const Verdict& verdict) { return verdict.kind == Verdict::Kind::pending; }
 
 /// The class of a verdict, for its colour.
@@ -74,7 +75,7 @@ const char* symbol_of(const Verdict& verdict) {
 std::string mark(const Verdict& verdict) {
     const Expectation& e = *verdict.expectation;
     const MeasureText measure = text_of(e.measure);
-    const std::string says = std::string(e.subject) + ": " + measure.name + " " +
+    const std::string says = verdict.subject + ": " + measure.name + " " +
                              (is_pending(verdict) ? "" : value_text(verdict.value, measure.unit) + ", ") +
                              bound_text(e);
     return std::string("<span class=") + look_of(verdict) + " title=\"" + escaped(says) + "\">" + symbol_of(verdict) +
@@ -95,7 +96,8 @@ Columns columns_of(std::span<const GalleryEntry> entries) {
     std::vector<bool> used(known);
     for (const GalleryEntry& entry : entries)
         for (const Verdict& verdict : entry.verdicts) {
-            const std::string id = parts_of(verdict.expectation->subject).first;
+            if (is_asked(verdict)) continue;
+            const std::string id = parts_of(verdict.subject).first;
             const auto found = std::find(order.begin(), order.end(), id);
             if (found == order.end())
                 order.push_back(id);
@@ -114,8 +116,8 @@ std::string matrix_cell(const GalleryEntry& entry, const std::string& id, bool f
     std::size_t passed = 0, measured = 0;
     bool surprise = false;
     for (const Verdict& verdict : entry.verdicts) {
-        const auto [subject, settings] = parts_of(verdict.expectation->subject);
-        if (subject != id) continue;
+        const auto [subject, settings] = parts_of(verdict.subject);
+        if (subject != id || is_asked(verdict)) continue;
         surprise = surprise || is_surprise(verdict);
         (settings.empty() ? plain : varied) += mark(verdict);
         if (!settings.empty() || is_pending(verdict)) continue;
@@ -136,7 +138,7 @@ std::string tally(std::span<const GalleryEntry> entries, const std::string& id) 
     std::size_t passed = 0, measured = 0;
     for (const GalleryEntry& entry : entries)
         for (const Verdict& verdict : entry.verdicts) {
-            if (id != verdict.expectation->subject || is_pending(verdict)) continue;
+            if (id != verdict.subject || is_pending(verdict) || is_asked(verdict)) continue;
             ++measured;
             passed += verdict.passed;
         }
@@ -191,7 +193,7 @@ std::string table_of(const GalleryEntry& entry) {
         "</th><th class=t>result</th></tr>";
     for (const Verdict& verdict : entry.verdicts) {
         const Expectation& e = *verdict.expectation;
-        const auto [subject, settings] = parts_of(e.subject);
+        const auto [subject, settings] = parts_of(verdict.subject);
         const MeasureText measure = text_of(e.measure);
         std::string result = unbroken(std::string(symbol_of(verdict)) + " " + verdict_word(verdict));
         if (is_surprise(verdict))

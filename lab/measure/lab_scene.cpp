@@ -12,7 +12,7 @@
 #include "core/scene/read/load.h"
 #include "core/scene/scene_view.h"
 #include "core/session/start_settings.h"
-#include "core/settings/settings_table.h"
+#include "core/session/settings_table.h"
 #include "core/space/builders.h"
 
 namespace sightline::lab {
@@ -92,6 +92,7 @@ LabScene<D> load_lab_scene(const std::string& name, const std::string& path_name
                            const Progress& progress) {
     LabScene<D> lab;
     lab.name = name;
+    lab.tables = study.tables;
     const std::string file = parse_scene(name).name;
     lab.settings = settings_of<D>(file, study);
     lab.scene = std::make_shared<const Scene<D>>(load<D>(file, lab.settings, progress));

@@ -19,6 +19,7 @@ namespace sightline::lab {
 template <int D>
 struct LabScene {
     std::string name;  ///< as the study says
+    MethodTables tables;
     std::shared_ptr<const Scene<D>> scene;
     Settings settings;                                   ///< of the catalogue and the study; method and budget aside
     std::array<std::optional<CellComplex<D>>, 2> cells;  ///< by Tessellation
@@ -30,9 +31,13 @@ struct LabScene {
     const CellComplex<D>& on(Tessellation tessellation) const { return *cells[static_cast<std::size_t>(tessellation)]; }
     Settings settings_for(const MethodChoice& choice) const {
         Settings s = settings;
-        s.method = choice.id;
+        s.method = choice.variant;
         s.tessellation = choice.tessellation;
         return s;
+    }
+    /// The method with the parameters of the settings and its own.
+    Variant<D> variant_for(const MethodChoice& choice) const {
+        return make_variant<D>(tables.of<D>(), choice.variant, settings.parameters);
     }
 };
 

@@ -83,7 +83,7 @@ void write_report_of(const Results& results, const Study& study, const std::file
 
 }  // namespace
 
-int measure_command(int argc, const char* const* argv) {
+int measure_command(int argc, const char* const* argv, const MethodTables& tables) {
     CLI::App app{"Measures methods on scenes along paths: accuracy, stability and time.", "lab measure"};
     StudyOptions options;
     add_study_options(app, options);
@@ -96,7 +96,7 @@ int measure_command(int argc, const char* const* argv) {
     app.add_option("--markdown", markdown,
                    "also a page of documentation, FILE.md, with its charts in images/ beside it");
     if (!parse(app, argc, argv)) return 0;
-    const Study study = study_of(options);
+    const Study study = study_of(options, tables);
     StudyRun run;
     if (!shard.empty()) {
         run.shard = parse_shard(shard);
@@ -124,7 +124,7 @@ int measure_command(int argc, const char* const* argv) {
     return 0;
 }
 
-int merge_command(int argc, const char* const* argv) {
+int merge_command(int argc, const char* const* argv, const MethodTables& tables) {
     CLI::App app{"Puts the parts of a study together that were measured apart.", "lab merge"};
     std::vector<std::string> parts;
     std::string out = "out/lab";
@@ -137,7 +137,7 @@ int merge_command(int argc, const char* const* argv) {
     const Results all = merge(read);
     write_results(all, out);
     LabGraphics graphics;
-    write_report_of(all, read_study(all.conditions.study), out, graphics);
+    write_report_of(all, read_study(all.conditions.study, tables), out, graphics);
     say("");
     print_table(all);
     say_written(out);

@@ -10,7 +10,7 @@
 #include "core/measure/frame_change.h"
 #include "core/measure/frame_numbers.h"
 #include "core/measure/wrong_region.h"
-#include "core/settings/settings_table.h"
+#include "core/session/settings_table.h"
 
 namespace sightline::lab {
 
@@ -29,7 +29,7 @@ struct Shown {
 
 /// All methods in one frame.
 struct FrameOfAll {
-    std::vector<std::uint8_t> visible;
+    Reference reference;  ///< on one of the tessellations
     std::vector<Shown> methods;
 };
 
@@ -43,18 +43,16 @@ public:
             if (budget.kind == Budget::Kind::milliseconds)
                 throw InputError("budget " + budget_text(budget) +
                                  ": a study takes primitives or shares; times are what it measures");
-        for (const MethodChoice& choice : study.methods)
-            for (const Method<D>& method : method_table<D>()) {
-                if (method.id != choice.id) continue;
-                Choice c{&method, choice, {}};
-                if (method.guarantee == Guarantee::conservative)
-                    c.budgets.push_back({"unlimited", all});
-                else
-                    for (const Budget& budget : study.budgets)
-                        c.budgets.push_back({budget_text(budget), std::min(all, budget.primitives(all))});
-                methods_.push_back(std::move(c));
-            }
-        states_.resize(methods_.size());
+        for (const MethodChoice& choice : study.methods) {
+            if (!method_of<D>(lab.tables, choice)) continue;
+            Choice c{lab.variant_for(choice), choice, {}, {}};
+            if (!c.variant.method.budgeted)
+                c.budgets.push_back({"unlimited", all});
+            else
+                for (const Budget& budget : study.budgets)
+                    c.budgets.push_back({budget_text(budget), std::min(all, budget.primitives(all))});
+            methods_.push_back(std::move(c));
+        }
     }
 
     std::vector<Row> run() {
@@ -92,14 +90,21 @@ private:
         std::uint32_t primitives;
     };
     struct Choice {
-        const Method<D>* method;
+        Variant<D> variant;
         MethodChoice choice;
         std::vector<AtBudget> budgets;
+        OwnRun<D> timed;  ///< reused
     };
 
-    Frame<D> frame_of(std::size_t method, std::uint32_t i) const {
-        return make_frame<D>(lab_.scene->primitives, lab_.on(methods_[method].choice.tessellation), lab_.views[i],
-                             lab_.settings_for(methods_[method].choice), lab_.scene->two_sided);
+    /// Without a budget.
+    Problem<D> problem_of(std::size_t method, std::uint32_t i) const {
+        const Choice& c = methods_[method];
+        return {lab_.scene.get(), &lab_.on(c.choice.tessellation), lab_.views[i], none, c.variant.parameters, nullptr,
+                {}};
+    }
+    static void give_visible_set(Problem<D>& problem, const Reference& reference) {
+        const auto visible = std::make_shared<const std::vector<std::uint8_t>>(reference.visible);
+        problem.services.visible_set = [visible] { return visible; };
     }
 
     FrameOfAll numbers(std::uint32_t i) {
@@ -113,19 +118,21 @@ private:
         const std::vector<Truth> truths = make_truths<D>(*lab_.scene, tessellations, lab_.views[i],
                                                          lab_.settings.reference_size, instruments_.draw_ids);
         FrameOfAll frame;
-        frame.visible = truths.front().reference.visible;
+        frame.reference = truths.front().reference;
         frame.methods.resize(methods_.size());
         tbb::parallel_for(std::size_t{0}, methods_.size(), [&](std::size_t m) {
             const Truth& truth = truths[truth_of[static_cast<std::size_t>(methods_[m].choice.tessellation)]];
-            Frame<D> whole = frame_of(m, i);
-            const WholeRun run = whole_run<D>(*methods_[m].method, whole, truth.reference);
+            Problem<D> problem = problem_of(m, i);
+            const Method<D>& method = methods_[m].variant.method;
+            if (method.needs.visible_set) give_visible_set(problem, truth.reference);
+            const WholeRun run = whole_run<D>(method, problem, truth.reference);
             Shown& shown = frame.methods[m];
             for (const AtBudget& budget : methods_[m].budgets) {
-                const std::uint32_t k = whole.budget = budget.primitives;
+                const std::uint32_t k = problem.budget = budget.primitives;
                 const auto best =
-                    methods_[m].method->orders_cells ? cell_oracle<D>(truth.reference, whole) : std::nullopt;
+                    method.orders_cells() ? cell_oracle<D>(truth.reference, problem) : std::nullopt;
                 Drawn drawn;
-                drawn.rendered = rendered_by(run, cut_at(run, k).touched, lab_.scene->primitives.size());
+                drawn.rendered = rendered_by(run, cut_at(run, k).met, lab_.scene->primitives.size());
                 drawn.wrong = wrong_mask(truth.reference.image, drawn.rendered);
                 shown.values.push_back(frame_numbers(run, truth, k, drawn.rendered, drawn.wrong, best));
                 shown.at.push_back(std::move(drawn));
@@ -135,12 +142,12 @@ private:
     }
 
     static void compare(const FrameOfAll& before, FrameOfAll& now) {
-        const double change = 1 - jaccard(before.visible, now.visible);
+        const double change = 1 - jaccard(before.reference.visible, now.reference.visible);
         for (std::size_t m = 0; m < now.methods.size(); ++m)
             for (std::size_t b = 0; b < now.methods[m].at.size(); ++b) {
                 const Drawn &a = before.methods[m].at[b], &c = now.methods[m].at[b];
                 Values& values = now.methods[m].values[b];
-                if (const auto share = pop(before.visible, a.rendered, now.visible, c.rendered))
+                if (const auto share = pop(before.reference.visible, a.rendered, now.reference.visible, c.rendered))
                     values[Measure::pop] = *share;
                 values[Measure::flip] = difference(a.wrong, c.wrong);
                 values[Measure::visible_change] = change;
@@ -152,23 +159,24 @@ private:
         std::vector<std::uint32_t> ids;
         for (std::size_t m = 0; m < methods_.size(); ++m)
             for (std::size_t b = 0; b < methods_[m].budgets.size(); ++b) {
-                Frame<D> frame = frame_of(m, i);
-                frame.budget = methods_[m].budgets[b].primitives;
-                State<D>& state = states_[m];
+                Choice& c = methods_[m];
+                Problem<D> problem = problem_of(m, i);
+                problem.budget = c.budgets[b].primitives;
+                if (c.variant.method.needs.visible_set) give_visible_set(problem, now.reference);
                 TimeSamples times;
                 for (std::uint32_t repeat = 0; repeat <= study_.repeats; ++repeat) {
-                    const double ms = run_milliseconds<D>(*methods_[m].method, frame, state);
+                    const double ms = run_milliseconds<D>(c.variant.method, problem, c.timed);
                     if (repeat > 0) times.traverse.push_back(ms);
                 }
                 if constexpr (D == 3)
-                    if (instruments_.time_drawing) time_drawing(i, state, ids, times);
+                    if (instruments_.time_drawing) time_drawing(i, *c.timed, ids, times);
                 set_times(times, now.methods[m].values[b]);
             }
     }
 
-    /// Draws what the state's run rendered, after once to warm up.
-    void time_drawing(std::uint32_t i, const State<3>& state, std::vector<std::uint32_t>& ids, TimeSamples& times) {
-        rendered_ids(state, ids);
+    /// Draws what the run rendered, after once to warm up.
+    void time_drawing(std::uint32_t i, const Run<3>& run, std::vector<std::uint32_t>& ids, TimeSamples& times) {
+        rendered_ids(run.met(), ids);
         for (std::uint32_t repeat = 0; repeat <= study_.repeats; ++repeat) {
             const DrawTimes once = instruments_.time_drawing(lab_.scene, lab_.views[i], ids);
             if (repeat == 0) continue;
@@ -187,7 +195,7 @@ private:
                 row.scene = lab_.name;
                 row.path = lab_.path;
                 row.method = methods_[m].choice;
-                row.approximate = methods_[m].method->guarantee == Guarantee::approximate;
+                row.approximate = methods_[m].variant.method.promise == Misses::may;
                 row.budget = budget.text;
                 row.error_bound = lab_.settings.error_bound;
                 row.primitives = static_cast<std::uint32_t>(lab_.scene->primitives.size());
@@ -203,7 +211,6 @@ private:
     const Study& study_;
     const Instruments& instruments_;
     std::vector<Choice> methods_;
-    std::vector<State<D>> states_;  ///< of methods_, for times
 };
 
 }  // namespace

@@ -33,7 +33,7 @@ Json to_json(const Row& row) {
     Json json{{"scene", row.scene},
               {"path", row.path},
               {"frames", row.frames.size()},
-              {"method", row.method.id},
+              {"method", row.method.variant},
               {"tessellation", words<Tessellation>[static_cast<std::size_t>(row.method.tessellation)]},
               {"approximate", row.approximate},
               {"primitives", row.primitives},
@@ -60,7 +60,7 @@ Row read_row(const Json& json) {
     Row row;
     row.scene = json.at("scene");
     row.path = json.at("path");
-    row.method.id = json.at("method");
+    row.method.variant = json.at("method");
     row.method.tessellation = json.at("tessellation") == "tree" ? Tessellation::tree : Tessellation::delaunay;
     row.approximate = json.at("approximate");
     row.primitives = json.at("primitives");
@@ -189,7 +189,7 @@ std::string results_csv(const Results& results) {
     for (const Row& row : results.rows) {
         const Json share = budget_share(row);
         text += csv_field(row.scene) + ',' + csv_field(row.path) + ',' + std::to_string(row.frames.size()) + ',' +
-                csv_field(row.method.id) + ',' +
+                csv_field(row.method.variant) + ',' +
                 std::string(words<Tessellation>[static_cast<std::size_t>(row.method.tessellation)]) + ',' +
                 number(row.error_bound) + ',' + std::to_string(row.primitives) + ',' + std::to_string(row.cells) + ',' +
                 std::to_string(row.memory_bytes) + ',' + csv_field(row.budget) + ',' +

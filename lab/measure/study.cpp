@@ -9,20 +9,14 @@
 #include "core/base/number.h"
 #include "core/scene/make/catalogue.h"
 #include "core/scene/read/load.h"
-#include "core/settings/settings_table.h"
-#include "core/traversal/methods.h"
+#include "core/session/settings_table.h"
+#include "core/methods/method_table.h"
 
 namespace sightline::lab {
 
 namespace {
 
 constexpr std::string_view on_tree = "@tree";
-
-template <int D>
-bool has_method(std::string_view id) {
-    const auto table = method_table<D>();
-    return std::any_of(table.begin(), table.end(), [&](const Method<D>& method) { return method.id == id; });
-}
 
 bool is_2d_file(const std::string& name) {
     const std::string file = name.substr(0, name.find('#'));
@@ -34,28 +28,51 @@ bool is_2d_file(const std::string& name) {
 
 }  // namespace
 
-MethodChoice parse_method(std::string_view text) {
-    MethodChoice choice{std::string(text), Tessellation::delaunay};
-    if (text.ends_with(on_tree)) {
-        choice.id.resize(text.size() - on_tree.size());
+MethodChoice parse_method(std::string_view text, const MethodTables& tables) {
+    VariantText variant = read_variant(text);
+    MethodChoice choice;
+    if (variant.id.ends_with(on_tree)) {
+        variant.id.resize(variant.id.size() - on_tree.size());
         choice.tessellation = Tessellation::tree;
     }
-    if (!has_method<2>(choice.id) && !has_method<3>(choice.id)) find_method<3>(method_table<3>(), choice.id);
+    Parameters ignored;
+    try {
+        variant.id = find_variant<3>(tables.in_3d, variant, ignored).id;
+    } catch (const InputError&) {
+        const bool in_2d = std::any_of(tables.in_2d.begin(), tables.in_2d.end(),
+                                       [&](const Method<2>& method) { return method.id == variant.id; });
+        if (!in_2d) throw;
+        variant.id = find_variant<2>(tables.in_2d, variant, ignored).id;
+    }
+    choice.variant = variant.text();
     return choice;
 }
 
 std::string method_text(const MethodChoice& choice) {
-    return choice.id + (choice.tessellation == Tessellation::tree ? std::string(on_tree) : "");
+    if (choice.tessellation == Tessellation::delaunay) return choice.variant;
+    const std::string id = choice.id();
+    return id + std::string(on_tree) + choice.variant.substr(id.size());
 }
 
-std::vector<MethodChoice> all_methods() {
+std::vector<MethodChoice> all_methods(const MethodTables& tables) {
     std::vector<MethodChoice> choices;
-    for (const Method<3>& method : method_table<3>()) {
+    for (const Method<3>& method : tables.in_3d) {
+        if (!method.compared) continue;
         choices.push_back({std::string(method.id), Tessellation::delaunay});
-        if (method.orders_cells) choices.push_back({std::string(method.id), Tessellation::tree});
+        if (method.orders_cells()) choices.push_back({std::string(method.id), Tessellation::tree});
     }
     return choices;
 }
+
+template <int D>
+const Method<D>* method_of(const MethodTables& tables, const MethodChoice& choice) {
+    const std::string id = choice.id();
+    for (const Method<D>& method : tables.of<D>())
+        if (method.id == id) return &method;
+    return nullptr;
+}
+template const Method<2>* method_of<2>(const MethodTables&, const MethodChoice&);
+template const Method<3>* method_of<3>(const MethodTables&, const MethodChoice&);
 
 SceneName parse_scene(const std::string& text) {
     if (text.starts_with("2d:")) return {2, text.substr(3)};
@@ -90,8 +107,9 @@ std::string study_json(const Study& study) {
     return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
-Study read_study(std::string_view text) {
+Study read_study(std::string_view text, const MethodTables& tables) {
     Study study;
+    study.tables = tables;
     try {
         const auto json = nlohmann::ordered_json::parse(text);
         study.scenes = json.at("scenes").get<std::vector<std::string>>();
@@ -105,7 +123,7 @@ Study read_study(std::string_view text) {
         study.size = settings.reference_size;
         study.methods.clear();
         study.budgets.clear();
-        for (const auto& method : json.at("methods")) study.methods.push_back(parse_method(method.get<std::string>()));
+        for (const auto& method : json.at("methods")) study.methods.push_back(parse_method(method.get<std::string>(), tables));
         for (const auto& budget : json.at("budgets")) study.budgets.push_back(parse_budget(budget.get<std::string>()));
     } catch (const nlohmann::json::exception& error) {
         throw InputError(std::string("not a study: ") + error.what());

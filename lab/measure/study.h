@@ -7,31 +7,40 @@
 #include <string_view>
 #include <vector>
 
-#include "core/settings/settings.h"
+#include "core/methods/method_table.h"
+#include "core/session/settings.h"
 
 namespace sightline::lab {
 
 /// A method on the cells that it runs on; orders of primitives do without cells.
 struct MethodChoice {
-    std::string id;
+    std::string variant;  ///< "published", "published on_reenqueue=min"
     Tessellation tessellation = Tessellation::delaunay;
+
+    std::string id() const { return variant.substr(0, variant.find(' ')); }
     bool operator==(const MethodChoice&) const = default;
 };
 
-/// "published", or "published@tree" on the leaves of the quadtree or octree. Throws InputError for a method that the
-/// table of neither dimension has.
-MethodChoice parse_method(std::string_view text);
+/// "published", or "published@tree" on the leaves of the quadtree or octree, both with parameters if you like:
+/// "published@tree on_reenqueue=min". Throws InputError for what the table of neither dimension has.
+MethodChoice parse_method(std::string_view text, const MethodTables& tables = {});
 std::string method_text(const MethodChoice& choice);
 
-/// Every row of the method table on Delaunay cells, and those that order cells on tree cells too.
-std::vector<MethodChoice> all_methods();
+/// Every row of the method table that is compared with others on Delaunay cells, and those that order cells on tree
+/// cells too.
+std::vector<MethodChoice> all_methods(const MethodTables& tables = {});
+
+/// nullptr when the table of the dimension does not have it.
+template <int D>
+const Method<D>* method_of(const MethodTables& tables, const MethodChoice& choice);
 
 struct Study {
+    MethodTables tables;
     std::vector<std::string> scenes;        ///< SceneName each
     std::vector<std::string> paths = {""};  ///< find_path (lab_scene.h) each
     std::uint32_t frames = 0;               ///< so many, spread evenly over the path; 0: all
     std::vector<MethodChoice> methods = all_methods();
-    /// For approximate methods; a conservative one is measured without a budget, once: under one it would not be.
+    /// For methods that have a use for one; others are measured without, once.
     std::vector<Budget> budgets = {parse_budget("1%"), parse_budget("2%"), parse_budget("5%"), parse_budget("10%")};
     std::vector<double> error_bounds;   ///< of the tessellation, one after the other; empty: each scene's own
     ImageSize size;                     ///< of the reference
@@ -56,6 +65,6 @@ Study at_error_bound(const Study& study, double error_bound);
 /// The study as JSON, one line: equal texts mean equal numbers but for times.
 std::string study_json(const Study& study);
 /// The other way round. Throws InputError for what study_json does not write.
-Study read_study(std::string_view json);
+Study read_study(std::string_view json, const MethodTables& tables = {});
 
 }  // namespace sightline::lab

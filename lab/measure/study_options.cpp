@@ -5,8 +5,8 @@
 
 #include "core/base/error.h"
 #include "core/base/file.h"
-#include "core/settings/settings_file.h"
-#include "core/settings/settings_table.h"
+#include "core/session/settings_file.h"
+#include "core/session/settings_table.h"
 
 namespace sightline::lab {
 
@@ -43,8 +43,9 @@ void add_study_options(CLI::App& app, StudyOptions& o) {
                    "default: test, else turn; may be given several times")
         ->allow_extra_args(false);
     app.add_option("--frames", o.frames, "so many frames, spread evenly over the path; default: all");
-    app.add_option("--methods", o.methods, "ids with commas between; @tree puts one on octree cells: published@tree")
-        ->delimiter(',');
+    app.add_option("--methods", o.methods,
+                   "ids with commas between; @tree puts one on octree cells: published@tree; with parameters and "
+                   "semicolons between: \"published; published on_reenqueue=min\"");
     app.add_option("--budgets", o.budgets, "with commas between, such as 1%,2%,5%,10% or 500,5000")->delimiter(',');
     app.add_option("--size", o.size, "of the reference: 1024x768, in 2D 8192");
     app.add_option("--set", o.settings, "FIELD=VALUE as in the viewers; may be given several times")
@@ -56,17 +57,21 @@ void add_study_options(CLI::App& app, StudyOptions& o) {
         ->check(CLI::Range(0, 1000));
 }
 
-Study study_of(const StudyOptions& options) {
+Study study_of(const StudyOptions& options, const MethodTables& tables) {
     StudyOptions o = options;
     if (!o.settings_file.empty()) add_file(o, read_settings(read_file(o.settings_file), o.settings_file));
     Study study;
+    study.tables = tables;
+    study.methods = all_methods(tables);
     study.scenes = o.scenes.empty() ? default_scenes : o.scenes;
     if (!o.paths.empty()) study.paths = o.paths;
     study.frames = o.frames;
     study.repeats = o.repeats;
     if (!o.methods.empty()) {
         study.methods.clear();
-        for (const std::string& method : o.methods) study.methods.push_back(parse_method(method));
+        for (const std::string& list : o.methods)
+            for (const std::string& method : split_variants(list))
+                study.methods.push_back(parse_method(method, tables));
     }
     if (!o.budgets.empty()) {
         study.budgets.clear();

@@ -21,7 +21,7 @@ struct StudyOptions {
 void add_study_options(CLI::App& app, StudyOptions& options);
 
 /// Throws InputError that names the option.
-Study study_of(const StudyOptions& options);
+Study study_of(const StudyOptions& options, const MethodTables& tables);
 
 /// Parses; false when help was asked for (and printed). Throws InputError for wrong usage.
 bool parse(CLI::App& app, int argc, const char* const* argv);

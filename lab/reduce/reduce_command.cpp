@@ -71,7 +71,7 @@ int run(const Study& study, const Wanted& wanted, const fs::path& folder, LabGra
     view.look_at += shift;
     Settings settings = lab.settings_for(method);
     settings.budget = budget;
-    Session<D> session(scene, view, settings, method_table<D>(), draw_ids);
+    Session<D> session(scene, view, settings, lab.tables.template of<D>(), draw_ids);
     bool still = true;
     if (wanted.condition.empty())
         session.run();
@@ -90,7 +90,7 @@ int run(const Study& study, const Wanted& wanted, const fs::path& folder, LabGra
 
 }  // namespace
 
-int reduce_command(int argc, const char* const* argv) {
+int reduce_command(int argc, const char* const* argv, const MethodTables& tables) {
     CLI::App app{"Shrinks a scene to the fewest primitives in which an expression holds.", "lab reduce"};
     StudyOptions options;
     options.budgets = {"10%"};
@@ -105,7 +105,7 @@ int reduce_command(int argc, const char* const* argv) {
                    "holds in the last of the frames, over measures, such as coverage < 0.5 or pop > 0.2");
     app.add_option("--out", out, "folder of the reduced scene")->capture_default_str();
     if (!parse(app, argc, argv)) return 0;
-    const Study study = study_of(options);
+    const Study study = study_of(options, tables);
     if (options.scenes.size() != 1 || study.methods.size() != 1 || study.budgets.size() != 1 || study.paths.size() != 1)
         throw InputError("reduce: one scene, one method, one budget and one path");
     LabGraphics graphics;

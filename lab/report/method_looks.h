@@ -1,4 +1,4 @@
-// How methods look in charts: a colour per method, dashes and rings on the leaves of a tree.
+// How methods look in charts: a colour per variant, dashes and rings on the leaves of a tree.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,12 +10,12 @@
 
 namespace sightline::lab {
 
-/// Colours in the order in which methods come up, one chart long.
+/// Colours in the order in which variants come up, one chart long.
 class MethodLooks {
 public:
-    /// An empty series of the method's name, colour and look.
+    /// An empty series of the variant's name, colour and look.
     Series series(const MethodChoice& method) {
-        const auto [at, is_new] = index_.try_emplace(method.id, index_.size());
+        const auto [at, is_new] = index_.try_emplace(method.variant, index_.size());
         Series s;
         s.name = method_text(method);
         s.colour = series_colour(at->second);

@@ -86,7 +86,7 @@ Chart found_per_frame(const Group& group, const std::vector<const Row*>& rows) {
     for (auto row = rows.rbegin(); row != rows.rend(); ++row)
         add(**row, (*row)->budget, Series::Look::line, series_colour(colour++));
     for (const auto& other : by_method(group))
-        if (other.front()->method.id == "centroid")
+        if (other.front()->method.variant == "centroid")
             add(*largest_budget(other), "centroid " + largest_budget(other)->budget, Series::Look::dashed, "#777777");
     return chart;
 }
@@ -191,7 +191,7 @@ std::vector<NamedChart> study_charts(const Results& results) {
         }
         if (!has_curve) continue;
         for (const auto& rows : by_method(group))
-            if (rows.front()->method.id == "published")
+            if (rows.front()->method.variant == "published")
                 add(stem + "-found-" +
                         (rows.front()->method.tessellation == Tessellation::tree ? "published-tree" : "published"),
                     "TVCG figs. 10 and 11 in form: an order that estimates visibility well keeps the shape "

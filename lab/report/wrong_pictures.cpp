@@ -11,7 +11,7 @@
 #include "core/measure/frame_clock.h"
 #include "core/measure/wrong_region.h"
 #include "core/session/session.h"
-#include "core/settings/settings_table.h"
+#include "core/session/settings_table.h"
 #include "lab/report/session_figure.h"
 #include "shell/figure/cairo_surface.h"
 #include "shell/figure/png.h"
@@ -37,27 +37,29 @@ Settings settings_of(const LabScene<2>& lab, const Row& row) {
 
 void write_picture(const LabScene<2>& lab, const Row& row, std::size_t frame, const std::filesystem::path& file,
                    LabGraphics&) {
-    Session<2> session(lab.scene, lab.specs[frame], settings_of(lab, row), method_table<2>(), {});
+    Session<2> session(lab.scene, lab.specs[frame], settings_of(lab, row), lab.tables.in_2d, {});
     session.run();
     write_session_figure(session, file, {});
 }
 
 void write_picture(const LabScene<3>& lab, const Row& row, std::size_t frame, const std::filesystem::path& file,
                    LabGraphics& graphics) {
-    const MethodChoice& choice = row.method;
-    Frame<3> f = make_frame<3>(lab.scene->primitives, lab.on(choice.tessellation), lab.views[frame],
-                               lab.settings_for(choice), lab.scene->two_sided);
-    f.budget = static_cast<std::uint32_t>(row.values[frame][Measure::budget]);
-    const Method<3>& method = find_method<3>(method_table<3>(), choice.id);
-    State<3> state;
-    method.start(f, state);
-    method.run(f, state, none);
+    const Variant<3> variant = lab.variant_for(row.method);
+    const Problem<3> problem{lab.scene.get(),
+                             &lab.on(row.method.tessellation),
+                             lab.views[frame],
+                             static_cast<std::uint32_t>(row.values[frame][Measure::budget]),
+                             variant.parameters,
+                             nullptr,
+                             {}};
+    const std::unique_ptr<Run<3>> run = variant.method.start(problem);
+    run->run(none);
 
     SolidList list;
     list.camera = lab.views[frame];
     list.styles = {{"rendered", {200, 200, 205}}};
     list.scene = lab.scene;
-    rendered_ids(state, list.triangles);
+    rendered_ids(run->met(), list.triangles);
     list.runs = {{0, 0, static_cast<std::uint32_t>(list.triangles.size())}};
     const ImageSize size = image_size<3>(lab.settings.reference_size);
     const IdImage exact = graphics.draw_ids()(*lab.scene, lab.views[frame], size, 1).front();
@@ -93,7 +95,7 @@ FramePicture draw_frame(const LabScene<D>& lab, const Study& study, const Row& r
     drawn.command = "./run viewer" + std::to_string(D) + "d " + shell_quoted(parse_scene(row.scene).name) +
                     " --eye=" + point_text<D>(view.eye, lab.scene->origin) +
                     " --look-at=" + point_text<D>(view.look_at, lab.scene->origin) + " --fov " + number_text(view.fov) +
-                    " --method " + shell_quoted(row.method.id) + " --budget " + shell_quoted(row.budget);
+                    " --method " + shell_quoted(row.method.variant) + " --budget " + shell_quoted(row.budget);
     if (row.method.tessellation == Tessellation::tree) drawn.command += " --set tessellation=tree";
     if (study.size != ImageSize{})
         drawn.command += " --set reference_size=" + setting_row("reference_size").get(lab.settings);

@@ -15,10 +15,9 @@
 #include "core/base/trig.h"
 #include "core/measure/frame_change.h"
 #include "core/scene/scene_view.h"
-#include "core/settings/settings_table.h"
+#include "core/session/settings_table.h"
 #include "core/space/builders.h"
-#include "core/traversal/methods.h"
-#include "core/truth/visible_set.h"
+#include "core/truth/truth.h"
 #include "lab/one_run.h"
 
 namespace sightline::lab {
@@ -26,18 +25,6 @@ namespace sightline::lab {
 namespace {
 
 using Set = std::vector<std::uint8_t>;
-
-Set visible_set(const Scene<2>& scene, const View<2>& view, const Settings&, const DrawIds&) {
-    return exact_visible_set(scene.primitives, view).visible;
-}
-Set visible_set(const Scene<3>& scene, const View<3>& view, const Settings& settings, const DrawIds& draw_ids) {
-    if (!draw_ids) throw WorkError("the exact image cannot be drawn: there is no OpenGL");
-    Set visible(scene.primitives.size());
-    const std::vector<IdImage> images = draw_ids(scene, view, image_size<3>(settings.reference_size), 1);
-    for (const std::uint32_t id : images.front().ids)
-        if (id != no_primitive) visible[id] = 1;
-    return visible;
-}
 
 double coverage_of(const Set& visible, const Set& rendered) {
     std::size_t count = 0, found = 0;
@@ -57,9 +44,9 @@ struct Outcome {
 };
 
 template <int D>
-Outcome outcome(const Scene<D>& scene, const CellComplex<D>& cells, const Settings& settings, const View<D>& view,
+Outcome outcome(std::span<const Method<D>> methods, const Scene<D>& scene, const CellComplex<D>& cells, const Settings& settings, const View<D>& view,
                 std::span<const std::uint32_t> original) {
-    OneRun run = one_run<D>(scene, cells, view, settings);
+    OneRun run = one_run<D>(methods, scene, cells, view, settings);
     Outcome result{std::move(run.order), std::move(run.rendered), 0, run.not_finite};
     if (original.empty()) return result;
     std::fill(result.rendered.begin(), result.rendered.end(), std::uint8_t{0});
@@ -76,12 +63,12 @@ public:
     StabilityStudy(const LabScene<D>& lab, const Study& study, const StabilityOptions& options, const DrawIds& draw_ids)
         : lab_(lab), options_(options), draw_ids_(draw_ids), random_(options.seed) {
         size_ = bounds<D>(lab.scene->primitives).longest_side();
-        for (const MethodChoice& choice : study.methods)
-            for (const Method<D>& method : method_table<D>()) {
-                // A conservative method renders what the view holds: nothing to be unstable.
-                if (method.id != choice.id || method.guarantee == Guarantee::conservative) continue;
-                for (const Budget& budget : study.budgets) methods_.push_back({choice, budget});
-            }
+        for (const MethodChoice& choice : study.methods) {
+            const Method<D>* const method = method_of<D>(lab.tables, choice);
+            // One that has no use for a budget renders what the view holds: nothing to be unstable.
+            if (!method || !method->budgeted) continue;
+            for (const Budget& budget : study.budgets) methods_.push_back({choice, budget});
+        }
     }
 
     std::vector<StabilityRow> run(const StabilityWatch& watch) {
@@ -160,7 +147,7 @@ private:
 
     Settings settings_of(const Choice& choice, const Settings& from) const {
         Settings settings = from;
-        settings.method = choice.method.id;
+        settings.method = choice.method.variant;
         settings.tessellation = choice.method.tessellation;
         settings.budget = choice.budget;
         return settings;
@@ -173,7 +160,7 @@ private:
         std::vector<Outcome> all(methods_.size());
         tbb::parallel_for(std::size_t{0}, methods_.size(), [&](std::size_t m) {
             const auto& on = *cells[static_cast<std::size_t>(methods_[m].method.tessellation)];
-            all[m] = outcome<D>(scene, on, settings_of(methods_[m], settings), view, original);
+            all[m] = outcome<D>(lab_.tables.template of<D>(), scene, on, settings_of(methods_[m], settings), view, original);
             all[m].coverage = coverage_of(visible, all[m].rendered);
         });
         return all;
@@ -181,7 +168,7 @@ private:
 
     Base base_of(std::size_t frame) const {
         Base base;
-        base.visible = visible_set(*lab_.scene, lab_.views[frame], lab_.settings, draw_ids_);
+        base.visible = visible_set(*lab_.scene, lab_.views[frame], lab_.settings.reference_size, draw_ids_);
         base.of = outcomes(*lab_.scene, lab_.cells, lab_.settings, lab_.views[frame], base.visible);
         return base;
     }
@@ -222,7 +209,7 @@ private:
                 spec.eye += by;
                 spec.look_at += by;
                 const View<D> view = scene_view(spec, *lab_.scene, lab_.settings.reference_size);
-                const Set visible = visible_set(*lab_.scene, view, lab_.settings, draw_ids_);
+                const Set visible = visible_set(*lab_.scene, view, lab_.settings.reference_size, draw_ids_);
                 add(Disturbance::eye, amount, base_[frame].of,
                     outcomes(*lab_.scene, lab_.cells, lab_.settings, view, visible),
                     jaccard(base_[frame].visible, visible));
@@ -316,7 +303,7 @@ private:
                 middle + away / std::sqrt(glm::dot(away, away)) * (distance * angle.cos) + out * (distance * angle.sin);
             spec.look_at = middle;
             const View<D> view = scene_view(spec, *lab_.scene, lab_.settings.reference_size);
-            const Set now_visible = visible_set(*lab_.scene, view, lab_.settings, draw_ids_);
+            const Set now_visible = visible_set(*lab_.scene, view, lab_.settings.reference_size, draw_ids_);
             std::vector<Outcome> now = outcomes(*lab_.scene, lab_.cells, lab_.settings, view, now_visible);
             if (!before.empty()) add(Disturbance::grazing, 0.1, before, now, jaccard(visible_before, now_visible));
             before = std::move(now);

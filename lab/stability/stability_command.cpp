@@ -54,7 +54,7 @@ std::string study_text(const Study& study, const StabilityOptions& options) {
 
 }  // namespace
 
-int stability_command(int argc, const char* const* argv) {
+int stability_command(int argc, const char* const* argv, const MethodTables& tables) {
     CLI::App app{"Measures how much what is rendered changes for what should not matter.", "lab stability"};
     StudyOptions options;
     options.budgets = {"5%"};
@@ -70,7 +70,7 @@ int stability_command(int argc, const char* const* argv) {
     app.add_option("--seed", stability.seed, "of the random directions and orders")->capture_default_str();
     app.add_option("--out", out, "folder of the results")->capture_default_str();
     if (!parse(app, argc, argv)) return 0;
-    Study study = study_of(options);
+    Study study = study_of(options, tables);
     study.repeats = 0;
     if (study.scenes.size() * study.paths.size() > 1) check_scenes(study, say);
     LabGraphics graphics;

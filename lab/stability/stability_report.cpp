@@ -26,7 +26,7 @@ Json rows_json(const std::vector<StabilityRow>& rows) {
     for (const StabilityRow& row : rows)
         all.push_back({{"scene", row.scene},
                        {"path", row.path},
-                       {"method", row.method.id},
+                       {"method", row.method.variant},
                        {"tessellation", tessellation(row.method)},
                        {"budget", row.budget},
                        {"disturbance", word(row)},
@@ -99,7 +99,7 @@ std::string stability_csv(const std::vector<StabilityRow>& rows) {
         "scene,path,method,tessellation,budget,disturbance,amount,samples,jaccard,jaccard_min,visible_jaccard,"
         "coverage_change,coverage_spread,equal,not_finite\n";
     for (const StabilityRow& row : rows)
-        text += csv_field(row.scene) + "," + csv_field(row.path) + "," + csv_field(row.method.id) + "," +
+        text += csv_field(row.scene) + "," + csv_field(row.path) + "," + csv_field(row.method.variant) + "," +
                 tessellation(row.method) + "," + csv_field(row.budget) + "," + std::string(word(row)) + "," +
                 number_text(row.amount) + "," + std::to_string(row.samples) + "," + number_text(row.jaccard) + "," +
                 number_text(row.jaccard_min) + "," + number_text(row.visible_jaccard) + "," +
@@ -118,7 +118,7 @@ std::vector<StabilityRow> read_stability_rows(const std::string& text) {
         StabilityRow& row = rows.emplace_back();
         row.scene = json.at("scene");
         row.path = json.at("path");
-        row.method.id = json.at("method");
+        row.method.variant = json.at("method");
         row.method.tessellation = json.at("tessellation") == "tree" ? Tessellation::tree : Tessellation::delaunay;
         row.budget = json.at("budget");
         const auto at =

@@ -14,7 +14,7 @@ namespace {
 template <int D>
 void set(Workbench<D>& bench, Text text) {
     Settings settings = bench.session.settings();
-    apply_setting(settings, text);
+    apply_setting(settings, text, bench.session.method());
     change_settings(bench, settings);
 }
 

@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "core/base/error.h"
-#include "core/settings/settings_table.h"
+#include "core/session/settings_table.h"
 #include "shell/commands/arguments.h"
 #include "shell/commands/groups.h"
 #include "shell/desk/change.h"
@@ -15,10 +15,13 @@ namespace {
 /// Both at once: one entry of the history.
 template <int D>
 void choose(Workbench<D>& bench, Text text) {
-    const auto [method, budget] = split_word(text);
+    const std::size_t space = text.rfind(' ');
+    const Variant<D> variant = make_variant<D>(bench.methods, text.substr(0, space), bench.frontier.base);
     Settings settings = bench.session.settings();
-    settings.method = find_method<D>(bench.methods, method).id;
-    settings.budget = parse_budget(budget);
+    settings.method = variant.method.id;
+    for (const ParameterRow* row : variant.method.parameters)
+        settings.parameters.set(*row, variant.parameters.text(*row));
+    settings.budget = parse_budget(text.substr(space + 1));
     change_settings(bench, settings);
 }
 
@@ -41,7 +44,12 @@ void frontier(Workbench<D>& bench, Text text) {
         if (frontier.stopped) throw WorkError(frontier.word);
         return;
     }
-    if (split_word(text)[1].empty()) throw InputError("write METHOD BUDGET, stop, go, anew, finish, wrong or coverage");
+    if (const auto [verb, rest] = split_word(text); verb == "add") {
+        frontier.added.push_back(make_variant<D>(bench.methods, rest).text);
+        return update_frontier(bench);
+    }
+    if (split_word(text)[1].empty())
+        throw InputError("write METHOD BUDGET, add METHOD, stop, go, anew, finish, wrong or coverage");
     choose(bench, text);
 }
 
@@ -50,8 +58,8 @@ void frontier(Workbench<D>& bench, Text text) {
 template <int D>
 std::span<const Command<D>> frontier_commands() {
     static constexpr std::array table{
-        Command<D>{"frontier", "METHOD BUDGET | stop | go | anew | finish | wrong | coverage",
-                   "set method and budget of a dot; stop or go on measuring, begin anew, measure all; what is up", "",
+        Command<D>{"frontier", "METHOD BUDGET | add METHOD | stop | go | anew | finish | wrong | coverage",
+                   "set method and budget of a dot; measure one more method or variant; stop, go on, restart, finish; choose the vertical axis", "",
                    frontier<D>},
     };
     return table;

@@ -21,8 +21,7 @@ template <int D>
 void explain(Workbench<D>& bench, Text text) {
     const Session<D>& session = bench.session;
     if (text.starts_with("cell"))
-        return say_all(bench,
-                       rows(explain_cell(session, cell_argument(bench, split_word(text)[1])), session.settings()));
+        return say_all(bench, rows(explain_cell(session, cell_argument(bench, split_word(text)[1]))));
     std::uint32_t step = session.position();
     if (text.starts_with("step")) step = whole_argument(split_word(text)[1], "a step");
     if (!text.empty() && !text.starts_with("step"))
@@ -31,7 +30,7 @@ void explain(Workbench<D>& bench, Text text) {
     if (step > session.position())
         throw InputError("step " + std::to_string(step) + " is not done yet; the session stands at step " +
                          std::to_string(session.position()));
-    say_all(bench, rows(explain_step(session, step), session.settings()));
+    say_all(bench, rows(explain_step(session, step)));
 }
 
 template <int D>

@@ -12,11 +12,11 @@ namespace {
 
 /// "step 37 of 212; order differs from step 12"
 template <int D>
-std::string what_became(const Workbench<D>& bench, const std::vector<StepRecord>& before, Invalidates what) {
+std::string what_became(const Workbench<D>& bench, const std::vector<Step>& before, Invalidates what) {
     const auto& now = bench.session.timeline().steps;
     const std::size_t common = std::min(before.size(), now.size());
     std::size_t same = 0;
-    while (same < common && before[same].cell == now[same].cell) ++same;
+    while (same < common && before[same].item == now[same].item) ++same;
     std::string line = "step " + std::to_string(bench.session.position()) + " of " + std::to_string(now.size()) + "; ";
     if (what >= Invalidates::tessellation)
         line += "new cells: " + std::to_string(bench.session.cells().cell_count());
@@ -64,13 +64,12 @@ void traversal_changed(Workbench<D>& bench) {
 template <int D>
 void change_settings(Workbench<D>& bench, const Settings& settings, const std::string& gesture) {
     const Invalidates what = difference(bench.session.settings(), settings);
-    find_method<D>(bench.methods, settings.method);
     if (settings == bench.session.settings()) return;
     std::shared_ptr<const Scene<D>> scene = bench.session.shared_scene();
     if (what == Invalidates::scene) scene = reread<D>(scene, settings);
     remember(bench, gesture);
     if (bench.other) picture_settings_too(bench.session.settings(), settings, bench.other->session);
-    const std::vector<StepRecord> before = bench.session.timeline().steps;
+    const std::vector<Step> before = bench.session.timeline().steps;
     const bool flying = bench.session.flying();
     if (scene != bench.session.shared_scene()) bench.session.set_scene(scene);
     bench.session.change(settings);

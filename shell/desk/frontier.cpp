@@ -21,10 +21,7 @@ std::string what_changed(const Workbench<D>& bench, const std::vector<ViewSpec<D
     if (!task.scene) return "first";
     if (task.scene != bench.session.shared_scene()) return "another scene";
     if (task.cells != bench.session.shared_cells()) return "another tessellation";
-    Settings before = task.settings, now = bench.session.settings();
-    before.method = now.method;
-    before.budget = now.budget;
-    if (difference(before, now) != Invalidates::picture) return "other settings";
+    if (!(task.reference_size == bench.session.settings().reference_size)) return "another reference size";
     if (frontier.path != path) return "another path";
     if (frontier.views != views) return bench.flight.path.frames.empty() ? "the view moved" : "another path";
     return "";
@@ -53,27 +50,34 @@ void update_frontier(Workbench<D>& bench) {
                std::to_string(all.size()) + " frames";
     }
     if (const std::string why = what_changed(bench, views, path); !why.empty()) {
-        FrontierTask<D> task{session.shared_scene(), session.shared_cells(), session.settings(), {}, {}};
+        FrontierTask<D> task{session.shared_scene(), session.shared_cells(), session.settings().reference_size, {}, {}};
         for (const ViewSpec<D>& view : views)
             task.views.push_back(scene_view(view, session.scene(), session.settings().reference_size));
-        task.methods.assign(bench.methods.begin(), bench.methods.end());
+        for (const Method<D>& method : bench.methods)
+            if (method.compared)
+                task.variants.push_back(variant_of(method, session.settings().parameters, session.settings().parameters));
         task.draw_ids = bench.graphics.draw_ids;
         if (D == 3 && bench.graphics.time_drawing)
             task.time_drawing = bench.graphics.time_drawing(session.settings().reference_size);
         const bool begun = frontier.study.done() > 0;
         frontier.study = FrontierStudy<D>(std::move(task));
+        frontier.base = session.settings().parameters;
         frontier.path = std::move(path);
         frontier.views = std::move(views);
         frontier.word = begun ? "begun anew: " + why : "";
         frontier.spent_ms = 0;
         frontier.since.reset();
     }
-    frontier.study.ask(session.settings().method, session.settings().budget);
+    for (const std::string& text : frontier.added)
+        frontier.study.ask(make_variant<D>(bench.methods, text, frontier.base), {});
+    frontier.study.ask(current_variant(bench), session.settings().budget);
 }
 
 template <int D>
 void restart_frontier(Workbench<D>& bench) {
+    std::vector<std::string> added = std::move(bench.frontier.added);
     bench.frontier = {bench.frontier.shown};
+    bench.frontier.added = std::move(added);
     update_frontier(bench);
 }
 
@@ -112,7 +116,7 @@ std::string frontier_work_text(const Workbench<D>& bench) {
     const FrontierStudy<D>& study = bench.frontier.study;
     const FrontierDot* const dot = study.next_dot();
     if (!dot || bench.frontier.stopped || !stands_still(bench)) return "";
-    return "measuring " + std::string(study.task().methods[dot->method].id) + " " + budget_text(dot->budget) +
+    return "measuring " + study.task().variants[dot->variant].text + " " + budget_text(dot->budget) +
            ", frame " + std::to_string(dot->frames.size() + 1) + " of " + std::to_string(study.task().views.size());
 }
 
@@ -124,14 +128,18 @@ std::string frontier_time_text(const Workbench<D>& bench) {
 
 template <int D>
 std::string frontier_command(const Workbench<D>& bench, const FrontierDot& dot) {
-    return "frontier " + std::string(bench.frontier.study.task().methods[dot.method].id) + " " +
-           budget_text(dot.budget);
+    return "frontier " + bench.frontier.study.task().variants[dot.variant].text + " " + budget_text(dot.budget);
+}
+
+template <int D>
+Variant<D> current_variant(const Workbench<D>& bench) {
+    return variant_of(bench.session.method(), bench.session.settings().parameters, bench.frontier.base);
 }
 
 template <int D>
 bool is_current(const Workbench<D>& bench, const FrontierDot& dot) {
-    const Settings& settings = bench.session.settings();
-    return bench.frontier.study.task().methods[dot.method].id == settings.method && dot.budget == settings.budget;
+    return bench.frontier.study.task().variants[dot.variant].text == current_variant(bench).text &&
+           dot.budget == bench.session.settings().budget;
 }
 
 template <int D>
@@ -152,6 +160,7 @@ std::vector<std::size_t> frontier_front(const Workbench<D>& bench) {
     template std::string frontier_work_text<D>(const Workbench<D>&);                       \
     template std::string frontier_time_text<D>(const Workbench<D>&);                       \
     template std::string frontier_command<D>(const Workbench<D>&, const FrontierDot& dot); \
+    template Variant<D> current_variant<D>(const Workbench<D>&);                           \
     template bool is_current<D>(const Workbench<D>&, const FrontierDot& dot);              \
     template std::vector<std::size_t> frontier_front<D>(const Workbench<D>&);
 SIGHTLINE_INSTANTIATE(2)

@@ -21,6 +21,8 @@ struct Frontier {
     bool stopped = false;            ///< by a person, or by an error
     std::string word{};              ///< why it began anew or ended; empty: nothing to say
     FrontierStudy<D> study{};
+    Parameters base{};                 ///< what all methods share: the session's when it began
+    std::vector<std::string> added{};  ///< variants that are measured beside the methods of the table
     std::string path{};                ///< what it goes along, for people
     std::vector<ViewSpec<D>> views{};  ///< the same as they are written down
     double spent_ms = 0;               ///< on what is measured, the frames of the window between slices included
@@ -64,6 +66,10 @@ std::string frontier_time_text(const Workbench<D>& bench);
 /// The command that sets the method and the budget of a dot.
 template <int D>
 std::string frontier_command(const Workbench<D>& bench, const FrontierDot& dot);
+
+/// The session's method, written with the parameters that are not those that all methods share.
+template <int D>
+Variant<D> current_variant(const Workbench<D>& bench);
 
 /// Whether the dot is that of the session's method and budget.
 template <int D>

@@ -59,10 +59,10 @@ void run_to_breakpoint(Workbench<D>& bench, std::uint32_t steps) {
 
 template <int D>
 std::uint32_t step_of_cell(const Workbench<D>& bench, std::uint32_t cell) {
-    const auto find = [cell](const Timeline& timeline) {
+    const auto find = [cell](const Recording& timeline) {
         const auto& steps = timeline.steps;
         const auto found =
-            std::find_if(steps.begin(), steps.end(), [cell](const StepRecord& record) { return record.cell == cell; });
+            std::find_if(steps.begin(), steps.end(), [cell](const Step& step) { return step.item == cell_item(cell); });
         return found == steps.end() ? none : static_cast<std::uint32_t>(found - steps.begin()) + 1;
     };
     const std::uint32_t recorded = find(bench.session.timeline());

@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "core/base/image_size.h"
 #include "core/measure/frame_clock.h"
 #include "shell/gl/solid_renderer.h"
 #include "shell/gl/target.h"

@@ -137,7 +137,7 @@ std::vector<IdImage> IdRenderer::draw(const Scene<3>& scene, const View<3>& view
     for (int i = 0; i < std::max(layers, 1); ++i) {
         const std::size_t turn = static_cast<std::size_t>(i) % 2;
         glBindFramebuffer(GL_FRAMEBUFFER, layers_[turn].frame.name());
-        constexpr GLuint nothing[4] = {no_primitive, 0, 0, 0};
+        constexpr GLuint nothing[4] = {none, 0, 0, 0};
         constexpr GLfloat farthest = 0;
         glClearBufferuiv(GL_COLOR, 0, nothing);
         glClearBufferfv(GL_DEPTH, 0, &farthest);
@@ -151,7 +151,7 @@ std::vector<IdImage> IdRenderer::draw(const Scene<3>& scene, const View<3>& view
         }
         draw_triangles(scene, view);
         IdImage image = read();
-        const bool empty = std::all_of(image.ids.begin(), image.ids.end(), [](auto id) { return id == no_primitive; });
+        const bool empty = std::all_of(image.ids.begin(), image.ids.end(), [](auto id) { return id == none; });
         if (i > 0 && empty) break;
         images.push_back(std::move(image));
     }

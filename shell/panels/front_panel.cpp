@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "core/base/number.h"
-#include "core/session/explain.h"
 #include "shell/desk/into.h"
 #include "shell/panels/panel_table.h"
 
@@ -11,14 +10,17 @@ namespace sightline {
 
 namespace {
 
+using Waiting = std::pair<Item, Mark>;
+
 /// Digits per entry that tell its key from the next lower and the next higher one; the same for equal keys.
-std::vector<int> key_digits(const std::vector<Front::Entry>& entries) {
-    std::vector<int> digits(entries.size(), 3);
-    for (std::size_t begin = 0, end = 0; begin < entries.size(); begin = end) {
-        while (end < entries.size() && entries[end].key == entries[begin].key) ++end;
+std::vector<int> key_digits(const std::vector<Waiting>& front) {
+    std::vector<int> digits(front.size(), 3);
+    const auto key = [&](std::size_t i) { return front[i].second.key; };
+    for (std::size_t begin = 0, end = 0; begin < front.size(); begin = end) {
+        while (end < front.size() && key(end) == key(begin)) ++end;
         int most = 3;
-        if (begin > 0) most = separating_digits(entries[begin - 1].key, entries[begin].key);
-        if (end < entries.size()) most = std::max(most, separating_digits(entries[begin].key, entries[end].key));
+        if (begin > 0) most = separating_digits(key(begin - 1), key(begin));
+        if (end < front.size()) most = std::max(most, separating_digits(key(begin), key(end)));
         std::fill(digits.begin() + static_cast<std::ptrdiff_t>(begin),
                   digits.begin() + static_cast<std::ptrdiff_t>(end), most);
     }
@@ -30,16 +32,21 @@ std::vector<int> key_digits(const std::vector<Front::Entry>& entries) {
 template <int D>
 std::vector<Row> front_rows(const Workbench<D>& bench) {
     const Shown<D> shown(bench);
-    const std::vector<Front::Entry> entries = front_entries(*shown);
-    const std::vector<int> digits = key_digits(entries);
-    std::vector<Row> rows{{std::to_string(entries.size()) + " cells in the front, first to last", Tone::heading}};
-    for (std::size_t i = 0; i < entries.size(); ++i) {
-        const Front::Entry& entry = entries[i];
-        Row row{std::to_string(i + 1) + ". cell " + std::to_string(entry.cell) + "  key " +
-                short_number(entry.key, digits[i]) + "  stamp " + std::to_string(entry.stamp)};
-        if (i > 0 && entries[i - 1].key == entry.key) row.text += "  (tie, older stamp wins)";
-        row.cell = entry.cell;
-        row.command = "select " + std::to_string(entry.cell);
+    const std::vector<Waiting> front = shown->traversal().front();
+    const std::vector<int> digits = key_digits(front);
+    const Kind kind = front.empty() ? Kind::cell : front.front().first.kind;
+    std::vector<Row> rows{{std::to_string(front.size()) + " " + std::string(kind_word(kind)) +
+                               "s in the front, first to last",
+                           Tone::heading}};
+    for (std::size_t i = 0; i < front.size(); ++i) {
+        const auto& [item, mark] = front[i];
+        Row row{std::to_string(i + 1) + ". " + item_name(item) + "  key " + short_number(mark.key, digits[i]) +
+                "  stamp " + std::to_string(mark.stamp)};
+        if (i > 0 && front[i - 1].second.key == mark.key) row.text += "  (tie, older stamp wins)";
+        if (item.kind == Kind::cell) {
+            row.cell = item.id;
+            row.command = "select " + std::to_string(item.id);
+        }
         rows.push_back(std::move(row));
     }
     return rows;

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/base/number.h"
-#include "core/settings/settings_table.h"
+#include "core/session/settings_table.h"
 #include "shell/panels/panel_table.h"
 
 namespace sightline {
@@ -36,9 +36,9 @@ std::vector<Row> frontier_rows(const Workbench<D>& bench) {
     for (std::size_t i = 0; i < study.dots().size(); ++i) {
         const FrontierDot& dot = study.dots()[i];
         const double ms = study.value(dot, Measure::total_ms);
-        const Method<D>& method = study.task().methods[dot.method];
+        const Variant<D>& variant = study.task().variants[dot.variant];
         const bool is_best = std::find(front.begin(), front.end(), i) != front.end();
-        Row row{std::string(method.id) + " " + budget_text(dot.budget) + ": "};
+        Row row{variant.text + " " + budget_text(dot.budget) + ": "};
         row.text += std::isnan(ms) ? "…"
                                    : short_number(ms) + " ms, wrong " + per_cent(study.value(dot, Measure::wrong)) +
                                          ", coverage " + per_cent(study.value(dot, Measure::coverage));
@@ -47,12 +47,12 @@ std::vector<Row> frontier_rows(const Workbench<D>& bench) {
         row.tone = now ? Tone::lit : is_best ? Tone::good : Tone::plain;
         if (now) row.text += " (now)";
         row.command = frontier_command(bench, dot);
-        row.tip = std::string(method.sentence) +
-                  (method.guarantee == Guarantee::conservative ? " [conservative]" : " [approximate]") +
+        row.tip = std::string(variant.method.sentence) +
+                  (variant.method.promise == Misses::may ? " [approximate]" : " [conservative]") +
                   ". A click sets this method and this budget.";
         rows.push_back(std::move(row));
     }
-    const ImageSize reference = image_size<D>(study.task().settings.reference_size);
+    const ImageSize reference = image_size<D>(study.task().reference_size);
     const std::string size = D == 2 ? std::to_string(reference.width) + " pixels" : image_size_text(reference);
     rows.push_back({"Time: " + frontier_time_text(bench) +
                         (study.task().time_drawing ? ", off screen at " + size : "") +

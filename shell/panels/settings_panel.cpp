@@ -9,7 +9,7 @@ std::vector<Row> settings_rows(const Workbench<D>& bench) {
     const Settings defaults;
     std::vector<Row> rows;
     for (const SettingRow& setting : settings_table()) {
-        if (setting.dimension != 0 && setting.dimension != D) continue;
+        if (!applies<D>(setting, bench.session.method())) continue;
         const std::string value = setting.get(bench.session.settings());
         Row row{std::string(setting.name) + " = " + value};
         if (value != setting.get(defaults)) row.tone = Tone::lit;

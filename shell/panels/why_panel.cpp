@@ -36,36 +36,39 @@ std::string name(std::uint32_t cell) { return "cell " + std::to_string(cell); }
 std::string counted(std::uint32_t n, const char* what) { return std::to_string(n) + " " + what + (n == 1 ? "" : "s"); }
 
 /// The formula on as many lines as it has parts.
-void write_formula(Writer& to, const Terms& terms, const Settings& settings, int digits) {
-    to.add("ρ = " + formula_sum(terms, digits), 2, Tone::faint).tip =
-        "density |A| / ρ_max, plus weight v·n times the solidity of the cell it came from";
-    if (terms.penalised()) to.add(formula_penalty(terms, settings, digits), 2, Tone::bad);
+void write_formula(Writer& to, const KeyExplanation& key) {
+    to.add(key.sum, 2, Tone::faint).tip = key.tip;
+    if (key.penalised) to.add(key.penalty, 2, Tone::bad);
 }
 
-void write_facet(Writer& to, const FacetExplanation& facet, const Settings& settings, int digits) {
-    if (facet.neighbour == none) {
+void write_considered(Writer& to, const Considered& c, int digits) {
+    if (!c.item) {
         to.add("border: no neighbour", 1, Tone::faint);
         return;
     }
-    std::string text = name(facet.neighbour) + ": " + std::string(rule_words[static_cast<std::size_t>(facet.rule)]);
-    if (facet.rule == Rule::kept || facet.rule == Rule::reenqueued) {
-        const double now = facet.rule == Rule::kept ? facet.before.key : facet.terms->key;
-        const int apart = std::max(digits, separating_digits(facet.before.key, now));
-        text += ", key " + short_number(facet.before.key, apart) +
-                (facet.rule == Rule::kept ? " stays" : " → " + short_number(now, apart));
+    std::string text = item_name(c.item) + ": " + std::string(c.words);
+    if (c.key && c.before.state == CellState::enqueued) {
+        const bool stays = c.effect == Effect::kept;
+        const double now = stays ? c.before.key : c.key->key;
+        const int apart = std::max(digits, separating_digits(c.before.key, now));
+        text += ", key " + short_number(c.before.key, apart) + (stays ? " stays" : " → " + short_number(now, apart));
     }
-    to.cell(text, facet.neighbour, 1, facet.terms ? Tone::plain : Tone::faint);
-    if (facet.terms) write_formula(to, *facet.terms, settings, digits);
+    const Tone tone = c.key ? Tone::plain : Tone::faint;
+    if (c.item.kind == Kind::cell)
+        to.cell(text, c.item.id, 1, tone);
+    else
+        to.add(text, 1, tone);
+    if (c.key) write_formula(to, *c.key);
 }
 
-void write_step(Writer& to, const StepExplanation& step, const Settings& settings, bool partly) {
+void write_step(Writer& to, const StepExplanation& step, bool partly) {
     std::string title = "Step " + std::to_string(step.step);
     if (step.cell != none) title += ": " + name(step.cell);
     to.heading(title + (partly ? ", as far as it is done" : ""));
     if (step.cell == none) {
-        to.add("a batch of primitives in the method's order");
+        to.add(step.words);
     } else {
-        const int digits = step.digits();
+        const int digits = step.digits;
         to.cell("lowest key of the front: " + short_number(step.key, digits), step.cell);
         if (step.runner_up == none)
             to.add("it was alone in the front");
@@ -78,26 +81,24 @@ void write_step(Writer& to, const StepExplanation& step, const Settings& setting
     std::string rendered = "rendered " + counted(step.rendered, "primitive");
     if (step.rendered > 0) rendered += ", " + std::to_string(step.visible) + " of them visible";
     to.add(rendered, 0, step.rendered == 0 ? Tone::plain : step.visible > 0 ? Tone::good : Tone::bad);
-    if (step.cell == none) return;
-    if (step.visible_share > 0)
+    if (step.cell != none && step.visible_share > 0)
         to.add("it holds " + short_number(step.visible_share * 100) + " % of what is visible", 0, Tone::good);
-    else
+    else if (step.cell != none)
         to.add("nothing in it is visible", 0, Tone::bad);
-    if (!step.facets.empty()) to.heading("Across its facets");
-    for (const FacetExplanation& facet : step.facets) write_facet(to, facet, settings, step.digits());
+    if (!step.looked_at.empty()) to.heading(step.cell != none ? "Across its facets" : "What it looked at");
+    for (const Considered& c : step.looked_at) write_considered(to, c, step.digits);
 }
 
 /// One update: a click goes to the step that made it.
-void write_link(Writer& to, const ChainLink& link, const Settings& settings, int digits) {
-    Row& row = to.cell("step " + std::to_string(link.step) + ": from " + name(link.update.from) + " to " +
-                           name(link.update.neighbour) + ", " +
-                           std::string(rule_words[static_cast<std::size_t>(link.update.rule)]),
-                       link.update.from, 1);
+void write_link(Writer& to, const ChainLink& link) {
+    Row& row = to.cell("step " + std::to_string(link.step) + ": from " + item_name(link.update.from) + " to " +
+                           item_name(link.update.item) + ", " + std::string(link.update.words),
+                       link.update.from.id, 1);
     row.command = "seek " + std::to_string(link.step);
-    if (link.update.terms) write_formula(to, *link.update.terms, settings, digits);
+    if (link.update.key) write_formula(to, *link.update.key);
 }
 
-void write_cell(Writer& to, const CellExplanation& cell, const Settings& settings) {
+void write_cell(Writer& to, const CellExplanation& cell, std::string_view key_title) {
     const auto state = cell_state_words[static_cast<std::size_t>(cell.mark.state)];
     to.heading("Selected: " + name(cell.cell) + ", " + std::string(state));
     if (cell.projected_at > 0) {
@@ -105,7 +106,7 @@ void write_cell(Writer& to, const CellExplanation& cell, const Settings& setting
         row.command = "seek " + std::to_string(cell.projected_at);
     }
     if (cell.mark.state == CellState::projected || cell.mark.state == CellState::enqueued)
-        to.add("solidity (key) " + short_number(cell.mark.key, cell.digits) +
+        to.add(std::string(key_title) + " (key) " + short_number(cell.mark.key, cell.digits) +
                (cell.rank > 0 ? ", number " + std::to_string(cell.rank) + " in the front" : ""));
     if (cell.visible_share > 0)
         to.add("holds " + short_number(cell.visible_share * 100) + " % of what is visible", 0, Tone::good);
@@ -115,11 +116,18 @@ void write_cell(Writer& to, const CellExplanation& cell, const Settings& setting
         to.add((cell.rank > 0 ? "held back by: " : "not in the front: ") + cell.held_back_by);
     if (!cell.reached.empty())
         to.heading("Reached through " + counted(static_cast<std::uint32_t>(cell.reached.size()), "facet"));
-    for (const ChainLink& link : cell.reached) write_link(to, link, settings, cell.digits);
+    for (const ChainLink& link : cell.reached) write_link(to, link);
     if (cell.chain.size() > 1) {
         to.heading("The chain of updates from the seed");
-        for (const ChainLink& link : cell.chain) write_link(to, link, settings, cell.digits);
+        for (const ChainLink& link : cell.chain) write_link(to, link);
     }
+}
+
+/// What the key of a cell is called.
+template <int D>
+std::string_view key_title(const Session<D>& session) {
+    const auto fields = session.traversal().fields();
+    return fields.empty() ? "key" : fields.front().title;
 }
 
 }  // namespace
@@ -135,17 +143,17 @@ std::vector<Row> why_rows(const Workbench<D>& bench) {
         return to.rows;
     } else if (s.position() == 0) {
         to.heading("Step 0");
-        if (s.state().seed != none) to.cell("the seed " + name(s.state().seed) + " is in the front", s.state().seed);
+        if (seed_cell(s) != none) to.cell("the seed " + name(seed_cell(s)) + " is in the front", seed_cell(s));
         to.add("nothing is projected yet: Right, or Space");
     } else {
-        write_step(to, explain_step(s, s.position()), s.settings(), bench.substep.has_value());
+        write_step(to, explain_step(s, s.position()), bench.substep.has_value());
     }
     if (s.selected_primitive != none) {
         to.heading(std::string("Selected ") + (D == 2 ? "segment" : "triangle"));
         to.add(sentence<D>(explain_primitive(bench.session, s.selected_primitive), s.position()));
     }
     if (s.selected_cell != none)
-        write_cell(to, explain_cell(s, s.selected_cell), s.settings());
+        write_cell(to, explain_cell(s, s.selected_cell), key_title(s));
     else if (s.selected_primitive == none)
         to.add("Click a cell or a primitive in the picture to see why it is where it is.", 0, Tone::faint);
     return to.rows;

@@ -7,7 +7,7 @@
 #include "core/base/error.h"
 #include "core/base/number.h"
 #include "core/session/condition.h"
-#include "core/settings/settings_table.h"
+#include "core/session/settings_table.h"
 #include "shell/commands/command_table.h"
 #include "shell/desk/desk.h"
 #include "shell/window/placement.h"
@@ -27,7 +27,7 @@ std::string tables(std::span<const Method<D>> methods) {
     std::string text = "\nMethods:\n";
     for (const Method<D>& m : methods)
         text += "  " + padded(std::string(m.id), 14) + std::string(m.sentence) +
-                (m.guarantee == Guarantee::approximate ? " [approximate]\n" : " [conservative]\n");
+                (m.promise == Misses::may ? " [approximate]\n" : " [conservative]\n");
     text += "\nPresets:\n";
     for (const Preset& p : presets()) text += "  " + padded(std::string(p.id), 14) + std::string(p.title) + "\n";
     text += "\nSettings (--set FIELD=VALUE), with default and source:\n";

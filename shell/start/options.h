@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "core/traversal/methods.h"
+#include "core/methods/method_table.h"
 
 namespace sightline {
 

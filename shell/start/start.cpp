@@ -16,7 +16,7 @@
 #include "core/session/condition.h"
 #include "core/session/report.h"
 #include "core/session/state_file.h"
-#include "core/settings/settings_file.h"
+#include "core/session/settings_file.h"
 #include "shell/commands/arguments.h"
 #include "shell/commands/command_table.h"
 #include "shell/desk/flight.h"
@@ -149,8 +149,7 @@ std::string value(const std::optional<double>& v) { return v ? short_number(*v) 
 
 template <int D>
 std::string wrong_text(const Session<D>& s) {
-    const auto touched = std::span(s.state().touched).first(s.state().touched_count);
-    return short_number(100 * wrong_pixels(s.reference(), touched)) + " %";
+    return short_number(100 * wrong_pixels(s.reference(), s.met())) + " %";
 }
 
 template <int D>
@@ -163,7 +162,7 @@ void print_summary(const Workbench<D>& bench) {
     bench.say(conditions(s));
     bench.say("Step " + std::to_string(s.position()) +
               " (stopped by: " + std::string(stop_words[static_cast<std::size_t>(bench.last_stop)]) +
-              "): " + std::to_string(s.state().rendered_count) + " rendered, " + std::to_string(s.visible_rendered()) +
+              "): " + std::to_string(s.counters().rendered_count) + " rendered, " + std::to_string(s.visible_rendered()) +
               " of " + std::to_string(reference.count) + " visible; coverage " +
               value(coverage(reference, s.visible_rendered())) +
               (D == 2 ? " (exact reference)" : " (" + reference.name + "), wrong pixels " + wrong_text(s)) +

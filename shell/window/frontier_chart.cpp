@@ -4,7 +4,7 @@
 #include <array>
 
 #include "core/base/number.h"
-#include "core/settings/budget.h"
+#include "core/run/budget.h"
 #include "shell/window/frontier_plot.h"
 #include "shell/window/parts.h"
 #include "shell/window/theme.h"
@@ -90,11 +90,12 @@ void draw_dots(ImDrawList& list, const Ui& ui, const Workbench<D>& bench, const 
         if (const auto found = at(index); found != plot.dots.end()) front.push_back(found->at);
     list.AddPolyline(front.data(), static_cast<int>(front.size()), colour(front_colour), 0, 7 * ui.unit);
     for (const ImVec2& p : front) list.AddCircleFilled(p, 7 * ui.unit, colour(front_colour));
-    for (std::size_t m = 0; m < study.task().methods.size(); ++m) {
+    const std::string now = current_variant(bench).text;
+    for (std::size_t m = 0; m < study.task().variants.size(); ++m) {
         std::vector<FrontierPlot::Dot> dots;
         for (const FrontierPlot::Dot& dot : plot.dots)
-            if (study.dots()[dot.index].method == m) dots.push_back(dot);
-        const bool current = study.task().methods[m].id == bench.session.settings().method;
+            if (study.dots()[dot.index].variant == m) dots.push_back(dot);
+        const bool current = study.task().variants[m].text == now;
         for (std::size_t i = 0; i + 1 < dots.size(); ++i)
             list.AddLine(dots[i].at, dots[i + 1].at, method_colour(m), (current ? 3.0f : 1.5f) * ui.unit);
         for (const FrontierPlot::Dot& dot : dots) {
@@ -113,22 +114,23 @@ void mouse(Ui& ui, const Workbench<D>& bench, const FrontierPlot& plot) {
     if (!hit) return;
     const FrontierStudy<D>& study = bench.frontier.study;
     const FrontierDot& dot = study.dots()[hit->index];
-    const Method<D>& method = study.task().methods[dot.method];
+    const Variant<D>& variant = study.task().variants[dot.variant];
     ImGui::GetWindowDrawList()->AddCircle(hit->at, 7 * ui.unit, colour(theme::accent), 0, 2 * ui.unit);
     const auto share = [&](Measure measure) { return short_number(100 * study.value(dot, measure)) + " %"; };
     ImGui::SetTooltip("%s at %s (%s)\n%s ms, wrong pixels %s, coverage %s\na click sets this method and budget",
-                      std::string(method.id).c_str(), budget_text(dot.budget).c_str(),
-                      method.guarantee == Guarantee::conservative ? "conservative" : "approximate",
+                      variant.text.c_str(), budget_text(dot.budget).c_str(),
+                      variant.method.promise == Misses::may ? "approximate" : "conservative",
                       short_number(study.value(dot, Measure::total_ms)).c_str(), share(Measure::wrong).c_str(),
                       share(Measure::coverage).c_str());
     if (ImGui::IsItemDeactivated()) ui.act(frontier_command(bench, dot));
 }
 
-/// A swatch and a name per method, wrapped.
+/// A swatch and a name per variant, wrapped.
 template <int D>
 void key(const Ui& ui, const Workbench<D>& bench) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const auto& methods = bench.frontier.study.task().methods;
+    const auto& variants = bench.frontier.study.task().variants;
+    const std::string now = current_variant(bench).text;
     const float text = ImGui::GetFontSize(), swatch = 1.2f * text, gap = 0.8f * text;
     const ImVec2 from = ImGui::GetCursorScreenPos();
     const float right = from.x + ImGui::GetContentRegionAvail().x;
@@ -140,9 +142,8 @@ void key(const Ui& ui, const Workbench<D>& bench) {
         list.AddText({at.x + swatch + 4 * ui.unit, at.y}, colour(theme::ink), name.c_str());
         at.x += w + gap;
     };
-    for (std::size_t m = 0; m < methods.size(); ++m)
-        entry(std::string(methods[m].id), method_colour(m),
-              (methods[m].id == bench.session.settings().method ? 3.0f : 1.5f) * ui.unit);
+    for (std::size_t m = 0; m < variants.size(); ++m)
+        entry(variants[m].text, method_colour(m), (variants[m].text == now ? 3.0f : 1.5f) * ui.unit);
     entry("Pareto front", colour(front_colour), 7 * ui.unit);
     ImGui::Dummy({1, at.y + 1.3f * text - from.y});
     ImGui::PushStyleColor(ImGuiCol_Text, colour(theme::faint));

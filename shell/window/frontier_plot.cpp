@@ -47,7 +47,7 @@ FrontierPlot frontier_plot(const Workbench<D>& bench, const Area& area) {
     for (std::size_t i = 0; i < trades.size(); ++i) plot.dots[i].at = {x(trades[i].ms), y(trades[i].value)};
     const auto place = [&](const FrontierPlot::Dot& dot) {
         const FrontierDot& of = study.dots()[dot.index];
-        return std::pair(of.method, of.budget.primitives(study.task().scene->primitives.size()));
+        return std::pair(of.variant, of.budget.primitives(study.task().scene->primitives.size()));
     };
     std::stable_sort(plot.dots.begin(), plot.dots.end(),
                      [&](const auto& a, const auto& b) { return place(a) < place(b); });

@@ -72,7 +72,7 @@ void settings_widgets(Ui& ui, Workbench<D>& bench) {
                                                 : ImGuiTreeNodeFlags_DefaultOpen))
             continue;
         for (const SettingRow& row : settings_table()) {
-            if (row.invalidates != group || (row.dimension != 0 && row.dimension != D)) continue;
+            if (row.invalidates != group || !applies<D>(row, bench.session.method())) continue;
             const std::string name(row.name);
             ImGui::PushID(name.c_str());
             ImGui::AlignTextToFramePadding();

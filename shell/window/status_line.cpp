@@ -42,14 +42,14 @@ namespace {
 std::string banner_step(const StepExplanation& step) {
     std::string text = "Step " + std::to_string(step.step);
     if (step.cell != none) {
-        text += ": cell " + std::to_string(step.cell) + ", key " + short_number(step.key, step.digits());
+        text += ": cell " + std::to_string(step.cell) + ", key " + short_number(step.key, step.digits);
         if (step.runner_up == none)
             text += ", alone in the front";
         else if (step.runner_up_key == step.key)
             text += "; runner-up cell " + std::to_string(step.runner_up) + ": tie, older stamp wins";
         else
             text += "; runner-up cell " + std::to_string(step.runner_up) + ", key " +
-                    short_number(step.runner_up_key, step.digits());
+                    short_number(step.runner_up_key, step.digits);
     }
     return text + "; " + std::to_string(step.rendered) + " rendered, " + std::to_string(step.visible) + " visible";
 }
@@ -57,20 +57,19 @@ std::string banner_step(const StepExplanation& step) {
 /// How the key came about: of the facet that step into stands at, else of the cell just projected.
 template <int D>
 std::string banner_formula(const Workbench<D>& bench, const StepExplanation& step) {
-    const Settings& settings = bench.session.settings();
-    if (bench.substep && *bench.substep >= first_facet_substep) {
-        const FacetExplanation& facet = step.facets[*bench.substep - first_facet_substep];
-        if (facet.neighbour == none) return "across this facet: the border";
-        const std::string cell = "cell " + std::to_string(facet.neighbour);
-        if (facet.terms) return cell + ": " + formula(*facet.terms, settings, step.digits());
-        return cell + ": " + std::string(rule_words[static_cast<std::size_t>(facet.rule)]);
+    const Session<D>& session = bench.session;
+    const auto shown = bench.substep ? shown_in_substep(session, step.step, *bench.substep) : std::nullopt;
+    if (shown) {
+        const Considered& c = step.looked_at[*shown];
+        if (!c.item) return "across this facet: the border";
+        return item_name(c.item) + ": " + (c.key ? c.key->formula() : std::string(c.words));
     }
     if (step.cell == none) return "";
-    const CellExplanation cell = explain_cell(bench.session, step.cell);
-    if (cell.chain.empty() || !cell.chain.back().update.terms) return "its key: that of a seed";
+    const CellExplanation cell = explain_cell(session, step.cell);
+    if (cell.chain.empty() || !cell.chain.back().update.key) return "its key: that of a seed";
     const ChainLink& link = cell.chain.back();
-    return "its key, from cell " + std::to_string(link.update.from) + " in step " + std::to_string(link.step) + ": " +
-           formula(*link.update.terms, settings, step.digits());
+    return "its key, from " + item_name(link.update.from) + " in step " + std::to_string(link.step) + ": " +
+           link.update.key->formula();
 }
 
 }  // namespace

@@ -88,7 +88,7 @@ void transport_bar(Ui& ui, Workbench<D>& bench, const Area& area) {
     if (D == 2) {  // above the picture in 3D
         const auto share = coverage(s.reference(), s.visible_rendered());
         const std::string done =
-            std::to_string(s.state().rendered_count) + " rendered, coverage " + (share ? short_number(*share) : "-");
+            std::to_string(s.counters().rendered_count) + " rendered, coverage " + (share ? short_number(*share) : "-");
         if (fits(ImGui::CalcTextSize(done.c_str()).x)) {
             ImGui::TextUnformatted(done.c_str());
             ImGui::SameLine();

@@ -11,7 +11,7 @@
 
 #include "core/scene/make/generators_3d.h"
 #include "core/space/builders.h"
-#include "core/traversal/methods.h"
+#include "core/methods/method_table.h"
 
 namespace sightline {
 namespace {

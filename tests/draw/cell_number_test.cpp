@@ -14,7 +14,7 @@ using namespace test;
 TEST(CellNumbers, LabelsAreTheNumbersOfTheCells) {
     Session<2> session = session_of(*find_in_catalogue("bottleneck"));
     session.seek(20);
-    const std::uint32_t last = session.timeline().steps[19].cell;
+    const std::uint32_t last = session.timeline().steps[19].item.id;
     for (const CellNumber what : {CellNumber::solidity, CellNumber::count, CellNumber::order, CellNumber::zeta,
                                   CellNumber::share, CellNumber::id})
         for (const LabelWhere where : {LabelWhere::all, LabelWhere::front, LabelWhere::selected}) {
@@ -27,7 +27,7 @@ TEST(CellNumbers, LabelsAreTheNumbersOfTheCells) {
             const Box<2> world = make_picture(session).world;
             std::multiset<std::string> expected, found;
             for (std::uint32_t cell = 0; cell < numbers.size(); ++cell) {
-                const bool front = session.state().mark(cell).state == CellState::enqueued;
+                const bool front = session.mark(cell).state == CellState::enqueued;
                 const bool wanted = where == LabelWhere::all || cell == last || (where == LabelWhere::front && front);
                 if (numbers[cell] && wanted && world.contains(session.cells().centre(cell)))
                     expected.insert(short_number(*numbers[cell]));
@@ -57,10 +57,10 @@ TEST(CellNumbers, CellNumbersAreWhatTheySay) {
         const auto share = cell_numbers(session, CellNumber::share), ids = cell_numbers(session, CellNumber::id);
         const auto count_of = cell_numbers(session, CellNumber::count);
         for (std::uint32_t cell = 0; cell < session.cells().cell_count(); ++cell) {
-            const CellMark mark = session.state().mark(cell);
+            const Mark mark = session.mark(cell);
             ASSERT_EQ(order[cell].has_value(), mark.state == CellState::projected);
             if (order[cell]) {
-                ASSERT_EQ(session.timeline().steps[static_cast<std::size_t>(*order[cell]) - 1].cell, cell);
+                ASSERT_EQ(session.timeline().steps[static_cast<std::size_t>(*order[cell]) - 1].item.id, cell);
             }
             ASSERT_EQ(keys[cell].has_value(), mark.state == CellState::projected || mark.state == CellState::enqueued);
             if (keys[cell]) {

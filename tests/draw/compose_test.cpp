@@ -59,7 +59,7 @@ TEST(Compose, PanelsShareLegendAndScale) {
         EXPECT_EQ(figure.bar->high, "30");
         // The cell of step 5 has one colour in both panels that show it.
         const auto style_at_step_5 = [&](const DrawList& list) {
-            const std::uint32_t cell = panels[2].session.timeline().steps[4].cell;
+            const std::uint32_t cell = panels[2].session.timeline().steps[4].item.id;
             const Vec<2> corner = session.cells().points[session.cells().corners_of(cell)[0]];
             for (const Shape& shape : list.shapes)
                 if (shape.style >= style_of(Look::count) && list.points[shape.first_point] == corner &&

@@ -37,15 +37,14 @@ TEST(Insets, ShowWhatIsRenderedAndWhatIsMissedAtThisStep) {
                 if (inset.solid) {
                     ++solids;
                     EXPECT_EQ(inset.solid->triangles.size(),
-                              asked == Inset::exact ? session.reference().count : session.state().rendered_count);
+                              asked == Inset::exact ? session.reference().count : session.counters().rendered_count);
                     EXPECT_EQ(inset.solid->camera.eye, session.culling_view().eye);
                 } else {
                     ++pictures;
                     std::size_t red = 0;
                     for (const Colour& colour : inset.pixels->colours) red += colour == Colour{255, 0, 0};
-                    const auto touched = std::span(session.state().touched).first(session.state().touched_count);
                     EXPECT_EQ(static_cast<double>(red) / static_cast<double>(inset.pixels->colours.size()),
-                              wrong_pixels(session.reference(), touched));
+                              wrong_pixels(session.reference(), session.met()));
                     with_missed += red > 0;
                 }
             }

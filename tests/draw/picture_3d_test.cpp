@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/draw/picture_3d.h"
+#include "core/session/settings_table.h"
 
 #include <gtest/gtest.h>
 
@@ -13,8 +14,8 @@
 #include "core/draw/shown_cells.h"
 #include "core/draw/solid_palette.h"
 #include "core/session/explain.h"
-#include "core/traversal/facet_geometry.h"
-#include "core/traversal/star_shape.h"
+#include "core/methods/cells/facet_geometry.h"
+#include "core/methods/cells/star_shape.h"
 #include "tests/draw/picture_3d_goldens.h"
 #include "tests/draw/picture_support.h"
 #include "tests/session/session_3d_support.h"
@@ -172,7 +173,7 @@ TEST(Picture3, TheConeIsThatOfTheCullingView) {
         session.freeze();
         session.set_view(from_afar(session));
         // Every end of a line lies on a ray through a corner of the culling view.
-        const View<3> camera = picture_camera(session), &culling = session.frame().view;
+        const View<3> camera = picture_camera(session), &culling = session.problem().view;
         for (const auto& line : shapes_of(make_picture(session), "view"))
             for (const Vec<2>& p : line) {
                 if (p.x < -0.49 || p.y < -0.49 || p.x > picture_plane(camera).max.x + 0.49 || p.y > 1.49)
@@ -241,9 +242,9 @@ TEST(Picture3, TheStarTestIsShownAsItWasMade) {
     int passed = 0, failed = 0, beside = 0;
     for (int i = 0; i < 300; ++i) {
         Start3 start = random_start_3d(random);
-        start.settings.star_shaped = Switch::on;
+        apply_setting(start.settings, "star_shaped=on");
         start.settings.method = "published";
-        if (start.settings.penalty == Penalty::none) start.settings.penalty = Penalty::multiply;
+        if (start.settings.parameters.text(penalty_row()) == "none") apply_setting(start.settings, "penalty=multiply");
         Session<3> session = start.session();
         session.seek(static_cast<std::uint32_t>(1 + random.below(30)));
         session.selected_cell = static_cast<std::uint32_t>(random.below(session.cells().cell_count()));
@@ -259,37 +260,36 @@ TEST(Picture3, TheStarTestIsShownAsItWasMade) {
             ASSERT_TRUE(rays.empty());
             continue;
         }
-        const FacetExplanation& update = chain.back().update;
-        ASSERT_EQ(shapes_of(list, "star_facet").size(), session.cells().points_of_facet(update.facet).size());
+        const Considered& update = chain.back().update;
+        ASSERT_EQ(shapes_of(list, "star_facet").size(), session.cells().points_of_facet(update.via.id).size());
         const Vec<3>&eye = session.culling_view().eye, &centre = session.cells().centre(cell);
         ASSERT_FALSE(rays.empty());
         ASSERT_EQ(rays[0].size(), 2u);
         ASSERT_NEAR(glm::length(rays[0][1] - *project(camera, centre)), 0, 1e-9);
-        const auto words = update.terms->star_shaped ? std::string("star-shaped: no penalty")
-                                                     : formula_penalty(*update.terms, session.settings());
+        const auto words = update.key->penalised ? update.key->penalty : std::string("star-shaped: no penalty");
         const auto label =
             std::find_if(list.labels.begin(), list.labels.end(), [&](const Label& own) { return own.text == words; });
         // Where the ray meets the plane of the facet decides, so the mark stands inside the facet or beside it.
-        const Vec<3> on_facet = session.cells().points[session.cells().points_of_facet(update.facet)[0]];
-        const auto facets = session.cells().facets_of(update.from);
+        const Vec<3> on_facet = session.cells().points[session.cells().points_of_facet(update.via.id)[0]];
+        const auto facets = session.cells().facets_of(update.from.id);
         const HalfFacet half =
-            *std::find_if(facets.begin(), facets.end(), [&](const HalfFacet& h) { return h.facet() == update.facet; });
+            *std::find_if(facets.begin(), facets.end(), [&](const HalfFacet& h) { return h.facet() == update.via.id; });
         const Vec<3> n = facet_geometry(session.cells(), half).normal;
         const double share = glm::dot(n, on_facet - eye) / glm::dot(n, centre - eye);
         const bool crosses = share >= 0 && share <= 1;
         const Vec<3> crossing = eye + (centre - eye) * share;
-        if (update.terms->star_shaped) {
+        if (!update.key->penalised) {
             ++passed;
-            ASSERT_TRUE(crosses && in_facet(session.cells(), update.facet, crossing));
+            ASSERT_TRUE(crosses && in_facet(session.cells(), update.via.id, crossing));
         } else {
             ++failed;
             beside += crosses;
-            ASSERT_FALSE(crosses && in_facet(session.cells(), update.facet, crossing) &&
+            ASSERT_FALSE(crosses && in_facet(session.cells(), update.via.id, crossing) &&
                          facet_side(session.cells(), half, eye) > 0);
         }
         if (!crosses) continue;
         const Vec<2> at = *project(camera, crossing);
-        const auto marks = shapes_of(list, update.terms->star_shaped ? "star_ray" : "penalty");
+        const auto marks = shapes_of(list, !update.key->penalised ? "star_ray" : "penalty");
         ASSERT_EQ(list.world.contains(at), std::any_of(marks.begin(), marks.end(), [&](const auto& points) {
                       return points.size() == 1 && glm::length(points[0] - at) < 1e-9;
                   }));
@@ -318,7 +318,7 @@ TEST(Picture3, NumbersStandOnTheShownCellsTheNearestFirst) {
         std::multiset<std::string> first, expected;
         for (std::uint32_t cell = 0; cell < numbers.size(); ++cell) {
             const bool must = cell == last_cell(session) || cell == session.selected_cell;
-            const bool front = session.state().mark(cell).state == CellState::enqueued;
+            const bool front = session.mark(cell).state == CellState::enqueued;
             const bool asked = settings.label_where == LabelWhere::all || cell == session.selected_cell ||
                                (settings.label_where == LabelWhere::front && (front || cell == last_cell(session)));
             const auto at = project(camera, session.cells().centre(cell));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/draw/picture.h"
+#include "core/session/settings_table.h"
 
 #include <gtest/gtest.h>
 
@@ -75,7 +76,7 @@ TEST(Picture, CellsLookAsTheirStates) {
                 corners.push_back(session.cells().points[p].x);
                 corners.push_back(session.cells().points[p].y);
             }
-            expected[session.state().mark(cell).state].insert(corners);
+            expected[session.mark(cell).state].insert(corners);
         }
         ASSERT_EQ(polygons(list, Look::projected), expected[CellState::projected]);
         ASSERT_EQ(polygons(list, Look::enqueued), expected[CellState::enqueued]);
@@ -84,16 +85,15 @@ TEST(Picture, CellsLookAsTheirStates) {
 
         // Primitives by what the budget and the exact set say.
         std::array<std::size_t, 4> lines{};
-        std::set<std::uint32_t> rendered;
-        for (std::uint32_t t = 0; t < session.state().touched_count; ++t)
-            if (session.state().touched[t] < State<2>::culled_bit) rendered.insert(session.state().touched[t]);
+        const std::vector<std::uint32_t> ids = rendered_ids(session.met());
+        const std::set<std::uint32_t> rendered(ids.begin(), ids.end());
         for (std::uint32_t p = 0; p < start.scene->primitives.size(); ++p)
             ++lines[2 * rendered.contains(p) + session.reference().visible[p]];
         ASSERT_EQ(count(list, Look::other), lines[0]);
         ASSERT_EQ(count(list, Look::missed), lines[1]);
         ASSERT_EQ(count(list, Look::wasted), lines[2]);
         ASSERT_EQ(count(list, Look::rendered), lines[3]);
-        ASSERT_EQ(count(list, Look::last), session.position() > 0 && session.method().orders_cells);
+        ASSERT_EQ(count(list, Look::last), session.position() > 0 && session.method().orders_cells());
         for (const Shape& shape : list.shapes) {
             ASSERT_LT(shape.style, list.styles.size());
             ASSERT_LE(shape.first_point + shape.point_count, list.points.size());

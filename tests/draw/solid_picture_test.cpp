@@ -26,7 +26,7 @@ DrawnAs asked_for(const Settings& s, CellState state) {
 /// By the definitions: facets counted one by one, the plane from the words of the settings.
 bool shall_show(const Session<3>& session, std::uint32_t cell) {
     const Settings& s = session.settings();
-    if (s.only == OnlyCells::front && session.state().mark(cell).state != CellState::enqueued) return false;
+    if (s.only == OnlyCells::front && session.mark(cell).state != CellState::enqueued) return false;
     if (s.only == OnlyCells::around) {
         const std::uint32_t middle = session.selected_cell != none ? session.selected_cell : last_cell(session);
         std::set<std::uint32_t> reached;
@@ -73,7 +73,7 @@ TEST(SolidPicture, CellsAreDrawnAsTheSettingsSayOfTheirStates) {
         std::vector<CellPaint> paint(session.cells().cell_count());
         for (std::uint32_t cell = 0; cell < paint.size(); ++cell) {
             if (!shall_show(session, cell)) continue;
-            const CellState state = session.state().mark(cell).state;
+            const CellState state = session.mark(cell).state;
             const auto look =
                 static_cast<std::uint8_t>(std::array{SolidLook::clean, SolidLook::enqueued, SolidLook::projected,
                                                      SolidLook::unseen}[static_cast<std::size_t>(state)]);
@@ -126,7 +126,7 @@ TEST(SolidPicture, WhatIsSlicedOffLeavesClosedBodies) {
             area += n;
         }
         for (std::uint32_t cell = 0; cell < session.cells().cell_count(); ++cell) {
-            if (session.state().mark(cell).state != state || !shall_show(session, cell)) continue;
+            if (session.mark(cell).state != state || !shall_show(session, cell)) continue;
             std::vector<Vec<3>> p;
             for (const std::uint32_t corner : session.cells().corners_of(cell))
                 p.push_back(session.cells().points[corner]);
@@ -165,11 +165,11 @@ TEST(SolidPicture, TrianglesAreApartByWhatIsKnownOfThem) {
         }
         ASSERT_EQ(next, list.triangles.size());
         std::set<std::uint32_t> before, all;
-        for (std::uint32_t t = 0; t < session.state().touched_count; ++t) {
-            const std::uint32_t triangle = session.state().touched[t];
-            if (triangle & State<3>::culled_bit) continue;
+        for (std::uint32_t t = 0; t < session.counters().touched_count; ++t) {
+            if (session.met()[t].culled()) continue;
+            const std::uint32_t triangle = session.met()[t].primitive();
             all.insert(triangle);
-            if (t < session.timeline().touched_before(std::max(1u, session.position()))) before.insert(triangle);
+            if (t < session.timeline().before(std::max(1u, session.position())).touched_count) before.insert(triangle);
         }
         const bool outside = session.display_view() != session.culling_view();
         const bool tell =
@@ -200,7 +200,7 @@ TEST(SolidPicture, TheOwnImageAsksForNoReference) {
         make_picture(session);
         EXPECT_FALSE(session.has_reference());
         EXPECT_TRUE(session.flying());
-        EXPECT_EQ(list.triangles.size(), session.state().rendered_count);
+        EXPECT_EQ(list.triangles.size(), session.counters().rendered_count);
         ASSERT_LE(list.runs.size(), 1u);
         if (!list.runs.empty()) {
             EXPECT_EQ(list.runs[0].style, style_of(SolidLook::plain));
@@ -230,7 +230,7 @@ TEST(SolidPicture, TheHeatOfACellIsThatOfItsNumber) {
         for (std::size_t face = 0; face < list.face_style.size(); ++face)
             heat[list.face_cell[face]] = list.face_style[face];
         for (std::uint32_t cell = 0; cell < numbers.size(); ++cell) {
-            const DrawnAs as = asked_for(settings, session.state().mark(cell).state);
+            const DrawnAs as = asked_for(settings, session.mark(cell).state);
             wires += !numbers[cell] && as == DrawnAs::wireframe;
             ASSERT_EQ(heat.contains(cell), numbers[cell].has_value() && as != DrawnAs::wireframe);
             if (!heat.contains(cell)) continue;

@@ -32,7 +32,7 @@ void expect_numbers_of_the_lab(const std::string& name, const ImageSize& size) {
     study.repeats = 0;
     study.methods.clear();
     for (const Method<D>& method : method_table<D>())
-        study.methods.push_back(lab::parse_method(std::string(method.id)));
+        if (method.compared) study.methods.push_back(lab::parse_method(std::string(method.id)));
     const lab::LabScene<D> scene = lab::load_lab_scene<D>(name, "", study);
     lab::Instruments instruments;
     instruments.draw_ids = opengl.draw_ids();
@@ -56,9 +56,9 @@ void expect_numbers_of_the_lab(const std::string& name, const ImageSize& size) {
 
     std::size_t partly = 0;
     for (const lab::Row& row : rows) {
-        const std::string where = name + " " + row.method.id + " " + row.budget;
+        const std::string where = name + " " + row.method.variant + " " + row.budget;
         const auto dot = std::find_if(panel.dots().begin(), panel.dots().end(), [&](const FrontierDot& d) {
-            return panel.task().methods[d.method].id == row.method.id && budget_text(d.budget) == row.budget;
+            return panel.task().variants[d.variant].text == row.method.variant && budget_text(d.budget) == row.budget;
         });
         ASSERT_NE(dot, panel.dots().end()) << where;
         ASSERT_EQ(dot->frames.size(), row.values.size()) << where;

@@ -152,7 +152,7 @@ TEST(LabGalleryPictures, AreRedWhereSomethingIsMissed) {
         return static_cast<double>(count) / static_cast<double>(pixels.colours.size());
     };
     const double wrong =
-        wrong_pixels(reference, std::span(session.state().touched).first(session.state().touched_count));
+        wrong_pixels(reference, session.met());
     EXPECT_GT(wrong, 0);
     EXPECT_DOUBLE_EQ(red(image_so_far(session)), wrong);
     EXPECT_EQ(red(exact_image(session)), 0);
@@ -165,7 +165,7 @@ TEST(LabGalleryCommand, WritesAPageThatNeedsNoOtherFile) {
                                      "3d:empty", "--out",      out.c_str()};
     testing::internal::CaptureStdout();
     testing::internal::CaptureStderr();
-    EXPECT_EQ(gallery_command(static_cast<int>(std::size(arguments)), arguments), 0);
+    EXPECT_EQ(gallery_command(static_cast<int>(std::size(arguments)), arguments, {}), 0);
     const std::string said = testing::internal::GetCapturedStdout(), told = testing::internal::GetCapturedStderr();
     const std::string last = said.substr(said.rfind('\n', said.size() - 2) + 1);
     EXPECT_TRUE(last.starts_with("4 scenes, ") && last.ends_with(" pending, 0 surprises\n")) << last;
@@ -196,7 +196,7 @@ TEST(LabGalleryCommand, ListingTakesNoTime) {
     const char* const arguments[] = {"gallery", "--list"};
     testing::internal::CaptureStdout();
     testing::internal::CaptureStderr();
-    EXPECT_EQ(gallery_command(2, arguments), 0);
+    EXPECT_EQ(gallery_command(2, arguments, {}), 0);
     EXPECT_FALSE(testing::internal::GetCapturedStdout().empty());
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "") << "nothing to wait for";
 }

@@ -16,7 +16,7 @@
 #include "core/session/condition.h"
 #include "core/session/start_settings.h"
 #include "core/session/state_file.h"
-#include "core/settings/settings_table.h"
+#include "core/session/settings_table.h"
 #include "lab/command.h"
 #include "lab/gallery/gallery.h"
 #include "lab/gallery/gallery_measures.h"
@@ -176,7 +176,7 @@ TEST(LabGallery, StatesOpenAtTheStepTheyName) {
 int run(std::vector<const char*> arguments, std::string& out) {
     arguments.insert(arguments.begin(), "gallery");
     testing::internal::CaptureStdout();
-    const int status = gallery_command(static_cast<int>(arguments.size()), arguments.data());
+    const int status = gallery_command(static_cast<int>(arguments.size()), arguments.data(), {});
     out = testing::internal::GetCapturedStdout();
     return status;
 }
@@ -192,7 +192,7 @@ TEST(LabGallery, CommandEndsWithItsCounts) {
     EXPECT_EQ(static_cast<std::size_t>(std::count(out.begin(), out.end(), '\n')),
               gallery<2>().size() + gallery<3>().size());
     const char* const unknown[] = {"gallery", "no-such-scene"};
-    EXPECT_THROW(gallery_command(2, unknown), InputError);
+    EXPECT_THROW(gallery_command(2, unknown, {}), InputError);
 }
 
 TEST(LabGallery, TheManualShowsWhatItPrints) {
@@ -215,7 +215,7 @@ TEST(LabGallery, TheManualShowsWhatItPrints) {
 // Known answers.
 
 Probe<2> probe_of(GalleryScene<2>& at, std::initializer_list<const char*> settings = {}) {
-    Probe<2> probe{at, {}, *at.scene().start_view, *at.scene().start_view};
+    Probe<2> probe{at, method_table<2>(), {}, *at.scene().start_view, *at.scene().start_view};
     for (const char* assignment : settings) apply_setting(probe.settings, assignment);
     return probe;
 }

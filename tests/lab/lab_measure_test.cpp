@@ -304,9 +304,9 @@ Alone alone(const LabScene<D>& lab, std::size_t frame, const Row& row, const Dra
         make_truths<D>(*lab.scene, {&cells, 1}, lab.views[frame], lab.settings.reference_size, draw_ids, false).front();
     Settings settings = lab.settings_for(row.method);
     settings.budget = parse_budget(row.budget);
-    Alone result{truth.reference.visible, one_run<D>(*lab.scene, *cells, lab.views[frame], settings).rendered, {}};
+    Alone result{truth.reference.visible, one_run<D>(lab.tables.template of<D>(), *lab.scene, *cells, lab.views[frame], settings).rendered, {}};
     for (const std::uint32_t id : truth.reference.image.ids)
-        result.wrong.push_back(id != no_primitive && !result.rendered[id]);
+        result.wrong.push_back(id != none && !result.rendered[id]);
     return result;
 }
 
@@ -373,11 +373,11 @@ TEST(LabPixels, ByIdsAreThoseOfARerender) {
         for (const View<3>& view : lab.views) {
             const CellComplex<3>* cells = &lab.on(Tessellation::delaunay);
             const Truth truth = make_truths<3>(*lab.scene, {&cells, 1}, view, study.size, draw_ids).front();
-            Frame<3> frame = make_frame<3>(lab.scene->primitives, *cells, view, lab.settings, lab.scene->two_sided);
+            const Problem<3> problem{lab.scene.get(), cells, view, none, lab.settings.parameters, nullptr, {}};
             const WholeRun run =
-                whole_run<3>(find_method<3>(method_table<3>(), "layers"), frame, truth.reference, false);
+                whole_run<3>(find_method<3>(method_table<3>(), "layers"), problem, truth.reference, false);
             const auto budget = static_cast<std::uint32_t>(lab.scene->primitives.size() / 400);
-            const auto rendered = rendered_by(run, cut_at(run, budget).touched, lab.scene->primitives.size());
+            const auto rendered = rendered_by(run, cut_at(run, budget).met, lab.scene->primitives.size());
             Scene<3> part;
             part.up_axis = lab.scene->up_axis;
             std::vector<std::uint32_t> id_of;
@@ -391,7 +391,7 @@ TEST(LabPixels, ByIdsAreThoseOfARerender) {
             const IdImage& exact = truth.reference.image;
             std::size_t differ = 0, wrong = 0;
             for (std::size_t i = 0; i < exact.ids.size(); ++i) {
-                const std::uint32_t id = again.ids[i] == no_primitive ? no_primitive : id_of[again.ids[i]];
+                const std::uint32_t id = again.ids[i] == none ? none : id_of[again.ids[i]];
                 differ += id != exact.ids[i];
             }
             for (const std::uint8_t w : wrong_mask(exact, rendered)) wrong += w;

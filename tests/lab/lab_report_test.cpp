@@ -101,9 +101,9 @@ TEST(LabFrontier, NamesTheBestWithinATime) {
                                 row_of("city", "centroid", "1%", 5, 0.2, 0)};
     const Group group{"city", "test", pointers(rows)};
     EXPECT_EQ(best_within(group, 3), nullptr);
-    EXPECT_EQ(best_within(group, 4)->method.id, "published");
-    EXPECT_EQ(best_within(group, 5.5)->method.id, "centroid");
-    EXPECT_EQ(best_within(group, 100)->method.id, "layers");
+    EXPECT_EQ(best_within(group, 4)->method.id(), "published");
+    EXPECT_EQ(best_within(group, 5.5)->method.id(), "centroid");
+    EXPECT_EQ(best_within(group, 100)->method.id(), "layers");
 }
 
 class LabFiles : public testing::Test {

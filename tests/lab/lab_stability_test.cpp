@@ -94,7 +94,7 @@ TEST(LabStability, IsMeasuredInBothDimensions) {
 TEST(LabStability, ComparesEachPrimitiveWithItself) {
     // Sorted by distance the order does not depend on ids but for ties: the same triangles in any order of the file.
     for (const StabilityRow& row : rows_of("jungle:10k"))
-        if (row.disturbance == Disturbance::shuffle && row.method.id == "centroid") {
+        if (row.disturbance == Disturbance::shuffle && row.method.id() == "centroid") {
             EXPECT_DOUBLE_EQ(row.jaccard, 1);
             EXPECT_DOUBLE_EQ(row.coverage_change, 0);
         }

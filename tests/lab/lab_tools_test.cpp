@@ -11,8 +11,8 @@
 #include "core/base/file.h"
 #include "core/base/random.h"
 #include "core/session/condition.h"
-#include "core/settings/settings_file.h"
-#include "core/settings/settings_table.h"
+#include "core/session/settings_file.h"
+#include "core/session/settings_table.h"
 #include "lab/cells/cells_report.h"
 #include "lab/command.h"
 #include "lab/compare/compare_report.h"
@@ -360,7 +360,7 @@ TEST(LabCommands, Run) {
         EXPECT_TRUE(fs::exists(folder / file)) << file;
     const auto results = read_results(read_file(folder / "m2/results.json"), "m2");
     ASSERT_EQ(results.rows.size(), 1u) << "method and budget are those of the settings file";
-    EXPECT_EQ(results.rows[0].method.id, "layers");
+    EXPECT_EQ(results.rows[0].method.id(), "layers");
     EXPECT_EQ(load_results((folder / "c/without-cells").string()).rows.size(), 2u) << "centroid and view";
     EXPECT_EQ(load_results((folder / "c").string()).rows.size(), 4u);
 

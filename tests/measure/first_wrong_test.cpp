@@ -19,17 +19,17 @@ using namespace test;
 /// The best number of visible primitives that a run can still end with.
 template <int D>
 std::size_t best_end(const Session<D>& session, std::uint32_t budget) {
-    const std::size_t found = session.visible_rendered(), left = budget - std::min(budget, session.state().spent);
+    const std::size_t found = session.visible_rendered(), left = budget - std::min(budget, session.counters().spent);
     return std::min(session.reference().count, found + left);
 }
 
 template <int D>
 void check(Session<D> session, std::array<int, 2>& seen) {
-    const std::uint32_t budget = session.frame().budget;
+    const std::uint32_t budget = session.problem().budget;
     session.run();
-    const auto lost = first_wrong<D>(session.reference(), session.state().touched, session.timeline(), budget);
+    const auto lost = first_wrong(session.reference(), session.met(), session.timeline(), budget);
     const std::size_t at_best = std::min<std::size_t>(session.reference().count, budget);
-    if (session.state().spent >= budget) {
+    if (session.counters().spent >= budget) {
         ASSERT_EQ(lost.has_value(), session.visible_rendered() < at_best) << "marked without a loss, or the reverse";
     }
     ++seen[lost.has_value()];
@@ -38,7 +38,7 @@ void check(Session<D> session, std::array<int, 2>& seen) {
     session.seek(lost->step);
     ASSERT_LT(best_end(session, budget), at_best);
     ASSERT_EQ(lost->missing, session.reference().count - session.visible_rendered());
-    ASSERT_EQ(lost->left, budget - session.state().spent);
+    ASSERT_EQ(lost->left, budget - session.counters().spent);
     session.seek(lost->step - 1);
     ASSERT_EQ(best_end(session, budget), at_best) << "the step before lost it already";
 }
@@ -65,7 +65,7 @@ TEST(FirstWrong, IsNeverThereWithoutABudget) {
         Session<2> session = start.session();
         session.run();
         EXPECT_FALSE(
-            first_wrong<2>(session.reference(), session.state().touched, session.timeline(), session.frame().budget));
+            first_wrong(session.reference(), session.met(), session.timeline(), session.problem().budget));
     }
 }
 
@@ -80,12 +80,12 @@ TEST(Pops, CountWhatTheMeasureOfPoppingCounts) {
         Session<2> now = start.session();
         // The truth by another way: prefixes of whole runs.
         const auto set_of = [&](const ViewSpec<2>& view, std::vector<std::uint8_t>& visible) {
-            const Frame<2> frame = make_frame<2>(start.scene->primitives, now.cells(), make_view(view), start.settings,
-                                                 start.scene->two_sided);
-            const Reference reference = exact_reference(start.scene->primitives, now.cells(), frame.view);
-            const WholeRun run = whole_run<2>(now.method(), frame, reference, false);
+            const Problem<2> problem =
+                test::problem_of(*start.scene, now.cells(), make_view(view), start.settings);
+            const Reference reference = exact_reference(start.scene->primitives, now.cells(), problem.view);
+            const WholeRun run = whole_run<2>(now.method(), problem, reference, false);
             visible = reference.visible;
-            return rendered_by(run, cut_at(run, frame.budget).touched, visible.size());
+            return rendered_by(run, cut_at(run, problem.budget).met, visible.size());
         };
         std::vector<std::uint8_t> visible_before, visible;
         const auto rendered_before = set_of(before, visible_before), rendered = set_of(start.view, visible);
@@ -112,11 +112,10 @@ TEST(Pops, CountWhatTheMeasureOfPoppingCounts) {
                 continue;
             }
             std::size_t in_step = 0;
-            for (std::uint32_t t = end.timeline().touched_before(marker.step);
-                 t < end.timeline().steps[marker.step - 1].touched_count; ++t) {
-                const std::uint32_t p = end.state().touched[t];
-                in_step += !(p & State<2>::culled_bit) && visible[p] && visible_before[p] && !rendered_before[p];
-            }
+            const std::uint32_t first = end.timeline().before(marker.step).touched_count;
+            for (const std::uint32_t p :
+                 rendered_ids(end.met().subspan(first, end.timeline().after(marker.step).touched_count - first)))
+                in_step += visible[p] && visible_before[p] && !rendered_before[p];
             ASSERT_EQ(in_step, std::stoul(marker.label));
         }
         ASSERT_EQ(now.hash(), hash);

@@ -20,7 +20,7 @@ namespace {
 
 using M = Measure;
 using Set = std::vector<std::uint8_t>;
-constexpr std::uint32_t X = no_primitive;
+constexpr std::uint32_t X = none;
 
 /// Six primitives; an image of 4 x 2 pixels shows 0 three times, 1 twice and 4 once, two pixels are empty.
 /// Layers: 0, 1 and 4 are visible, 2 and 3 lie in layers 2 and 3, nothing is known of 5.
@@ -34,12 +34,10 @@ Truth hand_made_truth() {
     return truth;
 }
 
-constexpr std::uint32_t culled = State<3>::culled_bit;
-
 /// Steps: {2}, {} (an empty cell), {1, 5 culled, 3}, {0, 4}. The front grows to 7 and shrinks.
 WholeRun hand_made_run() {
     WholeRun run;
-    run.touched = {2, 1, 5 | culled, 3, 0, 4};
+    run.met = {{2, false}, {1, false}, {5, true}, {3, false}, {0, false}, {4, false}};
     run.touched_after = {1, 1, 4, 6};
     run.largest_front = {3, 5, 7, 7};
     run.inversions = {{1, 10, Inversion::Kind::mis_ranked, 11, 1},
@@ -52,7 +50,7 @@ WholeRun hand_made_run() {
 Values numbers(std::uint32_t budget, std::optional<double> best_cells = 0.5) {
     const Truth truth = hand_made_truth();
     const WholeRun run = hand_made_run();
-    const Set rendered = rendered_by(run, cut_at(run, budget).touched, 6);
+    const Set rendered = rendered_by(run, cut_at(run, budget).met, 6);
     return frame_numbers(run, truth, budget, rendered, wrong_mask(truth.reference.image, rendered), best_cells);
 }
 
@@ -111,9 +109,9 @@ TEST(FrameNumbers, OfABudgetThatCutsAStepCountThatStep) {
 TEST(FrameNumbers, WithCulledPrimitivesAtACostEndEarlier) {
     WholeRun run = hand_made_run();
     run.culled_costs = true;
-    EXPECT_EQ(cut_at(run, 3).touched, 3u);
+    EXPECT_EQ(cut_at(run, 3).met, 3u);
     run.culled_costs = false;
-    EXPECT_EQ(cut_at(run, 3).touched, 4u);
+    EXPECT_EQ(cut_at(run, 3).met, 4u);
 }
 
 TEST(FrameNumbers, OfNothingVisibleHaveNoCoverage) {
@@ -135,26 +133,21 @@ TEST(FrameNumbers, OfNothingVisibleHaveNoCoverage) {
 /// The state that a run with a budget leaves, by the steps of the viewer.
 template <int D>
 void expect_same_as_with_budget(const Session<D>& session, Random& random) {
-    const WholeRun run = whole_run<D>(session.method(), session.frame(), session.reference());
+    const WholeRun run = whole_run<D>(session.method(), session.problem(), session.reference());
     const std::size_t primitives = session.scene().primitives.size();
     for (int i = 0; i < 4; ++i) {
         const auto k = static_cast<std::uint32_t>(random.below(primitives + 2));
-        Frame<D> frame = session.frame();
-        frame.budget = k;
-        State<D> state;
-        session.method().start(frame, state);
-        std::uint32_t front = state.front_size;
-        Timeline timeline;
-        while (session.method().record(frame, state, timeline) == Stop::none) front = std::max(front, state.front_size);
-        Set rendered(primitives);
-        for (std::uint32_t t = 0; t < state.touched_count; ++t)
-            if (!(state.touched[t] & culled)) rendered[state.touched[t]] = 1;
+        Problem<D> problem = session.problem();
+        problem.budget = k;
+        const test::Recorded<D> recorded = test::record_all(session.method(), problem);
+        const Set rendered = rendered_mask(recorded.run->met(), primitives);
         const Cut cut = cut_at(run, k);
-        EXPECT_EQ(rendered_by(run, cut.touched, primitives), rendered) << session.method().id << " at " << k;
+        EXPECT_EQ(rendered_by(run, cut.met, primitives), rendered) << session.method().id << " at " << k;
         // The papers' break makes the step that adds the neighbours one of its own, and a budget of 0 ends at the
         // start.
-        if (session.settings().neighbours_before_break == YesNo::yes && k > 0 && state.spent > 0) {
-            EXPECT_EQ(cut.steps, state.step) << session.method().id << " at " << k;
+        if (test::choice<YesNo>(session.settings(), neighbours_before_break_row()) == YesNo::yes && k > 0 &&
+            recorded.run->counters().spent > 0) {
+            EXPECT_EQ(cut.steps, recorded.run->steps()) << session.method().id << " at " << k;
         }
     }
     if (run.k95) {
@@ -162,10 +155,10 @@ void expect_same_as_with_budget(const Session<D>& session, Random& random) {
         for (const std::uint32_t k : {*run.k95 - 1, *run.k95}) {
             std::size_t found = 0;
             std::uint32_t rendered = 0;
-            for (const std::uint32_t entry : run.touched)
-                if (!(entry & culled) && rendered < k) {
+            for (const std::uint32_t primitive : rendered_ids(run.met))
+                if (rendered < k) {
                     ++rendered;
-                    found += session.reference().visible[entry];
+                    found += session.reference().visible[primitive];
                 }
             const bool enough = static_cast<double>(found) >= 0.95 * static_cast<double>(session.reference().count);
             EXPECT_EQ(enough, k == *run.k95);

@@ -22,17 +22,20 @@ namespace sightline {
 namespace {
 
 using namespace test;
+/// Of the table.
+constexpr std::size_t published_row = 0, layers_row = 1, view_row = 3;
 using M = Measure;
 
 template <int D>
 FrontierTask<D> task_of(const Session<D>& session, std::size_t views, Random& random) {
-    FrontierTask<D> task{session.shared_scene(), session.shared_cells(), session.settings(), {}, {}};
+    FrontierTask<D> task{session.shared_scene(), session.shared_cells(), session.settings().reference_size, {}, {}};
     ViewSpec<D> spec = session.culling_view();
     for (std::size_t i = 0; i < views; ++i) {
         task.views.push_back(scene_view(spec, session.scene(), session.settings().reference_size));
         for (int c = 0; c < D; ++c) spec.eye[c] += random.uniform(-0.2, 0.2);
     }
-    task.methods.assign(method_table<D>().begin(), method_table<D>().end());
+    for (const Method<D>& method : method_table<D>())
+        if (method.compared) task.variants.push_back(variant_of(method, session.settings().parameters, session.settings().parameters));
     return task;
 }
 
@@ -43,16 +46,14 @@ void check_all(const FrontierStudy<D>& study) {
     const CellComplex<D>* const cells = task.cells.get();
     for (std::size_t v = 0; v < task.views.size(); ++v) {
         const auto truths =
-            make_truths<D>(*task.scene, {&cells, 1}, task.views[v], task.settings.reference_size, task.draw_ids);
+            make_truths<D>(*task.scene, {&cells, 1}, task.views[v], task.reference_size, task.draw_ids);
         for (const FrontierDot& dot : study.dots()) {
-            Settings settings = task.settings;
-            settings.method = task.methods[dot.method].id;
-            const Frame<D> frame =
-                make_frame<D>(task.scene->primitives, *cells, task.views[v], settings, task.scene->two_sided);
-            const WholeRun run = whole_run<D>(task.methods[dot.method], frame, truths[0].reference);
+            const Variant<D>& variant = task.variants[dot.variant];
+            const Problem<D> problem{task.scene.get(), cells, task.views[v], none, variant.parameters, nullptr, {}};
+            const WholeRun run = whole_run<D>(variant.method, problem, truths[0].reference);
             const auto all = static_cast<std::uint32_t>(task.scene->primitives.size());
             const std::uint32_t k = std::min(all, dot.budget.primitives(all));
-            const auto rendered = rendered_by(run, cut_at(run, k).touched, all);
+            const auto rendered = rendered_by(run, cut_at(run, k).met, all);
             const Values expected = frame_numbers(run, truths[0], k, rendered,
                                                   wrong_mask(truths[0].reference.image, rendered), std::nullopt);
             const Values& found = dot.frames.at(v);
@@ -76,7 +77,7 @@ TEST(Frontier, IsInSlicesWhatItIsAtOnce) {
         start.settings.budget = {};
         const Session<2> session = start.session();
         FrontierStudy<2> study(task_of(session, 2, random));
-        study.ask("published", {Budget::Kind::primitives, 7});
+        study.ask(study.task().variants[published_row], {Budget::Kind::primitives, 7});
         std::size_t done = 0, slices = 0;
         while (study.advance()) {
             ASSERT_LE(study.done(), done + 1) << "a slice is more than one frame of one dot";
@@ -153,20 +154,20 @@ TEST(Frontier, MeasuresTheBudgetThatIsAskedForToo) {
     EXPECT_EQ(usual, 3u * 4 + 2) << "four budgets for each approximate method, none for the others";
     std::vector<double> shares;
     for (const FrontierDot& dot : study.dots())
-        if (dot.method == 0) shares.push_back(dot.budget.value);
+        if (dot.variant == 0) shares.push_back(dot.budget.value);
     EXPECT_EQ(shares, (std::vector{0.01, 0.02, 0.05, 0.10}));
-    study.ask("layers", {Budget::Kind::share, 0.05});
+    study.ask(study.task().variants[layers_row], {Budget::Kind::share, 0.05});
     EXPECT_EQ(study.dots().size(), usual) << "it is there already";
-    study.ask("layers", {Budget::Kind::milliseconds, 5});
-    study.ask("view", {Budget::Kind::share, 0.3});
+    study.ask(study.task().variants[layers_row], {Budget::Kind::milliseconds, 5});
+    study.ask(study.task().variants[view_row], {Budget::Kind::share, 0.3});
     EXPECT_EQ(study.dots().size(), usual);
-    study.ask("layers", {Budget::Kind::share, 0.5});
+    study.ask(study.task().variants[layers_row], {Budget::Kind::share, 0.5});
     ASSERT_EQ(study.dots().size(), usual + 1);
     while (study.advance()) {
     }
-    study.ask("layers", {Budget::Kind::share, 0.5});
+    study.ask(study.task().variants[layers_row], {Budget::Kind::share, 0.5});
     EXPECT_TRUE(study.finished()) << "it was dropped and made again";
-    study.ask("published", {});
+    study.ask(study.task().variants[published_row], {});
     ASSERT_EQ(study.dots().size(), usual + 1) << "what was asked for before stays";
     EXPECT_FALSE(study.finished());
     while (study.advance()) {
@@ -232,7 +233,7 @@ TEST_F(FrontierOf, SaysHowFarItIsAndHowLongItStillTakes) {
     while (study().done() < 5) {
         const FrontierDot* const next = study().next_dot();
         ASSERT_TRUE(next);
-        EXPECT_EQ(frontier_work_text(*bench), "measuring " + std::string(study().task().methods[next->method].id) +
+        EXPECT_EQ(frontier_work_text(*bench), "measuring " + study().task().variants[next->variant].text +
                                                   " " + budget_text(next->budget) + ", frame 1 of 1");
         const std::size_t frames = next->frames.size(), done = study().done();
         bench->frontier.study.advance();
@@ -274,7 +275,7 @@ TEST_F(FrontierOf, ItsRowsSayWhatTheStudyHas) {
     const auto rows = frontier_rows(*bench);
     for (const FrontierDot& dot : study().dots()) {
         const std::string name =
-            std::string(study().task().methods[dot.method].id) + " " + budget_text(dot.budget) + ": ";
+            study().task().variants[dot.variant].text + " " + budget_text(dot.budget) + ": ";
         const auto row = std::find_if(rows.begin(), rows.end(), [&](const Row& r) { return r.text.starts_with(name); });
         ASSERT_NE(row, rows.end()) << name;
         const auto number = [&](M measure, double unit) { return short_number(unit * study().value(dot, measure)); };
@@ -361,7 +362,7 @@ TEST_F(FrontierOf, SaysWhatEachDotIsAndAClickSetsIt) {
         if (!row.command.starts_with("frontier ") || row.command == "frontier anew") continue;
         const FrontierDot& dot = study().dots()[dots++];
         run(row.command);
-        EXPECT_EQ(session().settings().method, study().task().methods[dot.method].id);
+        EXPECT_EQ(session().settings().method, study().task().variants[dot.variant].text);
         EXPECT_EQ(session().settings().budget, dot.budget);
         EXPECT_TRUE(is_current(*bench, dot));
         update_frontier(*bench);
@@ -420,8 +421,8 @@ TEST_F(FrontierOf, PlotHoldsEveryDotAndTheNearestIsHit) {
         for (std::size_t i = 1; i < plot.dots.size(); ++i) {
             const auto &a = study().dots()[plot.dots[i - 1].index], &b = study().dots()[plot.dots[i].index];
             const std::size_t all = session().scene().primitives.size();
-            EXPECT_LE(a.method, b.method);
-            if (a.method == b.method) {
+            EXPECT_LE(a.variant, b.variant);
+            if (a.variant == b.variant) {
                 EXPECT_LE(a.budget.primitives(all), b.budget.primitives(all)) << "a line goes back and forth";
             }
         }

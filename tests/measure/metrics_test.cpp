@@ -6,7 +6,6 @@
 #include <numeric>
 #include <set>
 
-#include "core/traversal/traverse.h"
 #include "tests/session/session_support.h"
 #include "tests/soak.h"
 
@@ -33,10 +32,10 @@ TEST(Metrics, AWallHidesTheWallBehindIt) {
     EXPECT_EQ(oracle(reference, 0), 0.0);
     EXPECT_EQ(oracle(reference, 1), 1.0);
     EXPECT_EQ(oracle(reference, 100), 1.0);
-    const std::uint32_t both[] = {0, 1}, hidden[] = {0}, culled[] = {1 | State<2>::culled_bit};
-    EXPECT_EQ(visible_rendered<2>(reference, both), 1u);
-    EXPECT_EQ(visible_rendered<2>(reference, hidden), 0u);
-    EXPECT_EQ(visible_rendered<2>(reference, culled), 0u) << "met, but not rendered";
+    const Met both[] = {{0, false}, {1, false}}, hidden[] = {{0, false}}, culled[] = {{1, true}};
+    EXPECT_EQ(visible_rendered(reference, both), 1u);
+    EXPECT_EQ(visible_rendered(reference, hidden), 0u);
+    EXPECT_EQ(visible_rendered(reference, culled), 0u) << "met, but not rendered";
 }
 
 TEST(Metrics, AGapShowsWhatLiesBehindIt) {
@@ -140,7 +139,7 @@ TEST(Metrics, NothingVisibleHasNoCoverage) {
     EXPECT_EQ(session.reference().count, 0u);
     EXPECT_FALSE(coverage(session.reference(), 0));
     EXPECT_FALSE(oracle(session.reference(), 5));
-    EXPECT_FALSE(cell_oracle(session.reference(), session.frame()));
+    EXPECT_FALSE(cell_oracle(session.reference(), session.problem()));
 }
 
 TEST(Metrics, TheCellOracleTakesCellsByTheirShare) {
@@ -150,7 +149,7 @@ TEST(Metrics, TheCellOracleTakesCellsByTheirShare) {
         const test::Start start = test::random_cell_start(random);
         const Session<2> session = start.session();
         const Reference& reference = session.reference();
-        const auto ours = cell_oracle(reference, session.frame());
+        const auto ours = cell_oracle(reference, session.problem());
         if (reference.count == 0) {
             ASSERT_FALSE(ours);
             continue;
@@ -167,7 +166,7 @@ TEST(Metrics, TheCellOracleTakesCellsByTheirShare) {
             for (const std::uint32_t p : session.cells().primitives_of(order[k])) {
                 if (met.contains(p)) continue;
                 const bool culled = !in_view(view, start.scene->primitives[p]);
-                spent += !culled || start.settings.culled_cost == CulledCost::charged;
+                spent += !culled || test::choice<CulledCost>(start.settings, culled_cost_row()) == CulledCost::charged;
                 if (spent > budget) break;
                 met.insert(p);
                 found += !culled && reference.visible[p];
@@ -189,9 +188,9 @@ TEST(Metrics, InversionsAreThoseOfTheDefinition) {
         std::vector<Inversion> expected;
         for (;;) {
             const auto before = test::marks(session);
-            const State<2> was = session.state();
+            const std::uint32_t touched = session.counters().touched_count;
             if (session.step() != Stop::none) break;
-            const std::uint32_t cell = session.timeline().steps.back().cell;
+            const std::uint32_t cell = id_of(session.timeline().steps.back().item, Kind::cell);
             // "A hidden, non-empty cell projected while a visible one waited."
             if (cell == none || reference.cell_share[cell] > 0 || session.cells().primitives_of(cell).empty()) continue;
             Inversion found;
@@ -207,10 +206,8 @@ TEST(Metrics, InversionsAreThoseOfTheDefinition) {
                 break;
             }
             if (found.waiting == none) continue;
-            for (std::uint32_t t = was.touched_count; t < session.state().touched_count; ++t) {
-                const std::uint32_t entry = session.state().touched[t];
-                found.wasted += entry < State<2>::culled_bit && !reference.visible[entry];
-            }
+            for (const std::uint32_t primitive : rendered_ids(session.met().subspan(touched)))
+                found.wasted += !reference.visible[primitive];
             ++(found.kind == Inversion::Kind::unreached ? unreached : mis_ranked);
             expected.push_back(found);
         }

@@ -8,7 +8,7 @@
 #include <set>
 #include <vector>
 
-#include "core/traversal/state.h"
+#include "core/run/run.h"
 
 namespace sightline::test {
 

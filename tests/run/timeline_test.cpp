@@ -250,9 +250,9 @@ TEST(TimelineData, FollowsTheBench) {
         std::size_t before = 0;
         for (std::uint32_t step = 1; step <= steps; ++step) {
             go_to_step(bench, step);
-            const std::size_t rendered = bench.session.state().rendered_count;
+            const std::size_t rendered = bench.session.counters().rendered_count;
             EXPECT_EQ(lane(Curve::visible, step) + lane(Curve::hidden, step), static_cast<double>(rendered - before));
-            EXPECT_EQ(lane(Curve::front, step), bench.session.state().front_size);
+            EXPECT_EQ(lane(Curve::front, step), bench.session.counters().front_size);
             EXPECT_EQ(data.by_primitives[step], rendered);
             EXPECT_TRUE(data.cell[step - 1] == none || data.step_of_cell[data.cell[step - 1]] == step);
             before = rendered;

@@ -2,10 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+
+#include "core/base/number.h"
 #include "core/base/random.h"
+#include "core/methods/plp/plp_parameters.h"
+#include "core/session/settings.h"
 #include "core/scene/scene.h"
 #include "core/scene/view.h"
-#include "core/settings/settings.h"
 
 namespace sightline::test {
 
@@ -79,17 +83,20 @@ inline Settings random_settings(Random& random) {
     s.border = random.below(4) == 0 ? Border::none : Border::inflated;
     s.jitter = random.below(4) == 0 ? 0 : 0.02;
     s.seed = random.below(100);
-    s.view_vector = coin() ? ViewVector::eye : ViewVector::camera;
-    s.transfer_sign = static_cast<TransferSign>(random.below(3));
-    s.on_reenqueue = static_cast<OnReenqueue>(random.below(3));
-    s.star_shaped = coin() ? Switch::on : Switch::off;
-    s.penalty = static_cast<Penalty>(random.below(3));
-    s.penalty_amount = random.uniform(0, 4);
-    s.solidity_scale = coin() ? SolidityScale::max : SolidityScale::p95;
-    s.outside_view = coin() ? OutsideView::unseen : OutsideView::enqueue;
-    s.culled_cost = coin() ? CulledCost::free : CulledCost::charged;
-    s.neighbours_before_break = coin() ? YesNo::yes : YesNo::no;
-    s.seeds = coin() ? Seeds::one : Seeds::hull;
+    const auto set = [&](const ParameterRow& row, std::string_view value) { s.parameters.set(row, value); };
+    const auto word_of = [&](const ParameterRow& row) { return row.words[random.below(row.words.size())]; };
+    const auto coin_of = [&](const ParameterRow& row) { return row.words[coin() ? 0 : 1]; };
+    set(view_vector_row(), coin_of(view_vector_row()));
+    set(transfer_sign_row(), word_of(transfer_sign_row()));
+    set(on_reenqueue_row(), word_of(on_reenqueue_row()));
+    set(star_shaped_row(), coin() ? "on" : "off");
+    set(penalty_row(), word_of(penalty_row()));
+    set(penalty_amount_row(), number_text(random.uniform(0, 4)));
+    set(solidity_scale_row(), coin_of(solidity_scale_row()));
+    set(outside_view_row(), coin_of(outside_view_row()));
+    set(culled_cost_row(), coin_of(culled_cost_row()));
+    set(neighbours_before_break_row(), coin() ? "yes" : "no");
+    set(seeds_row(), coin_of(seeds_row()));
     constexpr std::array<const char*, 5> methods{"published", "published", "layers", "centroid", "view"};
     s.method = methods[random.below(methods.size())];
     if (coin()) s.budget = {Budget::Kind::primitives, static_cast<double>(random.below(60))};

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 
+#include "core/methods/plp/plp_parameters.h"
 #include "core/scene/make/catalogue.h"
+#include "core/session/settings_table.h"
 #include "core/session/condition.h"
 #include "core/session/session.h"
 #include "tests/shell/gl/embree_caster.h"
@@ -47,10 +49,10 @@ double visible_part(const Session<3>& s) {
 }
 
 double wrong(const Session<3>& s) {
-    return wrong_pixels(s.reference(), std::span(s.state().touched).first(s.state().touched_count));
+    return wrong_pixels(s.reference(), s.met());
 }
 
-std::size_t hidden_rendered(const Session<3>& s) { return s.state().rendered_count - s.visible_rendered(); }
+std::size_t hidden_rendered(const Session<3>& s) { return s.counters().rendered_count - s.visible_rendered(); }
 
 void expect_bookmarks(Session<3>& session) {
     for (const CatalogueBookmark& bookmark : find_in_catalogue<3>(session.scene().id)->bookmarks) {
@@ -65,7 +67,7 @@ TEST(SceneLessons3, BottleneckNeedsTheStarShapePenalty) {
     for (const char* seed : {"seed=1", "seed=2", "seed=3"}) {
         SCOPED_TRACE(seed);
         Session<3> without = ran("bottleneck", {seed});
-        EXPECT_EQ(without.settings().penalty, Penalty::none);
+        EXPECT_EQ(without.settings().parameters.text(penalty_row()), "none");
         EXPECT_LT(covered(without), 0.9);
         EXPECT_EQ(covered(ran("bottleneck", {seed, "penalty=add"})), 1);
         expect_bookmarks(without);
@@ -87,9 +89,9 @@ TEST(SceneLessons3, BottleneckNeedsTheStarShapePenalty) {
 TEST(SceneLessons3, WallOfTwoTrianglesHidesAStoreAndCountsForNothing) {
     Session<3> session = ran("wall2");
     std::size_t behind = 0;
-    for (const std::uint32_t entry : std::span(session.state().touched).first(session.state().touched_count))
-        behind += !(entry & State<3>::culled_bit) && session.scene().primitives[entry][0].y > 15;
-    EXPECT_GT(static_cast<double>(behind), 0.7 * static_cast<double>(session.state().rendered_count));
+    for (const std::uint32_t triangle : rendered_ids(session.met()))
+        behind += session.scene().primitives[triangle][0].y > 15;
+    EXPECT_GT(static_cast<double>(behind), 0.7 * static_cast<double>(session.counters().rendered_count));
     expect_bookmarks(session);
     const Vec<3> centre = session.cells().centre(last_cell(session));
     EXPECT_GT(centre.y, 15) << "the last bookmark is behind the wall";

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/methods/plp/plp_parameters.h"
 #include "core/geometry/predicates.h"
+#include "core/session/settings_table.h"
 #include "core/scene/make/catalogue.h"
 #include "core/session/condition.h"
 #include "core/session/explain.h"
@@ -34,7 +36,7 @@ Session<2> ran(const char* id, std::initializer_list<const char*> assignments = 
 
 double covered(const Session<2>& s) { return coverage(s.reference(), s.visible_rendered()).value(); }
 
-std::size_t hidden_rendered(const Session<2>& s) { return s.state().rendered_count - s.visible_rendered(); }
+std::size_t hidden_rendered(const Session<2>& s) { return s.counters().rendered_count - s.visible_rendered(); }
 
 std::size_t wasted(const Session<2>& s) {
     std::size_t sum = 0;
@@ -44,8 +46,7 @@ std::size_t wasted(const Session<2>& s) {
 
 std::vector<char> rendered(const Session<2>& s) {
     std::vector<char> drawn(s.scene().primitives.size());
-    for (const std::uint32_t entry : std::span(s.state().touched).first(s.state().touched_count))
-        if (!(entry & State<2>::culled_bit)) drawn[entry] = 1;
+    for (const std::uint32_t segment : rendered_ids(s.met())) drawn[segment] = 1;
     return drawn;
 }
 
@@ -53,7 +54,7 @@ double wrong_pixels(const Session<2>& s) {
     const ItemBuffer buffer = item_buffer(s.scene().primitives, make_view(s.culling_view()), 8192);
     const std::vector<char> drawn = rendered(s);
     const auto wrong = std::count_if(buffer.ids.begin(), buffer.ids.end(),
-                                     [&](std::uint32_t id) { return id != no_primitive && !drawn[id]; });
+                                     [&](std::uint32_t id) { return id != none && !drawn[id]; });
     return static_cast<double>(wrong) / static_cast<double>(buffer.ids.size());
 }
 
@@ -70,11 +71,11 @@ std::size_t rendered_in(const Session<2>& s, const Box<2>& box) {
     return count;
 }
 
-double key_at(const Session<2>& s, std::uint32_t step) { return s.state().mark(s.timeline().steps[step - 1].cell).key; }
+double key_at(const Session<2>& s, std::uint32_t step) { return s.mark(s.timeline().steps[step - 1].item.id).key; }
 
 std::vector<std::uint32_t> order(const Session<2>& s) {
     std::vector<std::uint32_t> cells;
-    for (const StepRecord& record : s.timeline().steps) cells.push_back(record.cell);
+    for (const Step& step : s.timeline().steps) cells.push_back(step.item.id);
     return cells;
 }
 
@@ -129,7 +130,7 @@ TEST(SceneLessons, BottleneckFitsALecture) {
     for (const char* seed : {"seed=1", "seed=2", "seed=3", "seed=4", "seed=5"}) {
         SCOPED_TRACE(seed);
         Session<2> session = open("bottleneck", {seed});
-        EXPECT_EQ(session.settings().penalty, Penalty::none);
+        EXPECT_EQ(session.settings().parameters.text(penalty_row()), "none");
         EXPECT_EQ(session.settings().label, CellNumber::solidity);
         EXPECT_LE(session.cells().cell_count(), 80u);
         EXPECT_LE(session.scene().primitives.size(), 500u);
@@ -191,7 +192,7 @@ TEST(SceneLessons, CarsLoseAPartOfTheShellWhileTheInsideIsDrawn) {
     EXPECT_LE(session.visible_rendered() + 3, session.reference().count);
     EXPECT_GT(wasted(session), 50u);
     EXPECT_GT(hidden_rendered(session), 6 * session.visible_rendered());
-    EXPECT_LT(covered(session) + 0.05, cell_oracle(session.reference(), session.frame()).value());
+    EXPECT_LT(covered(session) + 0.05, cell_oracle(session.reference(), session.problem()).value());
 }
 
 TEST(SceneLessons, JungleHasNoLargeOccluders) {
@@ -220,7 +221,7 @@ TEST(SceneLessons, WallWithHolesBlursBeams) {
     // Behind the wall, a key tells a cell in a beam from a cell in the shadow hardly better than a coin.
     std::vector<double> beam, shadow;
     for (std::uint32_t step = 1; step <= session.position(); ++step) {
-        const std::uint32_t cell = session.timeline().steps[step - 1].cell;
+        const std::uint32_t cell = session.timeline().steps[step - 1].item.id;
         if (session.cells().centre(cell).y < 15 || session.cells().count(cell) == 0) continue;
         (session.reference().cell_share[cell] > 0 ? beam : shadow).push_back(key_at(session, step));
     }
@@ -231,17 +232,17 @@ TEST(SceneLessons, WallWithHolesBlursBeams) {
     ASSERT_GT(shadow.size(), 50u);
     EXPECT_NEAR(right / static_cast<double>(beam.size() * shadow.size()), 0.5, 0.1);
     const Session<2> tight = ran("wallholes");
-    EXPECT_LT(covered(tight) + 0.1, cell_oracle(tight.reference(), tight.frame()).value());
-    EXPECT_LT(cell_oracle(tight.reference(), tight.frame()).value(), 0.95);
+    EXPECT_LT(covered(tight) + 0.1, cell_oracle(tight.reference(), tight.problem()).value());
+    EXPECT_LT(cell_oracle(tight.reference(), tight.problem()).value(), 0.95);
 }
 
 TEST(SceneLessons, WallOfTwoSegmentsHidesAStoreAndCountsForNothing) {
     Session<2> session = ran("wall2");
     EXPECT_EQ(covered(session), 1);
     const std::size_t behind = rendered_in(session, {{0, 15}, {40, 40}});
-    EXPECT_GT(behind, 0.7 * session.state().rendered_count);
+    EXPECT_GT(behind, 0.7 * session.counters().rendered_count);
     ASSERT_NE(reach(session, "visible_share == 0 && count >= 4"), none);
-    EXPECT_GT(session.cells().centre(session.timeline().steps[session.position() - 1].cell).y, 15);
+    EXPECT_GT(session.cells().centre(session.timeline().steps[session.position() - 1].item.id).y, 15);
     EXPECT_LT(key_at(session, session.position()), 0.1);
 }
 
@@ -272,13 +273,13 @@ TEST(SceneLessons, ForgottenWallCountsForNothingAfterTheEmptyRun) {
     Session<2> marked = open("forget");
     ASSERT_NE(reach(marked, find_in_catalogue("forget")->bookmarks.back().condition), none);
     EXPECT_TRUE(Condition<2>("inversion > 0 && coverage < 0.5").holds(marked));
-    const std::uint32_t cell = marked.timeline().steps[marked.position() - 1].cell;
+    const std::uint32_t cell = marked.timeline().steps[marked.position() - 1].item.id;
     EXPECT_GT(marked.cells().centre(cell).x, 57);
-    EXPECT_LT(marked.state().mark(cell).key, 0.01);
+    EXPECT_LT(marked.mark(cell).key, 0.01);
     double behind_wall = 0;
     for (const ChainLink& link : explain_cell(marked, cell).chain)
-        if (const Vec<2> at = marked.cells().centre(link.update.neighbour); at.x > 12 && at.x < 20 && at.y > 20)
-            behind_wall = std::max(behind_wall, link.update.terms->key);
+        if (const Vec<2> at = marked.cells().centre(link.update.item.id); at.x > 12 && at.x < 20 && at.y > 20)
+            behind_wall = std::max(behind_wall, link.update.key->key);
     EXPECT_GT(behind_wall, 0.4);
 }
 

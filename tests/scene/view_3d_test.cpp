@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
-#include "core/traversal/state.h"
+#include "core/run/run.h"
 #include "tests/scene/random_scene.h"
 #include "tests/soak.h"
 
@@ -92,14 +92,16 @@ TEST(View3, ATriangleFacesTheEyeThatSeesItTurnCounterClockwise) {
 TEST(View3, OneSidedTrianglesAreShownFromTheirFrontTwoSidedOnesFromBothSides) {
     const std::vector<Primitive<3>> triangles{{Vec<3>(0, 0, 0), Vec<3>(1, 0, 0), Vec<3>(0, 1, 0)},
                                               {Vec<3>(0, 0, 0), Vec<3>(0, 1, 0), Vec<3>(1, 0, 0)}};
-    const std::vector<std::uint8_t> second_is_two_sided{0, 1};
+    Scene<3> plain, second_two_sided;
+    plain.primitives = second_two_sided.primitives = triangles;
+    second_two_sided.two_sided = {0, 1};
     const CellComplex<3> cells;
     for (const double z : {3.0, -3.0}) {
         const View<3> view = make_view(ViewSpec<3>{{0.2, 0.2, z}, {0.2, 0.2, 0}, 60}, 1);
-        const Frame<3> one_sided = make_frame<3>(triangles, cells, view, {});
+        const Problem<3> one_sided{&plain, &cells, view, none, {}, nullptr, {}};
         EXPECT_EQ(shows(one_sided, 0), z > 0);
         EXPECT_EQ(shows(one_sided, 1), z < 0);
-        const Frame<3> mixed = make_frame<3>(triangles, cells, view, {}, second_is_two_sided);
+        const Problem<3> mixed{&second_two_sided, &cells, view, none, {}, nullptr, {}};
         EXPECT_EQ(shows(mixed, 0), z > 0);
         EXPECT_TRUE(shows(mixed, 1));
     }

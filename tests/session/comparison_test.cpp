@@ -20,8 +20,8 @@ std::pair<Start, Start> random_pair(Random& random) {
     b = pair.first;
     const Settings other = test::random_settings(random);
     if (random.below(2)) b.settings.method = other.method;
-    if (random.below(2)) b.settings.transfer_sign = other.transfer_sign;
-    if (random.below(2)) b.settings.penalty = other.penalty;
+    for (const ParameterRow* row : {&transfer_sign_row(), &penalty_row()})
+        if (random.below(2)) b.settings.parameters.set(*row, other.parameters.text(*row));
     if (random.below(3) == 0) b.settings.budget = other.budget;
     if (random.below(4) == 0) b.settings.error_bound = other.error_bound;
     if (random.below(4) == 0) b.settings.tessellation = other.tessellation;
@@ -40,14 +40,13 @@ std::vector<Made> walk(const Start& start, std::uint32_t steps) {
     std::vector<Made> made;
     Session<2> session = start.session();
     for (std::uint32_t i = 0; i < steps; ++i) {
-        const std::uint32_t before = session.state().touched_count;
+        const std::uint32_t before = session.counters().touched_count;
         const auto front = test::sorted_front(test::marks(session));
         if (session.step() != Stop::none) break;
         Made m;
-        if (session.method().orders_cells) m.cell = front.front().cell;
-        for (std::uint32_t p = before; p < session.state().touched_count; ++p)
-            if (session.state().touched[p] < State<2>::culled_bit) m.rendered.push_back(session.state().touched[p]);
-        m.rendered_so_far = session.state().rendered_count;
+        if (session.method().orders_cells()) m.cell = front.front().cell;
+        m.rendered = rendered_ids(session.met().subspan(before));
+        m.rendered_so_far = session.counters().rendered_count;
         made.push_back(m);
     }
     return made;
@@ -67,7 +66,7 @@ TEST(Comparison, TheFirstDifferenceIsTheFirstStepThatDiffers) {
         const auto made_a = walk(left, steps_a), made_b = walk(right, steps_b);
         a.seek(static_cast<std::uint32_t>(random.below(a.position() + 1)));
 
-        const bool cells = a.method().orders_cells && b.method().orders_cells && same_cells(a, b);
+        const bool cells = a.method().orders_cells() && b.method().orders_cells() && same_cells(a, b);
         std::optional<std::uint32_t> wanted;
         const std::size_t longer = std::max(made_a.size(), made_b.size());
         for (std::size_t s = 0; s < longer && !wanted; ++s) {
@@ -114,7 +113,7 @@ TEST(Comparison, TheFirstDifferenceIsTheFirstStepThatDiffers) {
             ASSERT_NE(at, std::string::npos) << text;
             const std::string number =
                 part.substr(at + phrase.size(), part.find_first_of(" ;", at + phrase.size()) - at - phrase.size());
-            const double key = before.state().mark(m.cell).key;
+            const double key = before.mark(m.cell).key;
             const auto told = parse_number(number.ends_with('.') ? number.substr(0, number.size() - 1) : number);
             ASSERT_TRUE(told) << text;
             ASSERT_NEAR(*told, key, std::abs(key) * 5.01e-3) << text;
@@ -123,7 +122,7 @@ TEST(Comparison, TheFirstDifferenceIsTheFirstStepThatDiffers) {
             ASSERT_EQ(part.find("(its cell ") != std::string::npos, comparable) << text;
             if (comparable) {
                 const std::uint32_t theirs = others[*wanted - 1].cell;
-                const CellMark mark = before.state().mark(theirs);
+                const Mark mark = before.mark(theirs);
                 const std::string word(cell_state_words[static_cast<std::size_t>(mark.state)]);
                 ASSERT_NE(part.find("(its cell " + std::to_string(theirs) + ": " + word), std::string::npos) << text;
                 if (mark.state == CellState::enqueued && mark.key != key) {
@@ -156,9 +155,9 @@ TEST(Comparison, SidesAreTheProjectedCells) {
         }
         std::vector<bool> by_a(a.cells().cell_count()), by_b(by_a);
         for (std::uint32_t s = 0; s < a.position(); ++s)
-            if (a.timeline().steps[s].cell != none) by_a[a.timeline().steps[s].cell] = true;
+            if (a.timeline().steps[s].item.id != none) by_a[a.timeline().steps[s].item.id] = true;
         for (std::uint32_t s = 0; s < b.position(); ++s)
-            if (b.timeline().steps[s].cell != none) by_b[b.timeline().steps[s].cell] = true;
+            if (b.timeline().steps[s].item.id != none) by_b[b.timeline().steps[s].item.id] = true;
         ASSERT_EQ(sides.size(), by_a.size());
         for (std::size_t cell = 0; cell < sides.size(); ++cell) {
             ASSERT_EQ(sides[cell] == Side::both || sides[cell] == Side::left, by_a[cell]);
@@ -212,12 +211,12 @@ TEST(Comparison, FollowingGoesToTheStepOrToAsManyPrimitives) {
         follow(lead, other, Align::step);
         ASSERT_EQ(other.position(), std::min<std::size_t>(lead.position(), made.size()));
 
-        const std::uint32_t recorded = other.recorded(), wanted = lead.state().rendered_count;
+        const std::uint32_t recorded = other.recorded(), wanted = lead.counters().rendered_count;
         follow(lead, other, Align::rendered);
         std::uint32_t step = 0;
         while (step < made.size() && (step == 0 ? 0 : made[step - 1].rendered_so_far) < wanted) ++step;
         ASSERT_EQ(other.position(), step) << "pair " << i;
-        short_of += other.state().rendered_count < wanted;
+        short_of += other.counters().rendered_count < wanted;
         further += step > recorded;
     }
     EXPECT_GT(short_of, 5);

@@ -8,7 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/base/number.h"
-#include "core/traversal/star_shape.h"
+#include "core/methods/cells/star_shape.h"
 #include "tests/scene/scene_support.h"
 #include "tests/session/session_support.h"
 #include "tests/soak.h"
@@ -20,29 +20,30 @@ using Values = std::map<std::string_view, double>;
 const double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// The fields of the step just made, worked out from the marks before and after it.
-Values expected(const Session<2>& session, const std::vector<CellMark>& before, std::uint32_t rendered_before,
+Values expected(const Session<2>& session, const std::vector<Mark>& before, std::uint32_t rendered_before,
                 std::uint32_t touched_before) {
     const Reference& reference = session.reference();
-    const State<2>& state = session.state();
+    const Counters& counters = session.counters();
     const auto after = test::marks(session);
     Values v;
     v["step"] = session.position();
     v["cell"] = v["rho"] = v["count"] = v["runner_up"] = v["visible_share"] = nan;
     v["inversion"] = v["enqueued"] = v["reenqueued"] = v["unseen"] = v["penalties"] = v["front"] = 0;
-    v["rendered"] = state.rendered_count;
-    v["rendered_now"] = state.rendered_count - rendered_before;
+    v["rendered"] = counters.rendered_count;
+    v["rendered_now"] = counters.rendered_count - rendered_before;
     v["visible_now"] = 0;
-    for (std::uint32_t i = touched_before; i < state.touched_count; ++i)
-        if (state.touched[i] < State<2>::culled_bit) v["visible_now"] += reference.visible[state.touched[i]];
+    for (const std::uint32_t p : rendered_ids(session.met().subspan(touched_before)))
+        v["visible_now"] += reference.visible[p];
     v["hidden_now"] = v["rendered_now"] - v["visible_now"];
     double visible = 0;
-    std::set<std::uint32_t> rendered(state.touched.begin(), state.touched.begin() + state.touched_count);
+    const std::vector<std::uint32_t> ids = rendered_ids(session.met());
+    const std::set<std::uint32_t> rendered(ids.begin(), ids.end());
     for (std::uint32_t p = 0; p < reference.visible.size(); ++p)
         visible += reference.visible[p] && rendered.contains(p);
     v["coverage"] = reference.count == 0 ? nan : visible / static_cast<double>(reference.count);
 
     const auto front = test::sorted_front(before);
-    if (!session.method().orders_cells) return v;
+    if (!session.method().orders_cells()) return v;
     const std::uint32_t cell = front.front().cell;
     v["cell"] = cell;
     v["rho"] = front.front().key;
@@ -50,7 +51,7 @@ Values expected(const Session<2>& session, const std::vector<CellMark>& before, 
     if (front.size() > 1) v["runner_up"] = front[1].key;
     v["visible_share"] = reference.cell_share[cell];
     const Settings& set = session.settings();
-    const bool tested = set.method == "published" && set.star_shaped == Switch::on && set.penalty != Penalty::none;
+    const bool tested = set.method == "published" && PlpParameters(set.parameters).tests_star_shape;
     for (std::uint32_t c = 0; c < before.size(); ++c) {
         v["front"] += after[c].state == CellState::enqueued;
         v["unseen"] += before[c].state == CellState::clean && after[c].state == CellState::unseen;
@@ -84,7 +85,7 @@ TEST(Condition, FieldsAreThoseOfTheStep) {
         Session<2> session = start.session();
         for (;;) {
             const auto before = test::marks(session);
-            const std::uint32_t rendered = session.state().rendered_count, touched = session.state().touched_count;
+            const std::uint32_t rendered = session.counters().rendered_count, touched = session.counters().touched_count;
             if (session.step() != Stop::none) break;
             const bool redone = random.below(3) == 0;  // a step that was undone and redone tells the same
             if (redone) {
@@ -120,9 +121,9 @@ TEST(Condition, StopsAtTheFirstStepWhereItHolds) {
         std::vector<double> shares, keys;
         std::vector<std::uint32_t> cells;
         while (session.step() == Stop::none) {
-            cells.push_back(session.timeline().steps.back().cell);
+            cells.push_back(session.timeline().steps.back().item.id);
             shares.push_back(session.reference().cell_share[cells.back()]);
-            keys.push_back(session.state().mark(cells.back()).key);
+            keys.push_back(session.mark(cells.back()).key);
         }
         if (cells.empty()) continue;
         const auto stops_at = [&](const std::string& text) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/explain.h"
+#include "core/session/settings_table.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +8,8 @@
 #include <set>
 
 #include "core/base/number.h"
-#include "core/traversal/traverse.h"
+#include "core/methods/cells/seed_cells.h"
+#include "core/methods/plp/published.h"
 #include "tests/session/session_support.h"
 #include "tests/soak.h"
 
@@ -19,12 +21,11 @@ std::vector<double> numbers(const StepExplanation& e) {
     std::vector<double> all{double(e.step),     double(e.cell),      e.key,
                             double(e.stamp),    double(e.runner_up), e.runner_up_key,
                             double(e.rendered), double(e.visible),   e.visible_share};
-    for (const FacetExplanation& f : e.facets) {
-        all.insert(all.end(), {double(f.from), double(f.neighbour), double(f.facet), double(f.rule), f.before.key,
-                               double(f.before.stamp), double(f.before.state), double(f.terms.has_value())});
-        if (f.terms)
-            all.insert(all.end(), {f.terms->rho_a, double(f.terms->count), f.terms->density, f.terms->alignment,
-                                   f.terms->weight, double(f.terms->star_shaped), f.terms->unpenalised, f.terms->key});
+    for (const Considered& f : e.looked_at) {
+        all.insert(all.end(), {double(f.from.id), double(f.item.id), double(f.via.id), double(f.rule), f.before.key,
+                               double(f.before.stamp), double(f.before.state), double(f.key.has_value())});
+        if (f.key)
+            for (const Term& t : f.key->terms) all.push_back(t.value);
     }
     return all;
 }
@@ -54,33 +55,33 @@ TEST(Explain, AStepsTermsAreTheKeysThatTheStateHas) {
             }
             ASSERT_EQ(after[e.cell].state, CellState::projected);
             std::set<std::uint32_t> explained{e.cell};
-            for (const FacetExplanation& f : e.facets) {
-                ++rules[static_cast<std::size_t>(f.rule)];
-                ASSERT_EQ(f.from, e.cell);
-                if (f.neighbour == none) {
-                    ASSERT_EQ(f.rule, Rule::border);
+            for (const Considered& f : e.looked_at) {
+                ++rules[f.rule];
+                ASSERT_EQ(f.from.id, e.cell);
+                if (f.item.id == none) {
+                    ASSERT_EQ(Rule{f.rule}, Rule::border);
                     continue;
                 }
-                explained.insert(f.neighbour);
-                const CellMark &was = before[f.neighbour], &is = after[f.neighbour];
+                explained.insert(f.item.id);
+                const Mark &was = before[f.item.id], &is = after[f.item.id];
                 ASSERT_EQ(f.before, was);
-                switch (f.rule) {
+                switch (Rule{f.rule}) {
                     case Rule::enqueued:
                     case Rule::reenqueued:
-                        ASSERT_EQ(was.state, f.rule == Rule::enqueued ? CellState::clean : CellState::enqueued);
+                        ASSERT_EQ(was.state, Rule{f.rule} == Rule::enqueued ? CellState::clean : CellState::enqueued);
                         ASSERT_EQ(is.state, CellState::enqueued);
-                        ASSERT_TRUE(f.terms);
-                        ASSERT_EQ(f.terms->key, is.key) << "scene " << i << " step " << e.step;
+                        ASSERT_TRUE(f.key);
+                        ASSERT_EQ(f.key->key, is.key) << "scene " << i << " step " << e.step;
                         break;
                     case Rule::kept:
                         ASSERT_EQ(was.state, CellState::enqueued);
                         ASSERT_EQ(is, was);
-                        ASSERT_TRUE(f.terms);
+                        ASSERT_TRUE(f.key);
                         if (start.settings.method == "published") {  // the computed key lost
-                            if (start.settings.on_reenqueue == OnReenqueue::min) {
-                                ASSERT_GE(f.terms->key, was.key);
+                            if (test::choice<OnReenqueue>(start.settings, on_reenqueue_row()) == OnReenqueue::min) {
+                                ASSERT_GE(f.key->key, was.key);
                             } else {
-                                ASSERT_LE(f.terms->key, was.key);
+                                ASSERT_LE(f.key->key, was.key);
                             }
                         }
                         break;
@@ -93,18 +94,22 @@ TEST(Explain, AStepsTermsAreTheKeysThatTheStateHas) {
                         ASSERT_EQ(is, was);
                         break;
                     default:
-                        ASSERT_EQ(f.rule, Rule::projected);
+                        ASSERT_EQ(Rule{f.rule}, Rule::projected);
                         ASSERT_EQ(was.state, CellState::projected);
                         ASSERT_EQ(is, was);
                 }
-                if (f.terms) {
-                    penalised += f.terms->penalised();
-                    // What the formula line shows adds up.
-                    ASSERT_EQ(f.terms->rho_a, e.key);
-                    ASSERT_EQ(f.terms->unpenalised, f.terms->density + f.terms->weight * f.terms->rho_a);
-                    if (!f.terms->penalised()) {
-                        ASSERT_EQ(f.terms->key, f.terms->unpenalised);
-                    }
+                if (!f.key) continue;
+                penalised += f.key->penalised;
+                if (start.settings.method != "published") {
+                    ASSERT_EQ(test::term(*f.key, "layer_a"), e.key);
+                    continue;
+                }
+                // What the formula line shows adds up.
+                const auto term = [&](std::string_view name) { return test::term(*f.key, name); };
+                ASSERT_EQ(term("rho_a"), e.key);
+                ASSERT_EQ(term("unpenalised"), term("density") + term("weight") * term("rho_a"));
+                if (!f.key->penalised) {
+                    ASSERT_EQ(f.key->key, term("unpenalised"));
                 }
             }
             // Nothing else changed.
@@ -134,17 +139,17 @@ TEST(Explain, ACellsChainLeadsFromASeedToItsKey) {
         if (random.below(2)) session.seek(static_cast<std::uint32_t>(random.below(session.position() + 1)));
         const auto marks = test::marks(session);
         const auto front = test::sorted_front(marks);
-        const auto seeds = seed_cells(session.frame());
-        const auto entries = front_entries(session);
+        const auto seeds = seed_cells(session.problem());
+        const auto entries = session.traversal().front();
         ASSERT_EQ(entries.size(), front.size());
         for (std::size_t k = 0; k < front.size(); ++k) {
-            ASSERT_EQ(entries[k].cell, front[k].cell);
-            ASSERT_EQ(entries[k].key, front[k].key);
-            ASSERT_EQ(entries[k].stamp, front[k].stamp);
+            ASSERT_EQ(entries[k].first.id, front[k].cell);
+            ASSERT_EQ(entries[k].second.key, front[k].key);
+            ASSERT_EQ(entries[k].second.stamp, front[k].stamp);
         }
         std::vector<StepExplanation> steps;
         for (std::uint32_t step = 1; step <= session.position(); ++step) steps.push_back(explain_step(session, step));
-        const int digits = steps.empty() ? 3 : steps.back().digits();
+        const int digits = steps.empty() ? 3 : steps.back().digits;
         for (std::uint32_t cell = 0; cell < marks.size(); ++cell) {
             const CellExplanation e = explain_cell(session, cell);
             ASSERT_EQ(e.cell, cell);
@@ -156,7 +161,7 @@ TEST(Explain, ACellsChainLeadsFromASeedToItsKey) {
             ASSERT_EQ(e.projected_at > 0, marks[cell].state == CellState::projected);
             if (e.projected_at > 0) {
                 ASSERT_LE(e.projected_at, session.position());
-                ASSERT_EQ(session.timeline().steps[e.projected_at - 1].cell, cell);
+                ASSERT_EQ(session.timeline().steps[e.projected_at - 1].item.id, cell);
             }
             const bool touched = marks[cell].state == CellState::projected || marks[cell].state == CellState::enqueued;
             const bool is_seed = std::find(seeds.begin(), seeds.end(), cell) != seeds.end();
@@ -169,49 +174,50 @@ TEST(Explain, ACellsChainLeadsFromASeedToItsKey) {
                 clean_reasons += !touched;
             } else {
                 longest = std::max(longest, e.chain.size());
-                const std::uint32_t first = e.chain.front().update.from;
+                const std::uint32_t first = e.chain.front().update.from.id;
                 ASSERT_TRUE(std::find(seeds.begin(), seeds.end(), first) != seeds.end());
-                ASSERT_EQ(e.chain.back().update.neighbour, cell);
-                ASSERT_EQ(e.chain.back().update.terms->key, marks[cell].key);
+                ASSERT_EQ(e.chain.back().update.item.id, cell);
+                ASSERT_EQ(e.chain.back().update.key->key, marks[cell].key);
                 for (std::size_t k = 0; k < e.chain.size(); ++k) {
                     const ChainLink& link = e.chain[k];
-                    ASSERT_EQ(session.timeline().steps[link.step - 1].cell, link.update.from);
+                    ASSERT_EQ(session.timeline().steps[link.step - 1].item.id, link.update.from.id);
                     // The link's own key is the solidity that the next one hands on.
-                    ASSERT_EQ(link.update.terms->rho_a, k == 0 ? marks[first].key : e.chain[k - 1].update.terms->key);
+                    ASSERT_EQ(link.update.key->terms.front().value, k == 0 ? marks[first].key : e.chain[k - 1].update.key->key);
                     if (k == 0) continue;
-                    ASSERT_EQ(e.chain[k - 1].update.neighbour, link.update.from);
+                    ASSERT_EQ(e.chain[k - 1].update.item.id, link.update.from.id);
                     ASSERT_LT(e.chain[k - 1].step, link.step);
                 }
             }
             // Reached: every key that any step computed for it.
             std::size_t found = 0;
             for (const StepExplanation& step : steps)
-                for (const FacetExplanation& facet : step.facets) {
-                    if (facet.neighbour != cell || !facet.terms) continue;
+                for (const Considered& facet : step.looked_at) {
+                    if (facet.item.id != cell || !facet.key) continue;
                     ASSERT_LT(found, e.reached.size());
                     ASSERT_EQ(e.reached[found].step, step.step);
-                    ASSERT_EQ(e.reached[found].update.facet, facet.facet);
+                    ASSERT_EQ(e.reached[found].update.via.id, facet.via.id);
                     ASSERT_EQ(e.reached[found].update.rule, facet.rule);
-                    ASSERT_EQ(e.reached[found].update.terms, facet.terms);
+                    ASSERT_EQ(e.reached[found].update.key->key, facet.key->key);
+                    ASSERT_EQ(e.reached[found].update.key->formula(), facet.key->formula());
                     ASSERT_EQ(e.reached[found].update.before, facet.before);
-                    kept += facet.rule == Rule::kept;
+                    kept += Rule{facet.rule} == Rule::kept;
                     ++found;
                 }
             ASSERT_EQ(e.reached.size(), found);
             ASSERT_EQ(e.digits, digits);
 
-            const auto text = rows(e, session.settings());
+            const auto text = rows(e);
             for (const std::string& row : text) ASSERT_TRUE(!row.empty() && row.find('\n') == std::string::npos) << row;
             const bool more = found > 1;
             ASSERT_EQ(text.size(), 1 + !e.held_back_by.empty() + e.chain.size() + (more ? 1 + found : 0));
             if (!e.chain.empty()) {
-                const std::string wanted = formula(*e.chain.back().update.terms, session.settings(), digits);
+                const std::string wanted = e.chain.back().update.key->formula();
                 ASSERT_TRUE(text[e.chain.size() + !e.held_back_by.empty()].ends_with(wanted));
             }
             for (std::size_t k = 0; more && k < found; ++k) {
                 const std::string& row = text[text.size() - found + k];
                 ASSERT_EQ(row.find("    step " + std::to_string(e.reached[k].step) + ": cell "), 0u) << row;
-                const auto rule = rule_words[static_cast<std::size_t>(e.reached[k].update.rule)];
+                const auto rule = e.reached[k].update.words;
                 ASSERT_NE(row.find(rule), std::string::npos) << row;
             }
         }
@@ -248,13 +254,13 @@ TEST(Explain, SentencesTellTheTwoKeysApartOrSayTie) {
                 ++apart;
             }
             ASSERT_NE(text.find("rendered " + std::to_string(e.rendered) + " primitive"), std::string::npos) << text;
-            const auto lines = rows(e, session.settings());
-            ASSERT_EQ(lines.size(), e.facets.size() + 1);
+            const auto lines = rows(e);
+            ASSERT_EQ(lines.size(), e.looked_at.size() + 1);
             ASSERT_EQ(lines.front(), text);
-            ASSERT_EQ(e.digits(), e.runner_up == none ? 3 : separating_digits(e.key, e.runner_up_key));
-            for (std::size_t k = 0; k < e.facets.size(); ++k)
-                if (e.facets[k].terms) {
-                    const std::string wanted = formula(*e.facets[k].terms, session.settings(), e.digits());
+            ASSERT_EQ(e.digits, e.runner_up == none ? 3 : separating_digits(e.key, e.runner_up_key));
+            for (std::size_t k = 0; k < e.looked_at.size(); ++k)
+                if (e.looked_at[k].key) {
+                    const std::string wanted = e.looked_at[k].key->formula();
                     ASSERT_NE(lines[k + 1].find(wanted), std::string::npos) << lines[k + 1];
                 }
             ties += tie;
@@ -285,20 +291,21 @@ TEST(Explain, SeparatingDigitsAreTheFewestThatDo) {
 }
 
 TEST(Explain, TheFormulaShowsEveryTerm) {
-    Terms terms;
-    terms.rho_a = 0.25;
+    SolidityTerms terms;
+    terms.handed_on = 0.25;
     terms.count = 3;
-    terms.density = 0.5;
-    terms.weight = 0.75;
+    terms.content = 0.5;
+    terms.angle = 0.75;
     terms.unpenalised = 0.6875;
     terms.key = 1.375;
     terms.star_tested = true;
     Settings settings;
-    EXPECT_EQ(formula(terms, settings, 4), "ρ = 0.5 + 0.75 · 0.25 = 0.6875");
+    const auto formula = [&] { return explain_solidity(terms, PlpParameters(settings.parameters), 4).formula(); };
+    EXPECT_EQ(formula(), "ρ = 0.5 + 0.75 · 0.25 = 0.6875");
     terms.star_shaped = false;
-    EXPECT_EQ(formula(terms, settings, 4), "ρ = 0.5 + 0.75 · 0.25 = 0.6875, × 2 (not star-shaped) = 1.375");
-    settings.penalty = Penalty::add;
-    EXPECT_EQ(formula(terms, settings, 4), "ρ = 0.5 + 0.75 · 0.25 = 0.6875, + 2 (not star-shaped) = 1.375");
+    EXPECT_EQ(formula(), "ρ = 0.5 + 0.75 · 0.25 = 0.6875, × 2 (not star-shaped) = 1.375");
+    apply_setting(settings, "penalty=add");
+    EXPECT_EQ(formula(), "ρ = 0.5 + 0.75 · 0.25 = 0.6875, + 2 (not star-shaped) = 1.375");
 }
 
 }  // namespace

@@ -57,7 +57,7 @@ TEST(Extending, TheLinesShownAreThoseOfTheSource) {
 TEST(Extending, TheTestsNamedExist) {
     const std::string page = read_file((source / "docs/extending.md").string());
     std::string tests;
-    for (const char* file : {"panels", "commands", "settings", "keys"})
+    for (const char* file : {"shell/panels/panels", "shell/commands/commands", "session/settings", "shell/window/keys"})
         tests += read_file((source / ("tests/" + std::string(file) + "_test.cpp")).string());
     int named = 0;
     for (const char* suite : {"Panels", "Commands", "Settings", "Keys"}) {

@@ -23,13 +23,13 @@ TEST(Lanes, AreWhatAWalkFindsWhereverTheSessionStands) {
             const auto front = test::sorted_front(test::marks(session));
             if (session.step() != Stop::none) break;
             const Reference& reference = session.reference();
-            const bool pops = session.method().orders_cells;
+            const bool pops = session.method().orders_cells();
             walk.cell.push_back(pops ? front.front().cell : none);
             walk.key.push_back(pops ? front.front().key : nan);
             walk.visible.push_back(static_cast<std::uint32_t>(session.visible_rendered()) - visible);
             visible += walk.visible.back();
-            walk.hidden.push_back(session.state().rendered_count - rendered - walk.visible.back());
-            rendered = session.state().rendered_count;
+            walk.hidden.push_back(session.counters().rendered_count - rendered - walk.visible.back());
+            rendered = session.counters().rendered_count;
             walk.rendered.push_back(rendered);
             walk.front.push_back(static_cast<std::uint32_t>(test::sorted_front(test::marks(session)).size()));
             const double all = static_cast<double>(reference.count);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/pseudocode.h"
+#include "core/session/settings_table.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +9,7 @@
 #include "core/base/number.h"
 #include "core/session/explain.h"
 #include "core/session/substep.h"
-#include "core/traversal/heuristics/layers.h"
+#include "core/methods/cells/cell_method.h"
 #include "tests/session/session_support.h"
 
 namespace sightline {
@@ -72,7 +73,7 @@ TEST(Pseudocode, LightsTheLineOfEachRuleAndFillsInItsNumbers) {
         Stop stop = Stop::none;
         while ((stop = session.step()) == Stop::none) {
             const StepExplanation step = explain_step(session, session.position());
-            const int digits = step.digits();
+            const int digits = step.digits;
             for (std::uint32_t substep = 0; substep < substep_count(session, step.step); ++substep) {
                 const auto lines = pseudocode(session, substep);
                 const CodeLine& now = lit(lines);
@@ -96,25 +97,25 @@ TEST(Pseudocode, LightsTheLineOfEachRuleAndFillsInItsNumbers) {
                     ASSERT_TRUE(each.values.empty() && key.values.empty());
                     continue;
                 }
-                const FacetExplanation& facet = step.facets[substep - 2];
-                ++seen[{facet.rule, updates}];
-                ASSERT_TRUE(now.text.starts_with(line_of(facet.rule, updates, start.settings.on_reenqueue)))
-                    << rule_words[static_cast<std::size_t>(facet.rule)] << "\n"
+                const Considered& facet = step.looked_at[substep - 2];
+                ++seen[{Rule{facet.rule}, updates}];
+                ASSERT_TRUE(now.text.starts_with(line_of(Rule{facet.rule}, updates, test::choice<OnReenqueue>(start.settings, on_reenqueue_row()))))
+                    << facet.words << "\n"
                     << all_of(lines);
                 ASSERT_EQ(each.values.find("facet " + std::to_string(substep - 1) + " of " +
-                                           std::to_string(step.facets.size())),
+                                           std::to_string(step.looked_at.size())),
                           0u);
-                ASSERT_EQ(has(each.values, "cell " + std::to_string(facet.neighbour)), facet.neighbour != none);
-                ASSERT_EQ(now.values.empty(), !facet.terms);
-                ASSERT_EQ(key.values.empty(), !facet.terms);
-                if (!facet.terms) continue;
-                const Terms& t = *facet.terms;
+                ASSERT_EQ(has(each.values, "cell " + std::to_string(facet.item.id)), facet.item.id != none);
+                ASSERT_EQ(now.values.empty(), !facet.key);
+                ASSERT_EQ(key.values.empty(), !facet.key);
+                if (!facet.key) continue;
+                const KeyExplanation& t = *facet.key;
                 const double was = facet.before.key;
                 const bool again = facet.before.state == CellState::enqueued;
                 const int apart = again ? std::max(digits, separating_digits(was, t.key)) : digits;
                 ASSERT_TRUE(now.values.ends_with("key " + short_number(t.key, apart))) << all_of(lines);
                 ASSERT_EQ(has(now.values, "key before " + short_number(was, apart)), again) << all_of(lines);
-                ASSERT_TRUE(has(key.values, "n = cell " + std::to_string(facet.neighbour) + ", c = cell " +
+                ASSERT_TRUE(has(key.values, "n = cell " + std::to_string(facet.item.id) + ", c = cell " +
                                                 std::to_string(step.cell)));
                 if (!updates) {
                     ASSERT_TRUE(
@@ -122,28 +123,30 @@ TEST(Pseudocode, LightsTheLineOfEachRuleAndFillsInItsNumbers) {
                     continue;
                 }
                 // The function's lines are the formula, piece by piece.
-                std::string whole = "ρ = " + starting_with(lines, "ρ = crowd").values;
-                if (t.penalised()) {
+                std::string whole = "ρ = " + starting_with(lines, "ρ = content").values;
+                if (t.penalised) {
                     const std::string values = starting_with(lines, "then ρ").values;
-                    const std::string before = short_number(t.unpenalised, digits) + " ";
+                    const std::string before = short_number(test::term(t, "unpenalised"), digits) + " ";
                     ASSERT_EQ(values.find(before), 0u);
                     whole += ", " + values.substr(before.size());
                     ++penalised;
-                } else if (t.star_tested) {
+                } else if (t.tested) {
                     ASSERT_TRUE(starting_with(lines, "then ρ").values.empty());
                     ++spared;
                 }
-                ASSERT_EQ(whole, formula(t, start.settings, digits));
+                ASSERT_EQ(whole, t.formula());
                 ASSERT_EQ(starting_with(lines, "the key is ρ").values, short_number(t.key, digits));
-                ASSERT_TRUE(starting_with(lines, "crowd").values.ends_with(" " + short_number(t.density, digits)));
-                ASSERT_TRUE(starting_with(lines, "share").values.ends_with(short_number(t.weight, digits)));
-                if (t.star_tested) {
+                ASSERT_TRUE(starting_with(lines, "content")
+                                .values.ends_with(" " + short_number(test::term(t, "density"), digits)));
+                ASSERT_TRUE(
+                    starting_with(lines, "angle").values.ends_with(short_number(test::term(t, "weight"), digits)));
+                if (t.tested) {
                     const std::string answer = starting_with(lines, "the ray").values;
-                    ASSERT_EQ(answer.find(t.star_shaped ? "no" : "yes"), 0u);
+                    ASSERT_EQ(answer.find(t.penalised ? "yes" : "no"), 0u);
                 }
             }
             const auto between = pseudocode(session, std::nullopt);
-            const bool over = session.state().spent >= session.frame().budget;
+            const bool over = session.counters().spent >= session.problem().budget;
             ASSERT_TRUE(lit(between).text.starts_with(over ? "stop when" : "while")) << all_of(between);
             const auto size = test::sorted_front(test::marks(session)).size();
             ASSERT_EQ(starting_with(between, "while").values.find(std::to_string(size) + " cell"), 0u);
@@ -169,7 +172,7 @@ TEST(Pseudocode, TheBudgetStandsWhereTheSettingsPutIt) {
     test::Start start = test::random_start(random);
     start.settings.method = "published";
     for (const YesNo before : {YesNo::no, YesNo::yes}) {
-        start.settings.neighbours_before_break = before;
+        start.settings.parameters.set(neighbours_before_break_row(), word(before));
         const auto lines = pseudocode(start.session(), std::nullopt);
         EXPECT_EQ(&starting_with(lines, "stop when") > &starting_with(lines, "for each facet"), before == YesNo::yes);
     }
@@ -192,23 +195,32 @@ TEST(Pseudocode, OrdersOfPrimitives) {
                 ASSERT_TRUE(starting_with(popped, "render").values.empty());
                 ASSERT_TRUE(lit(rendered).text.starts_with("render"));
                 ASSERT_EQ(lit(rendered).text == "render them", method == "everything");
-                ASSERT_EQ(lit(rendered).values.find(std::to_string(session.state().rendered_count - before) + " prim"),
+                ASSERT_EQ(lit(rendered).values.find(std::to_string(session.counters().rendered_count - before) + " prim"),
                           0u);
                 const auto between = pseudocode(session, std::nullopt);
-                const bool over = session.state().spent >= session.frame().budget;
+                const bool over = session.counters().spent >= session.problem().budget;
                 ASSERT_TRUE(lit(between).text.starts_with(over ? "stop when" : "while")) << all_of(between);
                 ASSERT_EQ(starting_with(between, "while").values,
-                          std::to_string(all - session.state().offset) + " left");
-                before = session.state().rendered_count;
+                          std::to_string(all - session.counters().offset) + " left");
+                before = session.counters().rendered_count;
                 ++steps;
             }
         }
     EXPECT_GT(steps, 100);
 }
 
-/// A method that this file does not know shows its terms.
+/// A heuristic that says nothing of itself but its key.
+struct Silent {
+    static constexpr double seed_key = 0;
+    static constexpr OnReenqueue on_reenqueue = OnReenqueue::max;
+    template <int D>
+    Key key(const Problem<D>&, std::uint32_t, double key_a, const HalfFacet&) const {
+        return 2 * key_a + 1;
+    }
+};
+
 TEST(Pseudocode, AMethodFromAnotherTable) {
-    const std::array table{cell_method<2, LayerNumber>("mine", "my own", "a test's")};
+    const std::array table{cell_method<2, Silent>("mine", "my own", "a test's")};
     Random random(84);
     test::Start start = test::random_cell_start(random);
     start.settings.method = "mine";
@@ -216,20 +228,22 @@ TEST(Pseudocode, AMethodFromAnotherTable) {
     int keys = 0;
     while (session.step() == Stop::none)
         for (std::uint32_t substep = 2; substep < substep_count(session, session.position()); ++substep) {
-            const FacetExplanation facet = explain_step(session, session.position()).facets[substep - 2];
+            const Considered facet = explain_step(session, session.position()).looked_at[substep - 2];
             const auto lines = pseudocode(session, substep);
-            EXPECT_EQ(lines.back().values, facet.terms ? formula(*facet.terms, start.settings) : "");
-            keys += facet.terms.has_value();
+            EXPECT_EQ(lines.back().values, facet.key ? facet.key->formula() : "");
+            EXPECT_TRUE(!facet.key || facet.key->formula().starts_with("key = "));
+            keys += facet.key.has_value();
         }
     EXPECT_GT(keys, 0);
-    EXPECT_TRUE(has(all_of(pseudocode(session, std::nullopt)), "key(n, c): as my own has it"));
+    EXPECT_TRUE(has(all_of(pseudocode(session, std::nullopt)), "key(n, c): the key of n behind c"));
+    EXPECT_TRUE(has(all_of(pseudocode(session, std::nullopt)), "key(n, c) is higher"));
 }
 
 TEST(Pseudocode, NoSettingsShowALineThatCannotHappen) {
     Random random(85);
     test::Start start = test::random_cell_start(random);
-    start.settings.outside_view = OutsideView::enqueue;
-    start.settings.star_shaped = Switch::off;
+    apply_setting(start.settings, "outside_view=enqueue");
+    apply_setting(start.settings, "star_shaped=off");
     start.settings.method = "published";
     const std::string text = all_of(pseudocode(start.session(), std::nullopt));
     EXPECT_FALSE(has(text, "unseen") || has(text, "outside the view") || has(text, "the ray")) << text;

@@ -36,7 +36,7 @@ inline std::vector<IdImage> cast_rays(const Scene<3>& scene, const View<3>& view
                         hits.emplace_back(at, p);
             std::sort(hits.begin(), hits.end());
             for (std::size_t layer = 0; layer < images.size(); ++layer)
-                images[layer].ids.push_back(layer < hits.size() ? hits[layer].second : no_primitive);
+                images[layer].ids.push_back(layer < hits.size() ? hits[layer].second : none);
         }
     return images;
 }

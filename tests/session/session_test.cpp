@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/session.h"
+#include "core/session/settings_table.h"
 
 #include <gtest/gtest.h>
 
@@ -9,6 +10,7 @@
 #include "core/space/builders.h"
 #include "tests/scene/scene_support.h"
 #include "tests/session/session_3d_support.h"
+#include "tests/run/run_support.h"
 #include "tests/session/session_support.h"
 #include "tests/soak.h"
 
@@ -23,12 +25,10 @@ struct Forward {
 
 Forward forward_only(const test::Start& start) {
     const CellComplex<2> cells = build_cells(*start.scene, start.settings);
-    const Frame<2> frame = make_frame<2>(start.scene->primitives, cells, make_view(start.view), start.settings);
-    const Method<2>& method = find_method<2>(method_table<2>(), start.settings.method);
-    State<2> state;
-    method.start(frame, state);
-    Forward forward{{state_hash(state)}, Stop::none};
-    while ((forward.end = method.run(frame, state, 1)) == Stop::steps) forward.hashes.push_back(state_hash(state));
+    const Problem<2> problem = test::problem_of(*start.scene, cells, make_view(start.view), start.settings);
+    const auto run = find_method<2>(method_table<2>(), start.settings.method).start(problem);
+    Forward forward{{run->hash()}, Stop::none};
+    while ((forward.end = run->run(1)) == Stop::steps) forward.hashes.push_back(run->hash());
     return forward;
 }
 
@@ -344,12 +344,12 @@ TEST(Session, MarkersNamePenaltiesInversionsAndShares) {
         std::map<std::string, std::uint32_t> ticks;
         while (session.step() == Stop::none) {
             std::uint32_t penalised = 0;
-            for (const FacetExplanation& facet : explain_step(session, session.position()).facets)
-                penalised += facet.rule != Rule::kept && facet.terms && facet.terms->penalised();
+            for (const Considered& facet : explain_step(session, session.position()).looked_at)
+                penalised += Rule{facet.rule} != Rule::kept && facet.key && facet.key->penalised;
             if (penalised > 0) penalties.push_back({session.position(), penalised});
             for (const auto& [label, percent] : {std::pair{"1 %", 1}, {"2 %", 2}, {"5 %", 5}, {"10 %", 10}}) {
                 const double wanted = std::max(1.0, std::nearbyint(static_cast<double>(total) * percent / 100));
-                if (session.state().spent >= wanted) ticks.try_emplace(label, session.position());
+                if (session.counters().spent >= wanted) ticks.try_emplace(label, session.position());
             }
         }
         // Wherever the session stands, the markers are those of the whole recording.
@@ -392,7 +392,7 @@ TEST(Session, KeepsBookmarksNotesAndTheSelectionThroughChanges) {
     session.bookmarks = {{4, "here"}};
     session.selected_cell = session.cells().cell_count() - 1;
     Settings other = start.settings;
-    other.penalty = Penalty::add;
+    apply_setting(other, "penalty=add");
     session.change(other);
     EXPECT_EQ(session.selected_cell, session.cells().cell_count() - 1);
     EXPECT_EQ(session.bookmarks, (std::vector<Bookmark>{{4, "here"}}));
@@ -411,7 +411,7 @@ TEST(Session, WithoutPrimitivesItStillSteps) {
             apply_setting(settings, std::string("border=") + border);
             Session<2> session(std::make_shared<const Scene<2>>(), {{0, 0}, {1, 0}, 60}, settings);
             EXPECT_EQ(session.run(), Stop::front_empty);
-            EXPECT_EQ(session.state().rendered_count, 0u);
+            EXPECT_EQ(session.counters().rendered_count, 0u);
             EXPECT_FALSE(coverage(session.reference(), session.visible_rendered()));
             EXPECT_TRUE(session.inversions().empty());
             session.seek(0);

@@ -1,6 +1,6 @@
 // --settings FILE: what one program found out, the viewers take.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/settings/settings_file.h"
+#include "core/session/settings_file.h"
 #include "tests/viewer2d/viewer2d_support.h"
 
 namespace sightline {

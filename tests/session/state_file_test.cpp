@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/state_file.h"
+#include "core/session/settings_table.h"
 
 #include <gtest/gtest.h>
 
@@ -229,7 +230,7 @@ Json good_state() {
     session.freeze();
     session.set_view({{1, 2}, {3, 4}, 50});
     Session<2> other = session;
-    settings.penalty = Penalty::none;
+    apply_setting(settings, "penalty=none");
     other.change(settings);
     return Json::parse(state_json(session, {"84mm", 8, {"step 1", "end"}}, &other, Align::rendered));
 }

@@ -13,18 +13,15 @@ namespace sightline {
 namespace {
 
 std::set<std::uint32_t> rendered(const Session<2>& session) {
-    std::set<std::uint32_t> primitives;
-    for (std::uint32_t i = 0; i < session.state().touched_count; ++i)
-        if (session.state().touched[i] < State<2>::culled_bit) primitives.insert(session.state().touched[i]);
-    return primitives;
+    const std::vector<std::uint32_t> ids = rendered_ids(session.met());
+    return {ids.begin(), ids.end()};
 }
 
-/// Primitives that the state counts as met, by its own marks of them.
+/// Primitives that the run counts as met, by its own marks of them.
 std::set<std::uint32_t> met(const Session<2>& session) {
     std::set<std::uint32_t> primitives;
-    const auto& frames = session.state().primitive_frame;
-    for (std::uint32_t p = 0; p < frames.size(); ++p)
-        if (frames[p] == session.state().frame) primitives.insert(p);
+    for (std::uint32_t p = 0; p < session.scene().primitives.size(); ++p)
+        if (session.traversal().drawn().has(p)) primitives.insert(p);
     return primitives;
 }
 
@@ -42,12 +39,12 @@ TEST(Substep, MarksChangeFacetByFacet) {
         for (;;) {
             const auto before = test::marks(session);
             const auto rendered_before = rendered(session), met_before = met(session);
-            const Counters counters_before = session.state();
+            const Counters counters_before = session.counters();
             if (session.step() != Stop::none) break;
             const auto after = test::marks(session);
             const std::uint64_t hash = session.hash();
             const std::uint32_t step = session.position(), count = substep_count(session, step);
-            const std::uint32_t cell = session.timeline().steps[step - 1].cell;
+            const std::uint32_t cell = session.timeline().steps[step - 1].item.id;
             const auto facets = session.cells().facets_of(cell);
             ASSERT_TRUE(count == 2 || count == 2 + facets.size());
 
@@ -63,28 +60,28 @@ TEST(Substep, MarksChangeFacetByFacet) {
                 ASSERT_EQ(test::marks(middle), expected) << "scene " << i << " step " << step << "." << substep;
                 ASSERT_EQ(middle.position(), step);
                 ASSERT_EQ(middle.recorded(), session.recorded());
-                ASSERT_EQ(middle.state().front_size, test::sorted_front(expected).size());
+                ASSERT_EQ(middle.counters().front_size, test::sorted_front(expected).size());
                 std::uint32_t stamps = counters_before.next_stamp;
-                for (const CellMark& mark : expected)
+                for (const Mark& mark : expected)
                     if (mark.state == CellState::enqueued) stamps = std::max(stamps, mark.stamp + 1);
-                ASSERT_EQ(middle.state().next_stamp, stamps);
+                ASSERT_EQ(middle.counters().next_stamp, stamps);
                 const bool popped_only = substep == 0;
                 ASSERT_EQ(rendered(middle), popped_only ? rendered_before : rendered(session));
                 ASSERT_EQ(met(middle), popped_only ? met_before : met(session));
-                const Counters& counted = popped_only ? counters_before : session.state();
-                ASSERT_EQ(middle.state().rendered_count, counted.rendered_count);
-                ASSERT_EQ(middle.state().touched_count, counted.touched_count);
-                ASSERT_EQ(middle.state().spent, counted.spent);
+                const Counters& counted = popped_only ? counters_before : session.counters();
+                ASSERT_EQ(middle.counters().rendered_count, counted.rendered_count);
+                ASSERT_EQ(middle.counters().touched_count, counted.touched_count);
+                ASSERT_EQ(middle.counters().spent, counted.spent);
                 // What is told is what is done; later steps are told as ever.
                 const StepExplanation told = explain_step(middle, step);
                 ASSERT_EQ(told.rendered, counted.rendered_count - counters_before.rendered_count);
-                ASSERT_EQ(told.facets.size(), substep < 2 ? 0 : substep - 1);
-                for (const FacetExplanation& facet : told.facets)
-                    if (facet.rule == Rule::enqueued || facet.rule == Rule::reenqueued) {
-                        ASSERT_EQ(facet.terms->key, expected[facet.neighbour].key);
+                ASSERT_EQ(told.looked_at.size(), substep < 2 ? 0 : substep - 1);
+                for (const Considered& facet : told.looked_at)
+                    if (Rule{facet.rule} == Rule::enqueued || Rule{facet.rule} == Rule::reenqueued) {
+                        ASSERT_EQ(facet.key->key, expected[facet.item.id].key);
                     }
                 if (middle.recorded() > step) {
-                    const auto a = middle.timeline().facets_of(step + 1), b = session.timeline().facets_of(step + 1);
+                    const auto a = middle.timeline().changes_of(step + 1), b = session.timeline().changes_of(step + 1);
                     ASSERT_EQ(a.size(), b.size());
                     for (std::size_t k = 0; k < a.size(); ++k) ASSERT_EQ(a[k].rule, b[k].rule);
                 }

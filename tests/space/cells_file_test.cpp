@@ -9,8 +9,9 @@
 
 #include "core/base/error.h"
 #include "core/base/file.h"
-#include "core/settings/settings_table.h"
-#include "core/traversal/methods.h"
+#include "core/session/settings_table.h"
+#include "core/methods/method_table.h"
+#include "tests/run/run_support.h"
 #include "tests/scene/random_scene.h"
 #include "tests/soak.h"
 
@@ -188,11 +189,8 @@ void expect_safe(std::uint64_t seed) {
                 View<D> view;
                 if constexpr (D == 2) view = make_view(spec);
                 if constexpr (D == 3) view = make_view(spec, 1);
-                const Frame<D> frame = make_frame<D>(scene.primitives, cells, view, settings);
-                State<D> state;
                 const Method<D>& method = find_method<D>(method_table<D>(), settings.method);
-                method.start(frame, state);
-                method.run(frame, state, none);
+                method.start(test::problem_of(scene, cells, view, settings))->run(none);
                 ++used;
             } catch (const InputError&) {
                 ++refused;

@@ -115,7 +115,7 @@ Result visibility(const std::vector<Primitive<2>>& primitives, const View<2>& vi
         const double distance = to_double(cross(item.right, item.left)) / to_double(cross(d, whole));
         return view.eye + Vec<2>(distance * to_double(d.x), distance * to_double(d.y));
     };
-    std::uint32_t last = no_primitive;
+    std::uint32_t last = none;
     for (std::size_t k = 0; k + 1 < directions.size(); ++k) {
         // Neighbours are at most 90 degrees apart, so that their sum lies between them.
         const Vector<T> ray{directions[k].x + directions[k + 1].x, directions[k].y + directions[k + 1].y};
@@ -132,8 +132,8 @@ Result visibility(const std::vector<Primitive<2>>& primitives, const View<2>& vi
             std::uint32_t& layer = result.layers[hits[rank - 1].item->id];
             if (layer == 0 || rank < layer) layer = rank;
         }
-        const std::uint32_t owner = hits.empty() ? no_primitive : hits[0].item->id;
-        if (owner != no_primitive) {
+        const std::uint32_t owner = hits.empty() ? none : hits[0].item->id;
+        if (owner != none) {
             result.visible[owner] = 1;
             const Item<T>& item = *hits[0].item;
             if (owner != last) result.pieces.push_back({owner, point(item, directions[k]), {}});

@@ -94,8 +94,8 @@ public:
     bool undecided(std::uint32_t a, std::uint32_t b, int column, int row) const {
         const double x = column + 0.5, y = row + 0.5;
         for (const std::uint32_t id : {a, b})
-            if (id != no_primitive && edge_distance(id, x, y) <= 1.0 / 128) return true;
-        if (a == no_primitive || b == no_primitive) return false;
+            if (id != none && edge_distance(id, x, y) <= 1.0 / 128) return true;
+        if (a == none || b == none) return false;
         return covers(a, x, y) && covers(b, x, y) && same_depth(a, b, x, y);
     }
 

@@ -32,7 +32,7 @@ IdImage image_by_rays(const Scene<3>& scene, const View<3>& view) {
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x) {
             const auto along = judge.along(x, y);
-            image.ids.push_back(along.empty() ? no_primitive : along[0]);
+            image.ids.push_back(along.empty() ? none : along[0]);
         }
     return image;
 }
@@ -40,7 +40,7 @@ IdImage image_by_rays(const Scene<3>& scene, const View<3>& view) {
 class ImageReference : public ::testing::TestWithParam<Tessellation> {
 protected:
     CellComplex<3> cells_of(const Scene<3>& scene) const {
-        Settings settings;
+        TessellationSettings settings;
         settings.tessellation = GetParam();
         settings.error_bound = 0.15;
         return build_cells(scene, settings);
@@ -79,7 +79,7 @@ TEST_P(ImageReference, TheShareOfACellIsThatOfThePixelsWhosePointsLieInIt) {
         for (int y = 0; y < size.height; ++y)
             for (int x = 0; x < size.width; ++x) {
                 const std::uint32_t id = image.at(x, y);
-                if (id == no_primitive) continue;
+                if (id == none) continue;
                 ++covered;
                 const Vec<3> through = pixel_centre(view, size, x, y);
                 const Vec<3> p = view.eye + (through - view.eye) / judge.nearness(id, x + 0.5, y + 0.5);
@@ -123,15 +123,15 @@ TEST(ImageMeasures, APixelIsWrongWhenItsPrimitiveIsNotRendered) {
     const Scene<3> scene = furnished(2);
     const View<3> view = some_view();
     const Reference reference =
-        image_reference(image_by_rays(scene, view), scene, build_cells(scene, Settings{}), view);
+        image_reference(image_by_rays(scene, view), scene, build_cells(scene, TessellationSettings{}), view);
     Random random(3);
-    std::vector<std::uint32_t> touched;
+    std::vector<Met> touched;
     std::vector<bool> rendered(scene.primitives.size());
     for (std::uint32_t id = 0; id < scene.primitives.size(); ++id) {
         const std::uint64_t kind = random.below(3);
         rendered[id] = kind == 0;
-        if (kind == 0) touched.push_back(id);
-        if (kind == 1) touched.push_back(id | State<3>::culled_bit);
+        if (kind == 0) touched.push_back({id, false});
+        if (kind == 1) touched.push_back({id, true});
     }
     const Pixels picture = wrong_picture(reference, touched);
     EXPECT_EQ(picture.width, size.width);
@@ -140,7 +140,7 @@ TEST(ImageMeasures, APixelIsWrongWhenItsPrimitiveIsNotRendered) {
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x) {
             const std::uint32_t id = reference.image.at(x, y);
-            const bool right = id == no_primitive || rendered[id];
+            const bool right = id == none || rendered[id];
             wrong += !right;
             EXPECT_EQ(picture.at(x, y), right ? (Colour{255, 255, 255}) : (Colour{255, 0, 0})) << x << ' ' << y;
         }
@@ -150,7 +150,7 @@ TEST(ImageMeasures, APixelIsWrongWhenItsPrimitiveIsNotRendered) {
 }
 
 TEST(ImageMeasures, TheLayeringNumberIsThatOfTheFirstImageThatShowsIt) {
-    const std::uint32_t no = no_primitive;
+    const std::uint32_t no = none;
     const std::vector<IdImage> layers{{3, 1, {4, no, 1}}, {3, 1, {0, no, 4}}, {3, 1, {1, no, 2}}};
     EXPECT_EQ(layering_numbers(layers, 6), (std::vector<std::uint32_t>{2, 1, 3, 0, 1, 0}));
     EXPECT_EQ(layering_numbers(std::span<const IdImage>{}, 2), (std::vector<std::uint32_t>{0, 0}));

@@ -12,7 +12,6 @@ namespace sightline {
 namespace {
 
 using Ids = std::vector<std::uint32_t>;
-constexpr std::uint32_t none = no_primitive;
 
 View<2> look_round(const Vec<2>& eye) { return {eye, eye + Vec<2>(1, 0), 360, true, {}}; }
 /// 90 degrees towards +x.

@@ -4,8 +4,8 @@
 
 #include "core/scene/make/catalogue.h"
 #include "core/session/condition.h"
-#include "core/settings/settings_table.h"
-#include "core/traversal/methods.h"
+#include "core/session/settings_table.h"
+#include "core/methods/method_table.h"
 #include "shell/commands/command_table.h"
 #include "tests/scene/scene_support.h"
 #include "tests/viewer2d/viewer2d_support.h"

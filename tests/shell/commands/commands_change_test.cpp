@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/methods/plp/plp_parameters.h"
 #include "tests/shell/commands/commands_support.h"
 
 namespace sightline {
@@ -11,7 +12,7 @@ TEST_F(EachCommand, set) {
     EXPECT_EQ(session().settings().palette, Palette::print);
     EXPECT_TRUE(said.empty()) << "nothing was run again";
     run("set penalty=add");
-    EXPECT_EQ(session().settings().penalty, Penalty::add);
+    EXPECT_EQ(session().settings().parameters.text(penalty_row()), "add");
     ASSERT_EQ(said.size(), 1u);
     EXPECT_EQ(said[0].find("step 10 of "), 0u) << said[0];
     run("set error_bound=0.5");
@@ -19,19 +20,19 @@ TEST_F(EachCommand, set) {
 }
 
 TEST_F(EachCommand, cycle) {
-    const Penalty before = session().settings().penalty;
+    const std::string before(session().settings().parameters.text(penalty_row()));
     for (int i = 0; i < 3; ++i) {
         run("cycle penalty");
-        EXPECT_EQ(session().settings().penalty == before, i == 2);
+        EXPECT_EQ(session().settings().parameters.text(penalty_row()) == before, i == 2);
     }
     EXPECT_EQ(session().position(), 10u);
 }
 
 TEST_F(EachCommand, preset) {
     run("preset letter");
-    EXPECT_EQ(session().settings().view_vector, ViewVector::camera);
+    EXPECT_EQ(session().settings().parameters.text(view_vector_row()), "camera");
     run("preset default");
-    EXPECT_EQ(session().settings().view_vector, ViewVector::eye);
+    EXPECT_EQ(session().settings().parameters.text(view_vector_row()), "eye");
 }
 
 TEST_F(EachCommand, method) {

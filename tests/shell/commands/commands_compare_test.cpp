@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/methods/plp/plp_parameters.h"
 #include "core/base/file.h"
 #include "core/session/state_file.h"
 #include "shell/desk/moves.h"
@@ -17,9 +18,9 @@ TEST_F(EachCommand, compare) {
     EXPECT_EQ(session().method().id, "published");
     run("compare jitter=0.25,penalty=none");
     EXPECT_EQ(other().session.settings().jitter, 0.25);
-    EXPECT_EQ(other().session.settings().penalty, Penalty::none);
+    EXPECT_EQ(other().session.settings().parameters.text(penalty_row()), "none");
     run("compare preset:letter");
-    EXPECT_EQ(other().session.settings().view_vector, ViewVector::camera);
+    EXPECT_EQ(other().session.settings().parameters.text(view_vector_row()), "camera");
     run("compare streets");
     EXPECT_EQ(other().session.scene().id, "streets");
     run("set jitter=0.1; save " + file("right.json") + "; undo; compare " + file("right.json"));
@@ -35,7 +36,7 @@ TEST_F(EachCommand, compare) {
 TEST_F(EachCommand, align) {
     run("compare centroid; align rendered; seek 6");
     EXPECT_EQ(other().align, Align::rendered);
-    EXPECT_GE(other().session.state().rendered_count, session().state().rendered_count);
+    EXPECT_GE(other().session.counters().rendered_count, session().counters().rendered_count);
     EXPECT_NE(other().session.position(), 6u);
     const auto aligned = [&] {  // the line of the panel that says so
         std::string begins;

@@ -73,7 +73,7 @@ TEST_F(EachCommand, until) {
 }
 
 TEST_F(EachCommand, reach) {
-    const std::uint32_t cell = session().timeline().steps[3].cell;
+    const std::uint32_t cell = session().timeline().steps[3].item.id;
     run("reach " + std::to_string(cell));
     EXPECT_EQ(session().position(), 4u);
     run("seek 0; select " + std::to_string(cell) + "; reach selected");
@@ -81,7 +81,7 @@ TEST_F(EachCommand, reach) {
     Session<2> end = session();
     end.run();
     for (std::uint32_t c = 0; c < end.cells().cell_count(); ++c)
-        if (end.state().mark(c).state != CellState::projected) {
+        if (end.mark(c).state != CellState::projected) {
             run("reach " + std::to_string(c));
             EXPECT_NE(said.back().find("never projected"), std::string::npos);
             EXPECT_EQ(session().position(), 4u) << "it stays";

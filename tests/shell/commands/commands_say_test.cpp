@@ -20,12 +20,12 @@ TEST_F(EachCommand, explain) {
 
 TEST_F(EachCommand, front) {
     run("front");
-    EXPECT_EQ(said.size(), session().state().front_size + 1);
-    EXPECT_EQ(said[0], std::to_string(session().state().front_size) + " cells in the front, first to last");
+    EXPECT_EQ(said.size(), session().counters().front_size + 1);
+    EXPECT_EQ(said[0], std::to_string(session().counters().front_size) + " cells in the front, first to last");
     // The first of the list is what the next step takes.
     const std::string first = said.at(1);
     run("step; explain");
-    EXPECT_EQ(first.find("  1. cell " + std::to_string(session().timeline().steps[10].cell) + "  key "), 0u) << first;
+    EXPECT_EQ(first.find("  1. cell " + std::to_string(session().timeline().steps[10].item.id) + "  key "), 0u) << first;
 }
 
 TEST_F(EachCommand, inversions) {

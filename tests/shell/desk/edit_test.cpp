@@ -175,7 +175,7 @@ TEST(Edit, ANewSceneIsDrawnFromNothing) {
         add_segment(bench, random_segment(random));
         bench.session.run();
     }
-    EXPECT_GT(bench.session.state().rendered_count, 0u);
+    EXPECT_GT(bench.session.counters().rendered_count, 0u);
     for (int i = 0; i < 13; ++i) EXPECT_TRUE(undo(bench));
     EXPECT_FALSE(undo(bench)) << "one entry for the new scene";
     EXPECT_EQ(bench.session.shared_scene(), scene);

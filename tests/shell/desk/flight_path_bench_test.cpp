@@ -61,7 +61,7 @@ TEST_F(FlightPaths, ReplayingGoesThroughEveryFrameInBothSessionsWhileSettingsCha
         EXPECT_EQ(bench->session.hash(), expected(bench->session, frame));
     }
     EXPECT_EQ(bench->session.settings().method, "layers");
-    EXPECT_EQ(bench->session.state().rendered_count, 7u);
+    EXPECT_EQ(bench->session.counters().rendered_count, 7u);
     EXPECT_EQ(bench->other->session.settings().method, "centroid");
     EXPECT_EQ(bench->other->session.settings().shrink, 0.5) << "both are looked at in the same way";
     advance_flight(*bench, tick);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/session/explain.h"
+#include "core/session/settings_table.h"
 #include "core/session/substep.h"
 #include "shell/desk/moves.h"
 #include "shell/panels/panel_table.h"
@@ -116,7 +117,7 @@ TEST(Into, PanelsTellNoMoreThanIsDone) {
             }();
             EXPECT_FALSE(lit.empty());
             const Session<2> middle = bench.session.in_the_middle(*bench.substep);
-            EXPECT_EQ(front_rows(bench).size(), middle.state().front_size + 1);
+            EXPECT_EQ(front_rows(bench).size(), middle.counters().front_size + 1);
             if (*bench.substep == 1 && substep_count(bench.session, bench.session.position()) > 2) {
                 const auto part = why_rows(bench);
                 const auto where = bench.substep;
@@ -136,7 +137,7 @@ TEST(FrontPanel, TellsNeighboursApart) {
     for (int i = 0; i < 150; ++i) {
         test::Bench on(test::random_cell_start(random).session());
         on.bench.session.run(random.below(20));
-        const auto entries = front_entries(on.bench.session);
+        const auto entries = on.bench.session.traversal().front();
         const auto rows = front_rows(on.bench);
         ASSERT_EQ(rows.size(), entries.size() + 1);
         const auto key = [&](std::size_t k) {
@@ -145,7 +146,7 @@ TEST(FrontPanel, TellsNeighboursApart) {
             return text.substr(begin, text.find("  stamp") - begin);
         };
         for (std::size_t k = 1; k < entries.size(); ++k) {
-            const bool tie = entries[k].key == entries[k - 1].key;
+            const bool tie = entries[k].second.key == entries[k - 1].second.key;
             EXPECT_EQ(key(k) == key(k - 1), tie);
             EXPECT_EQ(rows[k + 1].text.ends_with("(tie, older stamp wins)"), tie);
             equal += tie;

@@ -36,7 +36,7 @@ public:
     EmbreeCaster(const EmbreeCaster&) = delete;
     EmbreeCaster& operator=(const EmbreeCaster&) = delete;
 
-    /// The nearest triangle that turns a seen side to the eye on the ray towards a point; no_primitive where none is.
+    /// The nearest triangle that turns a seen side to the eye on the ray towards a point; none where none is.
     std::uint32_t first(const Vec<3>& through) const {
         const Vec<3> direction = glm::normalize(through - eye_);
         RTCRayHit ray{};
@@ -52,7 +52,7 @@ public:
         RTCIntersectContext context;
         rtcInitIntersectContext(&context);
         rtcIntersect1(tree_, &context, &ray);
-        return ray.hit.geomID == RTC_INVALID_GEOMETRY_ID ? no_primitive : ray.hit.primID;
+        return ray.hit.geomID == RTC_INVALID_GEOMETRY_ID ? none : ray.hit.primID;
     }
 
 private:

@@ -48,9 +48,9 @@ TEST_F(GlIdLayers, TheLayersAreTheTrianglesAlongEachRayFromFrontToBack) {
                 if (!decided(judge, scene, along, x, y)) continue;
                 ++checked;
                 deepest = std::max(deepest, along.size());
-                along.resize(8, no_primitive);
+                along.resize(8, none);
                 for (std::size_t i = 0; i < 8; ++i)
-                    ASSERT_EQ(i < images.size() ? images[i].at(x, y) : no_primitive, along[i])
+                    ASSERT_EQ(i < images.size() ? images[i].at(x, y) : none, along[i])
                         << "layer " << i << " of pixel " << x << ' ' << y;
             }
         EXPECT_GT(checked, size.width * size.height * 7 / 10);
@@ -91,7 +91,7 @@ TEST_F(GlIdLayers, OfTrianglesThatCoincideTheLowestIdIsSeenAndTheOthersFollow) {
     ASSERT_EQ(images.size(), 3u);
     for (std::size_t i = 0; i < images[0].ids.size(); ++i) {
         const std::uint32_t first = images[0].ids[i];
-        if (first == no_primitive) continue;
+        if (first == none) continue;
         ASSERT_LT(first, 40u);
         ASSERT_EQ(images[1].ids[i], first + 40);
         ASSERT_EQ(images[2].ids[i], first + 80);
@@ -105,7 +105,7 @@ TEST_F(GlIdLayers, WhatTurnsItsBackIsNotThereUnlessItIsTwoSided) {
         return renderer->draw(scene, view_of(eye, 60), size, 1)[0].at(size.width / 2, size.height / 2);
     };
     EXPECT_EQ(seen({2, 0, 0}), 0u);
-    EXPECT_EQ(seen({-2, 0, 0}), no_primitive);
+    EXPECT_EQ(seen({-2, 0, 0}), none);
     scene.two_sided = {1};
     EXPECT_EQ(seen({-2, 0, 0}), 0u);
 }
@@ -132,7 +132,7 @@ TEST_F(GlIdLayers, AClosedRoomHasNoCracks) {
             for (Vec<3>& p : triangle) p = as_float(u * p.x + v * p.y + w * p.z);
         const View<3> view = make_view({around(random, {0, 0, 0}, 0.3), around(random, {0, 0, 0}, 1), 100}, 4.0 / 3);
         const IdImage image = renderer->draw(scene, view, {640, 480}, 1)[0];
-        EXPECT_EQ(std::count(image.ids.begin(), image.ids.end(), no_primitive), 0) << "room " << i;
+        EXPECT_EQ(std::count(image.ids.begin(), image.ids.end(), none), 0) << "room " << i;
     }
 }
 
@@ -156,7 +156,7 @@ TEST_F(GlIdLayers, SizesMayChangeAndImpossibleOnesAreRefusedInWords) {
 TEST_F(GlIdLayers, AnEmptySceneIsAnEmptyImage) {
     const auto images = renderer->draw(Scene<3>{}, view_of({-2, 0, 0}, 60), size, 8);
     ASSERT_EQ(images.size(), 1u);
-    EXPECT_TRUE(std::all_of(images[0].ids.begin(), images[0].ids.end(), [](auto id) { return id == no_primitive; }));
+    EXPECT_TRUE(std::all_of(images[0].ids.begin(), images[0].ids.end(), [](auto id) { return id == none; }));
 }
 
 TEST_F(GlIdLayers, AnyStateIsTakenAndTheOneThatIsPromisedIsLeft) {

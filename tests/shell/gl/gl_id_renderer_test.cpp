@@ -32,7 +32,7 @@ Comparison compare(const IdImage& image, const ImageJudge& judge, const Ray& ray
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x) {
             const std::uint32_t seen = image.at(x, y), met = ray(x, y);
-            found.covered += met != no_primitive;
+            found.covered += met != none;
             if (seen == met) continue;
             ++found.differ;
             if (judge.undecided(seen, met, x, y)) continue;
@@ -110,7 +110,7 @@ TEST_F(GlIdRenderer, NothingVanishesHoweverNearTheEye) {
         expect(compare(renderer->draw(scene, view, size, 1)[0], judge,
                        [&](int x, int y) {
                            const auto hits = judge.along(x, y);
-                           return hits.empty() ? no_primitive : hits[0];
+                           return hits.empty() ? none : hits[0];
                        }),
                0.1, 0.0005);
     }

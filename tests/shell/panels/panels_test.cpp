@@ -60,7 +60,7 @@ TEST(Panels, WhySaysTheKeyOfTheSelectedCellAndItsWayThere) {
     run_commands(bench, "step 6");
     for (std::uint32_t cell = 0; cell < bench.session.cells().cell_count(); ++cell) {
         run_commands(bench, "select " + std::to_string(cell));
-        const CellMark mark = bench.session.state().mark(cell);
+        const Mark mark = bench.session.mark(cell);
         const std::string text = panels_text(bench);
         EXPECT_NE(text.find("Selected: cell " + std::to_string(cell) + ", " +
                             std::string(cell_state_words[static_cast<std::size_t>(mark.state)])),
@@ -82,8 +82,8 @@ TEST(Panels, APrimitiveIsFoundWhereTheRunMeetsIt) {
     walk.seek(0);
     std::vector<std::uint32_t> met(walk.scene().primitives.size(), 0);
     while (walk.step() == Stop::none)
-        for (std::uint32_t i = walk.timeline().touched_before(walk.position()); i < walk.state().touched_count; ++i)
-            met[walk.state().touched[i] & ~State<2>::culled_bit] = walk.position();
+        for (const Met entry : walk.met().subspan(walk.timeline().before(walk.position()).touched_count))
+            met[entry.primitive()] = walk.position();
     for (std::uint32_t p = 0; p < met.size(); ++p) {
         const PrimitiveExplanation e = explain_primitive(bench.session, p);
         EXPECT_EQ(e.met_at, met[p]);

@@ -247,7 +247,7 @@ void Window3OffScreen::anything() {
 void Window3OffScreen::check() {
     const Session<3>& s = bench->session;
     EXPECT_LE(s.position(), s.recorded());
-    EXPECT_EQ(s.position(), s.flying() ? 0 : s.state().step);
+    EXPECT_EQ(s.position(), s.flying() ? 0 : s.traversal().steps());
     EXPECT_TRUE(s.selected_cell == none || s.selected_cell < s.cells().cell_count());
     EXPECT_TRUE(s.selected_primitive == none || s.selected_primitive < s.scene().primitives.size());
     EXPECT_NO_THROW(s.check(s.culling_view()));

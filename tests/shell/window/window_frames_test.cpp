@@ -250,7 +250,7 @@ void WindowOffScreen::arrange() {
 void WindowOffScreen::check(bool typed) {
     const Session<2>& s = bench->session;
     EXPECT_LE(s.position(), s.recorded());
-    EXPECT_EQ(s.position(), s.state().step);
+    EXPECT_EQ(s.position(), s.traversal().steps());
     EXPECT_TRUE(s.selected_cell == none || s.selected_cell < s.cells().cell_count());
     EXPECT_TRUE(s.selected_primitive == none || s.selected_primitive < s.scene().primitives.size());
     EXPECT_FALSE(bench->places.empty());

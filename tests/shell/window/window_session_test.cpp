@@ -72,7 +72,7 @@ TEST_F(WindowSession, FromTheFirstStepToTheFigureAndBack) {
         ASSERT_NE(s.selected_cell, none);
         ASSERT_TRUE(selected(now).starts_with(std::to_string(s.selected_cell) + ",")) << now.panels["Why"];
         const std::string solidity = now.after("Why", "solidity (key) ");
-        EXPECT_NEAR(std::stod("0" + solidity), s.state().mark(s.selected_cell).key, 1e-3) << now.panels["Why"];
+        EXPECT_NEAR(std::stod("0" + solidity), s.mark(s.selected_cell).key, 1e-3) << now.panels["Why"];
         EXPECT_EQ(hash_text(s.hash()), now.hash());
     }
 
@@ -101,7 +101,7 @@ TEST_F(WindowSession, FromTheFirstStepToTheFigureAndBack) {
         left.seek(none);
         right.seek(none);
         std::uint32_t same = 0;
-        while (left.timeline().steps[same].cell == right.timeline().steps[same].cell) ++same;
+        while (left.timeline().steps[same].item.id == right.timeline().steps[same].item.id) ++same;
         ASSERT_TRUE(is_at(same + 1));
     }
 

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/methods/cells/cell_base.h"
+
+#include <algorithm>
+
+#include "core/base/hash.h"
+#include "core/methods/cells/seed_cells.h"
+
+namespace sightline {
+
+template <int D>
+void CellBase<D>::begin_cells(double seed_key) {
+    marks_.begin(this->problem_.cells->cell_count());
+    front_.clear();
+    front_is_stale_ = false;
+    seeds_.clear();
+    for (const std::uint32_t seed : seed_cells(this->problem_)) {
+        seeds_.push_back(cell_item(seed));
+        enqueue(seed, seed_key);
+    }
+}
+
+template <int D>
+void CellBase<D>::enqueue(std::uint32_t cell, double key) {
+    Counters& counters = this->counters_;
+    counters.front_size += marks_[cell].state != CellState::enqueued;
+    marks_.set(cell, {key, counters.next_stamp, CellState::enqueued});
+    front_.push({key, counters.next_stamp, cell});
+    ++counters.next_stamp;
+}
+
+template <int D>
+const Front::Entry* CellBase<D>::front_top() {
+    if (front_is_stale_) {
+        front_.clear();
+        for (std::uint32_t cell = 0; cell < marks_.size(); ++cell)
+            if (const Mark mark = marks_[cell]; mark.state == CellState::enqueued)
+                front_.push({mark.key, mark.stamp, cell});
+        front_is_stale_ = false;
+    }
+    return front_.top([&](const Front::Entry& entry) { return marks_.is_enqueued(entry.cell, entry.stamp); });
+}
+
+template <int D>
+bool CellBase<D>::finished() const {
+    const Counters& counters = this->counters_;
+    return counters.spent >= this->problem_.budget || (counters.front_size == 0 && counters.partial_cell == none);
+}
+
+template <int D>
+void CellBase<D>::set_state(std::uint32_t cell, CellState to) {
+    Mark mark = marks_[cell];
+    mark.state = to;
+    marks_.set(cell, mark);
+}
+
+template <int D>
+void CellBase<D>::set_counters(const Counters& counters) {
+    this->counters_ = counters;
+    front_is_stale_ = true;
+}
+
+template <int D>
+bool CellBase<D>::move(Direction direction, const Step& step, std::span<Change> changes, const Counters& before) {
+    const auto exchange = [&](Change& change) {
+        const Mark here = marks_[change.id];
+        marks_.set(change.id, change.mark());
+        change.set_mark(here);
+    };
+    if (direction == Direction::back) {
+        // The last first: a cell may be reached through several facets.
+        std::for_each(changes.rbegin(), changes.rend(), exchange);
+        set_state(step.item.id, CellState::enqueued);
+        this->drawn_.take_back(before.touched_count, this->counters_.touched_count);
+        --this->steps_;
+        set_counters(before);
+    } else {
+        ++this->steps_;
+        set_state(step.item.id, CellState::projected);
+        std::for_each(changes.begin(), changes.end(), exchange);
+        this->drawn_.put_back(this->counters_.touched_count, step.after.touched_count);
+        set_counters(step.after);
+    }
+    return true;
+}
+
+template <int D>
+std::size_t CellBase<D>::facets_looked_across(const Step& step) const {
+    if (step.item.id == rewound_cell_) return rewound_facets_;
+    const bool neighbours_first = parameters_.neighbours_before_break == YesNo::yes;
+    if (!neighbours_first && step.after.partial_cell == step.item.id) return 0;
+    return this->problem_.cells->facets_of(step.item.id).size();
+}
+
+template <int D>
+std::uint32_t CellBase<D>::substeps(const Step& step, std::span<const Change>) const {
+    return first_facet_substep + static_cast<std::uint32_t>(facets_looked_across(step));
+}
+
+template <int D>
+void CellBase<D>::rewind_to(Step& step, std::vector<Change>& changes, const Counters& before, std::uint32_t substep) {
+    const auto facets = this->problem_.cells->facets_of(step.item.id);
+    rewound_cell_ = step.item.id;
+    rewound_facets_ = substep < first_facet_substep ? 0 : substep - first_facet_substep + 1;
+    const auto done = facets.first(rewound_facets_);
+    while (!changes.empty() && std::none_of(done.begin(), done.end(), [&](const HalfFacet& half) {
+        return half.facet() == changes.back().via;
+    })) {
+        marks_.set(changes.back().id, changes.back().mark());
+        changes.pop_back();
+    }
+    Counters& counters = this->counters_;
+    counters.front_size = before.front_size - 1;
+    counters.next_stamp = before.next_stamp;
+    for (const Change& change : changes) {
+        const Rule rule{change.rule};
+        counters.front_size += rule == Rule::enqueued;
+        counters.next_stamp += rule == Rule::enqueued || rule == Rule::reenqueued;
+    }
+    if (substep == 0) {
+        this->drawn_.take_back(before.touched_count, counters.touched_count);
+        counters.touched_count = before.touched_count;
+        counters.rendered_count = before.rendered_count;
+        counters.spent = before.spent;
+        counters.partial_cell = before.partial_cell;
+        counters.offset = before.offset;
+    }
+    front_is_stale_ = true;
+    step.after = counters;
+}
+
+template <int D>
+std::size_t CellBase<D>::memory_bytes() const {
+    return marks_.memory_bytes() + this->drawn_.memory_bytes();
+}
+
+template <int D>
+std::uint64_t CellBase<D>::hash() const {
+    Hash hash;
+    for (std::uint32_t cell = 0; cell < marks_.size(); ++cell) add_mark(hash, marks_[cell]);
+    add_run(hash, *this);
+    return hash.value();
+}
+
+template <int D>
+std::vector<std::pair<Item, Mark>> CellBase<D>::front() const {
+    std::vector<std::pair<Item, Mark>> waiting;
+    waiting.reserve(this->counters_.front_size);
+    for (std::uint32_t cell = 0; cell < marks_.size(); ++cell)
+        if (const Mark mark = marks_[cell]; mark.state == CellState::enqueued)
+            waiting.emplace_back(cell_item(cell), mark);
+    std::sort(waiting.begin(), waiting.end(), [](const auto& a, const auto& b) { return comes_before(a.second, b.second); });
+    return waiting;
+}
+
+template <int D>
+std::vector<Considered> CellBase<D>::considered(const Step& step, std::span<const Change> changes, int digits) const {
+    std::vector<Considered> all;
+    if (step.item.kind != Kind::cell) return all;
+    const double key = marks_[step.item.id].key;
+    for (const HalfFacet& half : this->problem_.cells->facets_of(step.item.id).first(facets_looked_across(step))) {
+        Considered& c = all.emplace_back();
+        c.from = step.item;
+        c.item = cell_item(half.neighbour);
+        c.via = facet_item(half.facet());
+        Rule rule = Rule::border;
+        if (!changes.empty() && changes.front().via == half.facet()) {
+            rule = Rule{changes.front().rule};
+            c.effect = rule == Rule::kept ? Effect::kept : Effect::changed;
+            c.before = changes.front().mark();
+            if (rule != Rule::marked_unseen) c.key = explain_key(step.item.id, key, half, digits);
+            changes = changes.subspan(1);
+        } else if (half.neighbour != none) {
+            c.before = marks_[half.neighbour];
+            rule = c.before.state == CellState::unseen ? Rule::unseen : Rule::projected;
+        }
+        c.rule = static_cast<std::uint8_t>(rule);
+        c.words = rule_words(c.rule);
+    }
+    return all;
+}
+
+template <int D>
+std::string CellBase<D>::why_not(const Item& item) const {
+    if (item.kind != Kind::cell) return {};
+    const Mark own = marks_[item.id];
+    if (own.state == CellState::projected || own.state == CellState::enqueued) return {};
+    if (own.state == CellState::unseen) return "it lies outside the view";
+    std::uint32_t best = none, unseen = 0, neighbours = 0;
+    for (const HalfFacet& half : this->problem_.cells->facets_of(item.id)) {
+        if (half.neighbour == none) continue;
+        ++neighbours;
+        const Mark mark = marks_[half.neighbour];
+        unseen += mark.state == CellState::unseen;
+        if (mark.state == CellState::enqueued && (best == none || comes_before(mark, marks_[best])))
+            best = half.neighbour;
+    }
+    if (best != none) {
+        std::uint32_t rank = 1;
+        for (std::uint32_t other = 0; other < marks_.size(); ++other)
+            rank += marks_[other].state == CellState::enqueued && comes_before(marks_[other], marks_[best]);
+        return "no neighbour is projected yet; the first will be cell " + std::to_string(best) + ", number " +
+               std::to_string(rank) + " in the front";
+    }
+    if (unseen == neighbours) return "all its neighbours lie outside the view";
+    if (this->counters_.partial_cell != none)
+        return "the budget ended before the neighbours of the last cell were added";
+    return "the front has not come near: none of its neighbours is in it";
+}
+
+template class CellBase<2>;
+template class CellBase<3>;
+
+}  // namespace sightline

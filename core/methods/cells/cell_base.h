@@ -1,0 +1,75 @@
+// The state of a traversal of cells, and all that does not depend on how keys are computed: undo, substeps, what a step
+// looked at.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/methods/cells/cell_marks.h"
+#include "core/methods/cells/cell_parameters.h"
+#include "core/methods/cells/cell_rules.h"
+#include "core/methods/cells/front.h"
+#include "core/run/run.h"
+
+namespace sightline {
+
+/// Substeps of a step: 0 takes the cell out of the front, 1 renders its primitives, 2 + i looks across its facet i.
+inline constexpr std::uint32_t first_facet_substep = 2;
+
+template <int D>
+class CellBase : public Run<D> {
+public:
+    using Run<D>::mark;
+
+    bool finished() const override;
+    bool undoes_by_marks() const override { return true; }
+    bool move(Direction, const Step&, std::span<Change>, const Counters& before) override;
+    std::uint32_t substeps(const Step&, std::span<const Change>) const override;
+    void rewind_to(Step&, std::vector<Change>&, const Counters& before, std::uint32_t substep) override;
+    std::size_t memory_bytes() const override;
+
+    std::uint64_t hash() const override;
+    Mark mark(const Item& item) const override { return item.kind == Kind::cell ? marks_[item.id] : Mark{}; }
+    std::vector<std::pair<Item, Mark>> front() const override;
+    std::span<const Item> seeds() const override { return seeds_; }
+
+    std::string_view rule_words(std::uint8_t rule) const override { return sightline::rule_words[rule]; }
+    std::vector<Considered> considered(const Step&, std::span<const Change>, int digits) const override;
+    std::string why_not(const Item&) const override;
+    std::vector<CodeLine> code(const CodePlace&) const override;
+
+protected:
+    explicit CellBase(const Problem<D>& problem) : Run<D>(problem), parameters_(problem.parameters) {}
+    CellBase(const CellBase&) = default;
+
+    /// Empties all and puts the seed cells into the front.
+    void begin_cells(double seed_key);
+    void enqueue(std::uint32_t cell, double key);
+    /// The first entry of the front, or nullptr when it is empty. Rebuilds the front from the marks after an undo.
+    const Front::Entry* front_top();
+
+    /// The key that a cell `a` with key `key_a` gives to the cell behind its facet.
+    virtual KeyExplanation explain_key(std::uint32_t a, double key_a, const HalfFacet& half, int digits) const = 0;
+    /// What happens to a cell in the front that is reached again.
+    virtual OnReenqueue reenqueue_rule() const = 0;
+    /// The lines below "key(n, c): …"; the first line says what the key is. `explained`: of the facet at hand.
+    virtual void add_key_lines(std::vector<CodeLine>& lines, const KeyExplanation* explained, int digits) const = 0;
+
+    CellParameters parameters_;
+    CellMarks marks_;
+    Front front_;
+    bool front_is_stale_ = false;  ///< marks were put back by an undo: rebuild the front before using it
+    std::vector<Item> seeds_;
+
+private:
+    void set_state(std::uint32_t cell, CellState to);
+    void set_counters(const Counters& counters);
+    /// Facets of the popped cell that the step looked across, from the first on.
+    std::size_t facets_looked_across(const Step& step) const;
+
+    std::uint32_t rewound_cell_ = none;  ///< the cell of the step that rewind_to cut, and how many of its facets
+    std::size_t rewound_facets_ = 0;     ///< the step had looked across there
+};
+
+extern template class CellBase<2>;
+extern template class CellBase<3>;
+
+}  // namespace sightline

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/methods/cells/cell_parameters.h"
+
+namespace sightline {
+
+const ParameterRow& outside_view_row() {
+    static const ParameterRow row = choice_row("outside_view", OutsideView::unseen, "gem, add_neighbors_to_front",
+                                               "cells outside the view are marked unseen, or enqueued like others");
+    return row;
+}
+
+const ParameterRow& neighbours_before_break_row() {
+    static const ParameterRow row =
+        choice_row("neighbours_before_break", YesNo::yes, "TVCG fig. 4, lines 4-6",
+                   "when the budget ends inside a cell, its neighbours are still enqueued");
+    return row;
+}
+
+const ParameterRow& seeds_row() {
+    static const ParameterRow row =
+        choice_row("seeds", Seeds::one, "docs/algorithm.md, seeds",
+                   "an eye outside starts from the nearest cell, or from every hull cell that faces it");
+    return row;
+}
+
+const ParameterRow& on_reenqueue_row() {
+    static const ParameterRow row =
+        choice_row("on_reenqueue", OnReenqueue::replace, "TVCG fig. 4, line 10",
+                   "a cell already in the front takes the new key, the smaller or the larger");
+    return row;
+}
+
+}  // namespace sightline

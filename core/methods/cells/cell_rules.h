@@ -1,0 +1,25 @@
+// What can happen to the neighbour across a facet of the cell just projected (TVCG fig. 4, lines 6-10).
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+namespace sightline {
+
+/// Change::rule of methods that order cells. Those that leave the neighbour alone (border, projected, unseen) are not
+/// recorded: they follow from the marks, since a projected or unseen cell stays one.
+enum class Rule : std::uint8_t {
+    border,         ///< there is no neighbour
+    projected,      ///< projected before: left alone
+    enqueued,       ///< was clean: now in the front
+    reenqueued,     ///< was in the front: now there with the new key and a new stamp
+    kept,           ///< was in the front and keeps its key (on_reenqueue = min or max, or a method without updates)
+    marked_unseen,  ///< was clean and lies outside the view: now unseen
+    unseen,         ///< found outside the view before: left alone
+};
+inline constexpr auto rule_words = std::to_array<std::string_view>(
+    {"border", "projected before", "enqueued", "re-enqueued", "kept", "marked unseen", "unseen before"});
+
+}  // namespace sightline

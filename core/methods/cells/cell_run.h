@@ -1,0 +1,254 @@
+// The traversal: RenderingLoop of TVCG fig. 4 (TR fig. 5) with a heuristic for the keys. One step is one pop; one, n
+// or all steps run the same code.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/number.h"
+#include "core/methods/cells/cell_base.h"
+#include "core/space/cell_in_view.h"
+
+namespace sightline {
+
+/// What a heuristic computes. A plain number is a key without a penalty.
+struct Key {
+    double value = 0;
+    bool penalty = false;
+    Key(double key, bool has_penalty = false) : value(key), penalty(has_penalty) {}
+};
+
+namespace detail {
+
+inline void prefetch([[maybe_unused]] const void* address) {
+#if defined(__GNUC__)
+    __builtin_prefetch(address);
+#endif
+}
+
+/// Sinks of the traversal: one that records, and one that is compiled away.
+struct RecordingSink {
+    static constexpr bool enabled = true;
+    Recorder& recorder;
+};
+struct NoSink {
+    static constexpr bool enabled = false;
+};
+
+}  // namespace detail
+
+/// A heuristic has three members: the key of the seed cell, what happens to a cell in the front that is reached again,
+/// and the key of a cell:
+///     static constexpr double seed_key;
+///     static constexpr OnReenqueue on_reenqueue;   // or a member, where a parameter says it
+///     template <int D>
+///     Key key(const Problem<D>&, std::uint32_t a, double key_a, const HalfFacet& half) const;
+/// `a` was just projected with key `key_a`; `half` is its facet towards the cell that gets the key. The heuristic is
+/// made from the problem where it has such a constructor. It may say more of itself (plp/published.h is the model):
+///     KeyExplanation explain(problem, a, key_a, half, digits) const;
+///     void add_key_lines(std::vector<CodeLine>&, const KeyExplanation*, int digits) const;
+///     static constexpr std::string_view key_title;
+template <int D, typename Heuristic>
+class CellRun final : public CellBase<D> {
+public:
+    explicit CellRun(const Problem<D>& problem) : CellBase<D>(problem), heuristic_(made_from(problem)) {
+        this->begin_cells(Heuristic::seed_key);
+    }
+
+    bool restart(const Problem<D>& problem) override {
+        this->begin(problem);
+        this->parameters_ = CellParameters(problem.parameters);
+        heuristic_ = made_from(problem);
+        this->begin_cells(Heuristic::seed_key);
+        return true;
+    }
+
+    Stop run(std::uint32_t steps, Recorder* recorder) override {
+        return recorder ? loop(steps, detail::RecordingSink{*recorder}) : loop(steps, detail::NoSink{});
+    }
+
+    std::unique_ptr<Run<D>> clone() const override { return std::make_unique<CellRun>(*this); }
+
+    std::span<const Field<D>> fields() const override {
+        static const auto table = std::to_array<Field<D>>(
+            {{"rho", key_title(), "the key of the cell",
+              [](const Run<D>& run, const Item& item) -> std::optional<double> {
+                  const Mark mark = run.mark(item);
+                  if (mark.state != CellState::enqueued && mark.state != CellState::projected) return std::nullopt;
+                  return mark.key;
+              }},
+             {"count", "primitives in the cell |A|", "|A|, the primitives in the cell",
+              [](const Run<D>& run, const Item& item) -> std::optional<double> {
+                  if (item.kind != Kind::cell) return std::nullopt;
+                  return run.problem().cells->count(item.id);
+              }}});
+        return table;
+    }
+
+private:
+    static Heuristic made_from(const Problem<D>& problem) {
+        if constexpr (std::is_constructible_v<Heuristic, const Problem<D>&>)
+            return Heuristic(problem);
+        else
+            return Heuristic{};
+    }
+    static constexpr std::string_view key_title() {
+        if constexpr (requires { Heuristic::key_title; })
+            return Heuristic::key_title;
+        else
+            return "key";
+    }
+
+    template <typename Sink>
+    Stop loop(std::uint32_t steps, Sink sink) {
+        const std::uint64_t end = std::uint64_t{this->steps_} + steps;
+        while (this->steps_ < end)
+            if (const Stop stop = step(sink); stop != Stop::none) return stop;
+        return Stop::steps;
+    }
+
+    /// One pop, or the rest of the cell that the budget left partly rendered. Stop::none when a step was made.
+    template <typename Sink>
+    Stop step(Sink& sink) {
+        Counters& counters = this->counters_;
+        std::uint32_t cell = counters.partial_cell;
+        if (counters.spent >= this->problem_.budget) return Stop::budget;
+        if (cell == none) {
+            const Front::Entry* top = this->front_top();
+            if (!top) return Stop::front_empty;
+            cell = top->cell;
+            const Mark mark{top->key, top->stamp, CellState::projected};
+            this->front_.pop();
+            --counters.front_size;
+            this->marks_.set(cell, mark);
+            ++this->steps_;
+            prefetch_step(cell);
+            prefetch_row_begins(cell);
+            if constexpr (Sink::enabled) {
+                const Front::Entry* next = this->front_top();
+                sink.recorder.popped(cell_item(cell), mark, next ? cell_item(next->cell) : Item{},
+                                     next ? next->key : 0);
+            }
+        }
+        go_on_with(cell, sink);
+        prefetch_rows(cell);
+        if constexpr (Sink::enabled) sink.recorder.finished(counters);
+        return Stop::none;
+    }
+
+    /// Projects the popped or partly rendered cell and adds its neighbours, as far as the budget allows.
+    template <typename Sink>
+    void go_on_with(std::uint32_t cell, Sink& sink) {
+        Counters& counters = this->counters_;
+        const bool resumed = counters.partial_cell == cell;
+        const bool neighbours_first = this->parameters_.neighbours_before_break == YesNo::yes;
+        const bool done = project(cell);
+        // "no" is the papers' break: the budget ends the loop before the neighbours, even at the end of a cell.
+        const bool broken = neighbours_first ? !done : counters.spent >= this->problem_.budget;
+        if (neighbours_first ? !resumed : !broken) add_neighbours(cell, sink);
+        counters.partial_cell = broken ? cell : none;
+        if (!broken) counters.offset = 0;
+    }
+
+    /// fig. 4, line 3: renders from `offset` on. True when the cell is done, false when the budget ended inside it.
+    bool project(std::uint32_t cell) {
+        const auto primitives = this->problem_.cells->primitives_of(cell);
+        std::uint32_t& offset = this->counters_.offset;
+        for (; offset < primitives.size(); ++offset)
+            if (!this->meet(primitives[offset], true)) return false;
+        return true;
+    }
+
+    /// fig. 4, lines 6-10.
+    template <typename Sink>
+    void add_neighbours(std::uint32_t cell, Sink& sink) {
+        const double key_a = this->marks_[cell].key;
+        for (const HalfFacet& half : this->problem_.cells->facets_of(cell)) {
+            const std::uint32_t n = half.neighbour;
+            if (n == none) continue;
+            const Mark before = this->marks_[n];
+            if (before.state == CellState::projected || before.state == CellState::unseen) continue;
+            Rule rule = Rule::kept;
+            [[maybe_unused]] bool penalty = false;
+            if (before.state == CellState::clean) {
+                if (this->parameters_.outside_view == OutsideView::unseen &&
+                    !cell_in_view(*this->problem_.cells, this->problem_.view, n)) {
+                    this->marks_.set(n, {0, 0, CellState::unseen});
+                    rule = Rule::marked_unseen;
+                } else {
+                    const Key key = heuristic_.key(this->problem_, cell, key_a, half);
+                    this->enqueue(n, key.value);
+                    rule = Rule::enqueued;
+                    penalty = key.penalty;
+                }
+            } else if (heuristic_.on_reenqueue != OnReenqueue::never) {
+                const OnReenqueue on = heuristic_.on_reenqueue;
+                const Key key = heuristic_.key(this->problem_, cell, key_a, half);
+                if (on == OnReenqueue::replace || (on == OnReenqueue::min && key.value < before.key) ||
+                    (on == OnReenqueue::max && key.value > before.key)) {
+                    this->enqueue(n, key.value);
+                    rule = Rule::reenqueued;
+                }
+                penalty = key.penalty;
+            }
+            if constexpr (Sink::enabled)
+                sink.recorder.changed(cell_item(n), before, static_cast<std::uint8_t>(rule), half.facet(), penalty);
+        }
+    }
+
+    // The pops jump about in space, so that most of a step's time goes into waiting for memory, one row after the
+    // other. The three functions below ask for it ahead; they change nothing else.
+
+    /// Where the rows of the cell that is likely to be next begin.
+    void prefetch_row_begins(std::uint32_t cell) const {
+        const CellComplex<D>& cells = *this->problem_.cells;
+        const std::uint32_t next = this->front_.likely_next(cell);
+        if (!cells.cell_facet_begin.empty()) detail::prefetch(&cells.cell_facet_begin[next]);
+        detail::prefetch(&cells.cell_primitive_begin[next]);
+    }
+
+    /// The rows themselves.
+    void prefetch_rows(std::uint32_t cell) const {
+        const std::uint32_t next = this->front_.likely_next(cell);
+        detail::prefetch(this->problem_.cells->facets_of(next).data());
+        detail::prefetch(this->problem_.cells->primitives_of(next).data());
+    }
+
+    /// What the rows of the popped cell point at.
+    void prefetch_step(std::uint32_t cell) const {
+        const CellComplex<D>& cells = *this->problem_.cells;
+        for (const HalfFacet& half : cells.facets_of(cell)) {
+            if (half.neighbour == none) continue;
+            detail::prefetch(this->marks_.address_of(half.neighbour));
+            detail::prefetch(cells.corners_of(half.neighbour).data());
+            detail::prefetch(cells.points_of_facet(half.facet()).data());
+        }
+        for (const std::uint32_t primitive : cells.primitives_of(cell))
+            detail::prefetch(this->drawn_.address_of(primitive));
+    }
+
+    KeyExplanation explain_key(std::uint32_t a, double key_a, const HalfFacet& half, int digits) const override {
+        if constexpr (requires { heuristic_.explain(this->problem_, a, key_a, half, digits); }) {
+            return heuristic_.explain(this->problem_, a, key_a, half, digits);
+        } else {
+            const Key key = heuristic_.key(this->problem_, a, key_a, half);
+            KeyExplanation e;
+            e.key = key.value;
+            e.sum = "key = " + short_number(key.value, digits);
+            e.weightiest = "its key, " + short_number(key.value, digits);
+            e.terms = {{"handed_on", key_a, {}}, {"key", key.value, {}}};
+            return e;
+        }
+    }
+    OnReenqueue reenqueue_rule() const override { return heuristic_.on_reenqueue; }
+    void add_key_lines(std::vector<CodeLine>& lines, const KeyExplanation* explained, int digits) const override {
+        if constexpr (requires { heuristic_.add_key_lines(lines, explained, digits); }) {
+            heuristic_.add_key_lines(lines, explained, digits);
+        } else {
+            lines.push_back({"key(n, c): the " + std::string(key_title()) + " of n behind c", 0, false, {}, {}});
+            lines.push_back({"as the method computes it", 1, false, explained ? explained->sum : std::string(), {}});
+        }
+    }
+
+    Heuristic heuristic_;
+};
+
+}  // namespace sightline

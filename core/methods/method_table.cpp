@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/methods/method_table.h"
+
+#include <algorithm>
+
+#include "core/methods/cells/cell_method.h"
+#include "core/methods/formula/formula_heuristic.h"
+#include "core/methods/layers/layers.h"
+#include "core/methods/orders/orders.h"
+#include "core/methods/plp/published.h"
+
+namespace sightline {
+
+namespace {
+
+template <int D>
+std::vector<Method<D>> rows() {
+    std::vector<Method<D>> table;
+    table.push_back(cell_method<D, PublishedSolidity<D>>(
+        "published", "PLP", "Prioritized-Layered Projection with accumulated solidity (TVCG 2000)",
+        plp_parameter_rows()));
+    table.push_back(
+        cell_method<D, LayerNumber>("layers", "layers", "cells by their distance from the seed in facets (the gem)"));
+    table.push_back(order_method<D>("centroid", "centroid order",
+                                    "primitives by the distance of their centroid (TVCG 4.5)", centroid_order<D>()));
+    table.back().aliases = {"distance"};
+    table.push_back(order_method<D>("view", "view culling", "primitives in the view, in the order of the scene",
+                                    scene_order_in_view<D>()));
+    table.back().budgeted = false;
+    table.push_back(
+        order_method<D>("everything", "everything", "all primitives, in the order of the scene", scene_order<D>()));
+    table.back().budgeted = false;
+    table.push_back(cell_method<D, FormulaHeuristic<D>>("formula", "formula",
+                                                        "cells by an expression of your own: formula key=content+hops",
+                                                        formula_parameter_rows()));
+    table.back().compared = false;
+    table.push_back(order_method<D>("perfect", "perfect order",
+                                    "the visible primitives alone, nearest first: no method can do better",
+                                    perfect_order<D>()));
+    table.back().needs.visible_set = true;
+    table.back().compared = false;
+    return table;
+}
+
+}  // namespace
+
+template <>
+std::span<const Method<2>> method_table<2>() {
+    static const std::vector<Method<2>> table = rows<2>();
+    return table;
+}
+
+template <>
+std::span<const Method<3>> method_table<3>() {
+    static const std::vector<Method<3>> table = rows<3>();
+    return table;
+}
+
+std::span<const ParameterRow* const> all_parameters() {
+    static const std::vector<const ParameterRow*> all = [] {
+        std::vector<const ParameterRow*> found;
+        const auto add = [&](const auto& table) {
+            for (const auto& method : table)
+                for (const ParameterRow* row : method.parameters)
+                    if (std::none_of(found.begin(), found.end(),
+                                     [&](const ParameterRow* other) { return other->name == row->name; }))
+                        found.push_back(row);
+        };
+        add(method_table<2>());
+        add(method_table<3>());
+        return found;
+    }();
+    return all;
+}
+
+}  // namespace sightline

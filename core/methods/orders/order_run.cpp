@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/methods/orders/order_run.h"
+
+namespace sightline {
+
+template <int D>
+OrderRun<D>::OrderRun(const Problem<D>& problem, const PrimitiveOrder<D>& order)
+    : Run<D>(problem), order_(order), primitives_(order.primitives(problem)) {}
+
+template <int D>
+bool OrderRun<D>::restart(const Problem<D>& problem) {
+    this->begin(problem);
+    primitives_ = order_.primitives(problem);
+    return true;
+}
+
+/// One batch of the order, or the rest of the batch that the budget cut.
+template <int D>
+Stop OrderRun<D>::batch(Recorder* recorder) {
+    std::uint32_t& offset = this->counters_.offset;
+    if (offset >= primitives_.size()) return Stop::front_empty;
+    if (this->counters_.spent >= this->problem_.budget) return Stop::budget;
+    if (offset % primitive_batch == 0) {
+        ++this->steps_;
+        if (recorder) recorder->popped({}, {});
+    }
+    do {
+        if (!this->meet(primitives_[offset], order_.culls)) break;
+        ++offset;
+    } while (offset < primitives_.size() && offset % primitive_batch != 0);
+    if (recorder) recorder->finished(this->counters_);
+    return Stop::none;
+}
+
+template <int D>
+Stop OrderRun<D>::run(std::uint32_t steps, Recorder* recorder) {
+    const std::uint64_t end = std::uint64_t{this->steps_} + steps;
+    while (this->steps_ < end)
+        if (const Stop stop = batch(recorder); stop != Stop::none) return stop;
+    return Stop::steps;
+}
+
+template <int D>
+bool OrderRun<D>::finished() const {
+    return this->counters_.spent >= this->problem_.budget || this->counters_.offset >= primitives_.size();
+}
+
+template <int D>
+bool OrderRun<D>::move(Direction direction, const Step& step, std::span<Change>, const Counters& before) {
+    if (direction == Direction::back) {
+        this->drawn_.take_back(before.touched_count, this->counters_.touched_count);
+        --this->steps_;
+        this->counters_ = before;
+    } else {
+        ++this->steps_;
+        this->drawn_.put_back(this->counters_.touched_count, step.after.touched_count);
+        this->counters_ = step.after;
+    }
+    return true;
+}
+
+template <int D>
+void OrderRun<D>::rewind_to(Step& step, std::vector<Change>&, const Counters& before, std::uint32_t) {
+    this->drawn_.take_back(before.touched_count, this->counters_.touched_count);
+    step.after = this->counters_ = before;
+}
+
+template <int D>
+std::size_t OrderRun<D>::memory_bytes() const {
+    return primitives_.capacity() * sizeof(std::uint32_t) + this->drawn_.memory_bytes();
+}
+
+template <int D>
+std::uint64_t OrderRun<D>::hash() const {
+    Hash hash;
+    // Of a form with traversals of cells: every cell is clean.
+    for (std::uint32_t cell = 0; cell < this->problem_.cells->cell_count(); ++cell) add_mark(hash, {});
+    add_run(hash, *this);
+    return hash.value();
+}
+
+template <int D>
+Misses OrderRun<D>::misses() const {
+    return this->counters_.offset >= primitives_.size() ? order_.promise : Misses::may;
+}
+
+template <int D>
+std::string OrderRun<D>::why_not(const Item& item) const {
+    return item.kind == Kind::cell ? "the method orders primitives, not cells" : "";
+}
+
+template <int D>
+std::vector<CodeLine> OrderRun<D>::code(const CodePlace& at) const {
+    const Counters& counters = this->counters_;
+    const bool in_step = at.in_step(), popping = in_step && *at.substep == 0, rendering = in_step && !popping;
+    std::vector<CodeLine> lines;
+    lines.push_back({std::string(order_.code), 0, false, {}, std::string(order_.source)});
+    lines.back().values = std::to_string(primitives_.size()) + " primitives";
+    lines.push_back(
+        {"while some are left:", 0, !in_step && counters.spent < this->problem_.budget, {}, {}});
+    if (!in_step) lines.back().values = std::to_string(primitives_.size() - counters.offset) + " left";
+    lines.push_back({"take the next " + std::to_string(primitive_batch), 1, popping, {}, {}});
+    if (in_step)
+        lines.back().values =
+            "from number " + std::to_string(std::size_t{at.number - 1} * primitive_batch + 1) + " of the order";
+    lines.push_back({order_.culls ? "render those in view" : "render them", 1, rendering, {}, {}});
+    if (rendering)
+        lines.back().values = std::to_string(at.rendered) + (at.rendered == 1 ? " primitive" : " primitives");
+    lines.push_back(budget_line(*this, 1, "", popping, in_step));
+    lines.back().source.clear();
+    return lines;
+}
+
+template class OrderRun<2>;
+template class OrderRun<3>;
+
+}  // namespace sightline

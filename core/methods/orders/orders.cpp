@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/methods/orders/orders.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "core/base/error.h"
+
+namespace sightline {
+
+namespace {
+
+template <int D>
+std::vector<std::uint32_t> in_scene_order(const Problem<D>& problem) {
+    std::vector<std::uint32_t> order(problem.primitives().size());
+    std::iota(order.begin(), order.end(), 0u);
+    return order;
+}
+
+/// Those that `keep(primitive)` keeps.
+template <int D, typename Keep>
+std::vector<std::uint32_t> nearest_first(const Problem<D>& problem, Keep keep) {
+    std::vector<std::pair<double, std::uint32_t>> keys;
+    keys.reserve(problem.primitives().size());
+    std::uint32_t id = 0;
+    for (const Primitive<D>& p : problem.primitives()) {
+        const std::uint32_t primitive = id++;
+        if (!keep(primitive)) continue;
+        Vec<D> sum(0);
+        for (const Vec<D>& v : p) sum += v;
+        const Vec<D> d = sum / static_cast<double>(D) - problem.view.eye;
+        keys.emplace_back(glm::dot(d, d), primitive);
+    }
+    std::sort(keys.begin(), keys.end());
+    std::vector<std::uint32_t> order;
+    order.reserve(keys.size());
+    for (const auto& key : keys) order.push_back(key.second);
+    return order;
+}
+
+template <int D>
+std::vector<std::uint32_t> by_centroid(const Problem<D>& problem) {
+    return nearest_first(problem, [](std::uint32_t) { return true; });
+}
+
+template <int D>
+std::vector<std::uint32_t> visible_by_centroid(const Problem<D>& problem) {
+    const auto visible = problem.services.visible_set ? problem.services.visible_set() : nullptr;
+    if (!visible) throw WorkError("method 'perfect' needs the exact visible set, and there is none to be had here");
+    return nearest_first(problem, [&](std::uint32_t primitive) { return (*visible)[primitive] != 0; });
+}
+
+}  // namespace
+
+template <int D>
+PrimitiveOrder<D> scene_order() {
+    return {in_scene_order<D>, false, Misses::none, "order the primitives as the scene has them", {}};
+}
+
+template <int D>
+PrimitiveOrder<D> scene_order_in_view() {
+    return {in_scene_order<D>, true, Misses::none, "order the primitives as the scene has them", {}};
+}
+
+template <int D>
+PrimitiveOrder<D> centroid_order() {
+    return {by_centroid<D>, true, Misses::may, "order the primitives, nearest centroid first", "TVCG section 4.5"};
+}
+
+template <int D>
+PrimitiveOrder<D> perfect_order() {
+    return {visible_by_centroid<D>, false, D == 2 ? Misses::none : Misses::none_at_this_resolution,
+            "order the visible primitives, nearest centroid first", {}};
+}
+
+#define SIGHTLINE_INSTANTIATE(D)                          \
+    template PrimitiveOrder<D> scene_order<D>();          \
+    template PrimitiveOrder<D> scene_order_in_view<D>();  \
+    template PrimitiveOrder<D> centroid_order<D>();       \
+    template PrimitiveOrder<D> perfect_order<D>();
+SIGHTLINE_INSTANTIATE(2)
+SIGHTLINE_INSTANTIATE(3)
+#undef SIGHTLINE_INSTANTIATE
+
+}  // namespace sightline

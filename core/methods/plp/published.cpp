@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/methods/plp/published.h"
+
+#include "core/base/number.h"
+
+namespace sightline {
+
+namespace {
+
+/// The part of a key that weighs most, for people.
+std::string weightiest(const SolidityTerms& t) {
+    const double transferred = t.angle * t.handed_on, penalty = t.key - t.unpenalised;
+    if (penalty > t.content && penalty > transferred)
+        return "the penalty (+" + short_number(penalty) + "): the ray from the eye to its centre misses the facet";
+    if (transferred > t.content)
+        return "the solidity handed on by the cell it was reached from (" + short_number(transferred) + ")";
+    if (t.content > 0)
+        return "the content of the cell it was reached from (|A| = " + std::to_string(t.count) + ")";
+    return "nothing but its stamp: its key is 0";
+}
+
+/// By the names of KeyExplanation::terms, which the lines of code read back.
+const Term& term(const KeyExplanation& e, std::string_view name) {
+    for (const Term& t : e.terms)
+        if (t.name == name) return t;
+    return e.terms.back();
+}
+
+std::string penalty_sign(const PlpParameters& parameters) {
+    return parameters.penalty == Penalty::multiply ? "× " : "+ ";
+}
+
+}  // namespace
+
+KeyExplanation explain_solidity(const SolidityTerms& t, const PlpParameters& parameters, int digits) {
+    const auto number = [&](double v) { return short_number(v, digits); };
+    KeyExplanation e;
+    e.key = t.key;
+    e.tested = t.star_tested;
+    e.penalised = !t.star_shaped;
+    e.sum = "ρ = " + number(t.content) + " + " + number(t.angle) + " · " + number(t.handed_on) + " = " +
+            number(t.unpenalised);
+    if (e.penalised)
+        e.penalty =
+            penalty_sign(parameters) + number(parameters.penalty_amount) + " (not star-shaped) = " + number(t.key);
+    e.tip = "content |A| / ρ_max, plus angle v·n times the solidity handed on by the cell it was reached from";
+    e.weightiest = weightiest(t);
+    e.terms = {{"rho_a", t.handed_on, {}},
+               {"count", static_cast<double>(t.count), {}},
+               {"density", t.content, {}},
+               {"alignment", t.alignment, {}},
+               {"weight", t.angle, {}},
+               {"star_shaped", t.star_shaped ? 1.0 : 0.0, !t.star_tested ? "null" : t.star_shaped ? "true" : "false"},
+               {"unpenalised", t.unpenalised, {}},
+               {"key", t.key, {}}};
+    return e;
+}
+
+void add_solidity_lines(std::vector<CodeLine>& lines, const KeyExplanation* e, const PlpParameters& parameters,
+                        double scale, int digits) {
+    const auto number = [&](double v) { return short_number(v, digits); };
+    const auto value = [&](std::string_view name) { return term(*e, name).value; };
+    const auto add = [&](std::string text, const auto& values, std::string_view source) {
+        lines.push_back({std::move(text), 1, false, e ? values() : std::string(), std::string(source)});
+    };
+    lines.push_back({"key(n, c): the solidity ρ that c hands on to n", 0, false, {}, {}});
+    add(
+        parameters.solidity_scale == SolidityScale::p95 ? "content = |c| / ρ95, at most 1" : "content = |c| / ρ_max",
+        [&] {
+            const double count = value("count");
+            return number_text(count) + " / " + number(scale) + (count > scale ? ", cut to " : " = ") +
+                   number(value("density"));
+        },
+        "TVCG fig. 5, line 1");
+    const TransferSign sign = parameters.transfer_sign;
+    add(
+        sign == TransferSign::clamp ? "angle = v · normal of the facet, at least 0"
+        : sign == TransferSign::abs ? "angle = |v · normal of the facet|"
+                                    : "angle = v · normal of the facet",
+        [&] {
+            const double alignment = value("alignment"), angle = value("weight");
+            return number(alignment) + (angle == alignment ? "" : ", taken as " + number(angle));
+        },
+        "TVCG fig. 5, line 1");
+    add("ρ = content + angle · ρ of c", [&] { return e->sum.substr(e->sum.find('=') + 2); }, "TVCG fig. 5, line 1");
+    if (parameters.tests_star_shape) {
+        add(
+            "the ray from the eye to the centre of n misses the facet?",
+            [&] { return std::string(e->penalised ? "yes: not star-shaped" : "no: star-shaped"); },
+            "TVCG fig. 5, line 2");
+        add("then ρ = ρ " + penalty_sign(parameters) + number(parameters.penalty_amount),
+            [&] { return e->penalised ? number(value("unpenalised")) + " " + e->penalty : std::string(); },
+            "TVCG fig. 5, line 3");
+        lines.back().indent = 2;
+    }
+    add("the key is ρ", [&] { return number(e->key); }, "TVCG fig. 5, line 4");
+}
+
+}  // namespace sightline

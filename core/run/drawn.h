@@ -1,0 +1,97 @@
+// What a run has rendered: the primitives that it met, in order, each once.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/base/index.h"
+
+namespace sightline {
+
+/// A primitive that a run met; culled: it lies outside the view and is not rendered.
+class Met {
+public:
+    Met() = default;
+    Met(std::uint32_t primitive, bool culled) : bits_(culled ? primitive | culled_bit : primitive) {}
+
+    std::uint32_t primitive() const { return bits_ & ~culled_bit; }
+    bool culled() const { return bits_ & culled_bit; }
+    std::uint32_t bits() const { return bits_; }  ///< for hashes
+    bool operator==(const Met&) const = default;
+
+private:
+    static constexpr std::uint32_t culled_bit = 0x80000000u;
+    std::uint32_t bits_ = 0;
+};
+
+/// Calls `each(primitive)` for those that are rendered, in order.
+template <typename Each>
+void for_rendered(std::span<const Met> met, Each each) {
+    for (const Met entry : met)
+        if (!entry.culled()) each(entry.primitive());
+}
+
+/// The rendered primitives, in order.
+inline void rendered_ids(std::span<const Met> met, std::vector<std::uint32_t>& ids) {
+    ids.clear();
+    for_rendered(met, [&](std::uint32_t primitive) { ids.push_back(primitive); });
+}
+inline std::vector<std::uint32_t> rendered_ids(std::span<const Met> met) {
+    std::vector<std::uint32_t> ids;
+    rendered_ids(met, ids);
+    return ids;
+}
+
+/// Per primitive, 1 where it is rendered.
+inline std::vector<std::uint8_t> rendered_mask(std::span<const Met> met, std::size_t primitive_count) {
+    std::vector<std::uint8_t> mask(primitive_count);
+    for_rendered(met, [&](std::uint32_t primitive) { mask[primitive] = 1; });
+    return mask;
+}
+
+/// The list of a run, and which primitives are in it. Starting anew costs nothing however large the scene is: what was
+/// met in an earlier epoch counts as not met.
+class Drawn {
+public:
+    /// Empties it for a scene of so many primitives.
+    void begin(std::size_t primitive_count) {
+        if (epoch_of_.size() != primitive_count || epoch_ == none) {
+            epoch_of_.assign(primitive_count, 0);
+            epoch_ = 0;
+        }
+        ++epoch_;
+        met_.clear();
+    }
+    bool has(std::uint32_t primitive) const { return epoch_of_[primitive] == epoch_; }
+    /// Where it is written down whether a primitive was met; to be fetched ahead.
+    const void* address_of(std::uint32_t primitive) const { return &epoch_of_[primitive]; }
+
+    /// Appends behind the first `count`; what stood there, a recording's undone future, is replaced.
+    void add(std::uint32_t count, Met met) {
+        epoch_of_[met.primitive()] = epoch_;
+        met_.resize(count);
+        met_.push_back(met);
+    }
+    /// Forgets, or remembers, entries [begin, end); they stay in the list for redo.
+    void take_back(std::uint32_t begin, std::uint32_t end) {
+        for (std::uint32_t i = begin; i < end; ++i) epoch_of_[met_[i].primitive()] = 0;
+    }
+    void put_back(std::uint32_t begin, std::uint32_t end) {
+        for (std::uint32_t i = begin; i < end; ++i) epoch_of_[met_[i].primitive()] = epoch_;
+    }
+
+    /// All that was met, also what an undo has taken back; Run::met() is the part that counts.
+    std::span<const Met> all() const { return met_; }
+    std::size_t memory_bytes() const {
+        return met_.capacity() * sizeof(Met) + epoch_of_.capacity() * sizeof(std::uint32_t);
+    }
+
+private:
+    std::vector<Met> met_;
+    std::vector<std::uint32_t> epoch_of_;  ///< in which a primitive was last met; 0: never
+    std::uint32_t epoch_ = 0;
+};
+
+}  // namespace sightline

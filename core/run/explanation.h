@@ -1,0 +1,82 @@
+// What a run says of itself: terms of a key, what a step looked at, lines of code, fields of items, shapes to draw.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/geometry/vec.h"
+#include "core/run/step.h"
+
+namespace sightline {
+
+/// What a finished run can still miss. Of this run, now: one that a budget cut short says `may`.
+enum class Misses : std::uint8_t { may, none_at_this_resolution, none };
+
+/// One number that went into a key.
+struct Term {
+    std::string_view name;  ///< as files have it
+    double value = 0;
+    std::string words = {};  ///< in place of the number: "yes"; empty where the number says it
+};
+
+/// A key and where it comes from. Numbers have as many digits as were asked for.
+struct KeyExplanation {
+    double key = 0;
+    bool tested = false;     ///< whether a penalty is due
+    bool penalised = false;  ///< it is
+    std::string sum;      ///< "ρ = 0.143 + 0.87 · 0.25 = 0.36"
+    std::string penalty;  ///< of a penalised key: "× 2 (not star-shaped) = 0.72"
+    std::string tip;      ///< what the numbers of the sum are, in one line
+    std::string weightiest;  ///< what makes the key as high as it is: "the penalty (+0.36): …"
+    std::vector<Term> terms;
+
+    std::string formula() const { return penalised ? sum + ", " + penalty : sum; }
+};
+
+/// What a step did to a thing that it looked at.
+enum class Effect : std::uint8_t { left_alone, changed, kept };
+
+/// One thing that a step looked at.
+struct Considered {
+    Item from;  ///< what the step popped
+    Item item;  ///< of kind none at the border
+    Item via;   ///< e.g. the facet
+    std::uint8_t rule = 0;
+    std::string_view words;  ///< of the rule: "re-enqueued"
+    Effect effect = Effect::left_alone;
+    Mark before;                        ///< the item's before the step
+    std::optional<KeyExplanation> key;  ///< where one was computed
+};
+
+/// A line of what a method does.
+struct CodeLine {
+    std::string text;
+    int indent = 0;
+    bool lit = false;    ///< where the run stands; exactly one line is
+    std::string values;  ///< "cell 12, key 0.25"; empty where the line has none yet
+    std::string source;  ///< "TVCG fig. 4, line 3"; empty where it is ours
+};
+
+/// Where in its last step a run is shown: between two steps, or at one of the step's substeps.
+struct CodePlace {
+    const Step* step = nullptr;  ///< the last one; nullptr at the start
+    std::uint32_t number = 0;    ///< of the step
+    std::span<const Change> changes{};
+    std::uint32_t rendered = 0;               ///< primitives that the step rendered
+    std::optional<std::uint32_t> substep{};   ///< none: between two steps
+
+    bool in_step() const { return step && substep; }
+};
+
+/// A shape over the picture, in the scene's coordinates.
+template <int D>
+struct Overlay {
+    std::vector<Vec<D>> points;
+    bool closed = false;
+    std::string label;
+};
+
+}  // namespace sightline

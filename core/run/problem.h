@@ -1,0 +1,77 @@
+// What a run is given and never changes.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "core/run/drawn.h"
+#include "core/run/parameters.h"
+#include "core/run/step.h"
+#include "core/scene/view.h"
+#include "core/space/cell_complex.h"
+
+namespace sightline {
+
+/// What the frames before this one leave to it. It decides, so it is an input: immutable, hashed, and kept in state
+/// files as the views of those frames.
+struct FrameHistory {
+    std::vector<std::uint8_t> visible;  ///< per primitive: seen in the last frame, as its method knows it
+    std::uint64_t hash() const;
+};
+
+/// What a method may ask for while it runs.
+struct Services {
+    /// The exact visible set, per primitive; empty: there is none to be had.
+    std::function<std::shared_ptr<const std::vector<std::uint8_t>>()> visible_set;
+};
+
+/// The pointers outlive the run.
+template <int D>
+struct Problem {
+    const Scene<D>* scene = nullptr;
+    const CellComplex<D>* cells = nullptr;
+    View<D> view;
+    std::uint32_t budget = none;  ///< primitives; none: no limit
+    Parameters parameters;        ///< of the method
+    std::shared_ptr<const FrameHistory> history;
+    Services services;
+
+    const std::vector<Primitive<D>>& primitives() const { return scene->primitives; }
+};
+
+/// Whether the view can show the primitive: it meets the cone and, in 3D, turns a side to the eye that is seen.
+inline bool shows(const Problem<2>& problem, std::uint32_t primitive) {
+    return in_view(problem.view, problem.scene->primitives[primitive]);
+}
+inline bool shows(const Problem<3>& problem, std::uint32_t primitive) {
+    const Scene<3>& scene = *problem.scene;
+    const Primitive<3>& triangle = scene.primitives[primitive];
+    const bool both = !scene.two_sided.empty() && scene.two_sided[primitive];
+    return (both || faces(problem.view, triangle)) && in_view(problem.view, triangle);
+}
+
+enum class CulledCost : std::uint8_t { free, charged };
+template <>
+inline constexpr auto words<CulledCost> = std::to_array<std::string_view>({"free", "charged"});
+
+/// Whether a primitive outside the view counts against the budget.
+const ParameterRow& culled_cost_row();
+
+/// Meets a primitive, once: renders it, or finds it outside the view when the method culls. False when the budget has
+/// no place for it: nothing changed.
+template <int D>
+bool meet(const Problem<D>& problem, bool culled_costs, std::uint32_t primitive, bool culls, Drawn& drawn,
+          Counters& counters) {
+    if (drawn.has(primitive)) return true;
+    const bool culled = culls && !shows(problem, primitive);
+    const bool costs = !culled || culled_costs;
+    if (costs && counters.spent >= problem.budget) return false;
+    drawn.add(counters.touched_count, {primitive, culled});
+    ++counters.touched_count;
+    counters.rendered_count += !culled;
+    counters.spent += costs;
+    return true;
+}
+
+}  // namespace sightline

@@ -1,0 +1,182 @@
+// One execution of a method on a problem. It owns its state, goes forward, and explains itself; what measures, draws
+// and steps knows nothing else of a method.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <utility>
+
+#include "core/base/hash.h"
+#include "core/run/explanation.h"
+#include "core/run/problem.h"
+#include "core/run/recorder.h"
+
+namespace sightline {
+
+enum class Direction : std::uint8_t { back, forward };
+
+template <int D>
+class Run;
+
+/// A number that each item of a run may have: conditions, heat maps and traces reach it by its name.
+template <int D>
+struct Field {
+    std::string_view name;   ///< as conditions write it
+    std::string_view title;  ///< on scales
+    std::string_view help;
+    /// Nothing where the item has none.
+    std::optional<double> (*value)(const Run<D>&, const Item&);
+};
+
+/// A method implements run, clone, hash and finished; the rest has an answer that is right for any method, if a plain
+/// one: it undoes by keyframes and says what was popped.
+template <int D>
+class Run {
+public:
+    explicit Run(const Problem<D>& problem)
+        : problem_(problem), culled_costs_(problem.parameters.template choice<CulledCost>(culled_cost_row()) ==
+                                           CulledCost::charged) {
+        drawn_.begin(problem.primitives().size());
+    }
+    virtual ~Run() = default;
+    Run& operator=(const Run&) = delete;
+
+    // Going forward.
+    /// At most `steps` steps: one, n and all of them are the same code. Stop::steps when all were made, else why not.
+    /// Without a recorder a step costs nothing extra.
+    virtual Stop run(std::uint32_t steps, Recorder* recorder = nullptr) = 0;
+    /// Whether it ends here: run() would say why.
+    virtual bool finished() const = 0;
+    /// Begins anew on another problem with the memory that it has; false: it cannot, start one. The method is the
+    /// same, the parameters need not be.
+    virtual bool restart(const Problem<D>&) { return false; }
+    /// A larger budget goes on where a smaller one ended.
+    void set_budget(std::uint32_t budget) { problem_.budget = budget; }
+
+    // Going back and forth in what was recorded.
+    /// False: move() never succeeds, so that going back needs a keyframe.
+    virtual bool undoes_by_marks() const { return false; }
+    /// Undoes the last step, or does the next one again without computing anything: exchanges its marks with those of
+    /// the changes. `before` are the counters before the step. False when it cannot; then nothing is changed.
+    virtual bool move(Direction, const Step&, std::span<Change>, const Counters& /*before*/) { return false; }
+    /// The parts that the last step can be shown in; 1: only whole.
+    virtual std::uint32_t substeps(const Step&, std::span<const Change>) const { return 1; }
+    /// On a clone that stands after the step: takes back what comes after the substep, and gives what the recording
+    /// says of it the same state. Only where substep + 1 < substeps().
+    virtual void rewind_to(Step&, std::vector<Change>& /*of the step*/, const Counters& /*before*/,
+                           std::uint32_t /*substep*/) {}
+    virtual std::unique_ptr<Run> clone() const = 0;
+    virtual std::size_t memory_bytes() const = 0;
+
+    // What it is.
+    /// 64 bits over all that decides: marks, primitives met, counters; no heap layout, no time.
+    virtual std::uint64_t hash() const = 0;
+    virtual Mark mark(const Item&) const { return {}; }
+    Mark mark(std::uint32_t cell) const { return mark(cell_item(cell)); }
+    /// The items that wait, first to last.
+    virtual std::vector<std::pair<Item, Mark>> front() const { return {}; }
+    /// Those in the front at the start, first to last.
+    virtual std::span<const Item> seeds() const { return {}; }
+    virtual Misses misses() const { return Misses::may; }
+    /// What this frame leaves to the next; nullptr: nothing.
+    virtual std::shared_ptr<const FrameHistory> next_history() const { return nullptr; }
+
+    // What it says of itself.
+    virtual std::string_view rule_words(std::uint8_t /*rule*/) const { return {}; }
+    /// All that a step looked at, in order, of a run that stands at that step or later.
+    virtual std::vector<Considered> considered(const Step&, std::span<const Change>, int /*digits*/) const {
+        return {};
+    }
+    /// How a step speaks of what it popped; only for methods that pop other things than cells.
+    virtual std::string popped_words(const Step& step) const {
+        return step.item ? item_name(step.item) : "a batch of primitives in the method's order";
+    }
+    /// Why an item that waits has not come yet, or is not waiting at all; empty: there is nothing to say.
+    virtual std::string why_not(const Item&) const { return {}; }
+    virtual std::vector<CodeLine> code(const CodePlace&) const { return {}; }
+    virtual std::span<const Field<D>> fields() const { return {}; }
+    virtual std::vector<Overlay<D>> overlays(const Step*) const { return {}; }
+
+    const Problem<D>& problem() const { return problem_; }
+    const Counters& counters() const { return counters_; }
+    std::uint32_t steps() const { return steps_; }  ///< taken
+    const Drawn& drawn() const { return drawn_; }
+    /// What was met so far.
+    std::span<const Met> met() const { return drawn_.all().first(counters_.touched_count); }
+
+protected:
+    Run(const Run&) = default;
+
+    /// Empties all for another problem.
+    void begin(const Problem<D>& problem) {
+        problem_ = problem;
+        culled_costs_ =
+            problem.parameters.template choice<CulledCost>(culled_cost_row()) == CulledCost::charged;
+        drawn_.begin(problem.primitives().size());
+        counters_ = {};
+        steps_ = 0;
+    }
+    bool meet(std::uint32_t primitive, bool culls) {
+        return sightline::meet(problem_, culled_costs_, primitive, culls, drawn_, counters_);
+    }
+
+    Problem<D> problem_;
+    bool culled_costs_;
+    Drawn drawn_;
+    Counters counters_;
+    std::uint32_t steps_ = 0;
+};
+
+/// Significant digits that tell the key of what a step popped from the runner-up's.
+int digits_of(const Step& step);
+
+/// "stop when the budget is used up", lit between two steps where it is. `popping`: what the step at hand will spend is
+/// not spent yet.
+template <int D>
+CodeLine budget_line(const Run<D>& run, int indent, std::string_view more, bool popping, bool in_step);
+
+/// Parts of a run's hash.
+inline void add_mark(Hash& hash, const Mark& mark) {
+    hash.add(mark.key);
+    hash.add(static_cast<std::uint64_t>(mark.stamp) << 8 | static_cast<std::uint64_t>(mark.state));
+}
+template <int D>
+void add_run(Hash& hash, const Run<D>& run) {
+    for (const Met entry : run.met()) hash.add(entry.bits());
+    const Counters& c = run.counters();
+    for (const std::uint32_t count : {c.touched_count, c.rendered_count, c.spent, c.front_size, c.next_stamp,
+                                      run.steps(), c.partial_cell, c.offset})
+        hash.add(count);
+    if (run.problem().history) hash.add(run.problem().history->hash());
+}
+
+/// A run as a value: a copy is a clone.
+template <int D>
+class OwnRun {
+public:
+    OwnRun() = default;
+    OwnRun(std::unique_ptr<Run<D>> run) : run_(std::move(run)) {}
+    OwnRun(const OwnRun& other) : run_(other.run_ ? other.run_->clone() : nullptr) {}
+    OwnRun(OwnRun&&) noexcept = default;
+    OwnRun& operator=(OwnRun other) noexcept {
+        run_ = std::move(other.run_);
+        return *this;
+    }
+
+    /// Starts anew on a problem: in the run's own memory where it can, else in a run that `make(problem)` makes.
+    template <typename Make>
+    void start(const Problem<D>& problem, const Make& make) {
+        if (!run_ || !run_->restart(problem)) run_ = make(problem);
+    }
+
+    explicit operator bool() const { return run_ != nullptr; }
+    Run<D>& operator*() { return *run_; }
+    const Run<D>& operator*() const { return *run_; }
+    Run<D>* operator->() { return run_.get(); }
+    const Run<D>* operator->() const { return run_.get(); }
+
+private:
+    std::unique_ptr<Run<D>> run_;
+};
+
+}  // namespace sightline

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/settings_file.h"
+
+#include <nlohmann/json.hpp>
+
+#include "core/base/error.h"
+#include "core/session/settings_table.h"
+
+namespace sightline {
+
+using Json = nlohmann::ordered_json;
+
+std::string write_settings(const std::vector<std::string>& assignments, const std::string& why) {
+    Json json{{"format", "sightline-settings"}, {"version", 1}, {"why", why}, {"settings", Json::object()}};
+    for (const std::string& assignment : assignments) {
+        const std::size_t equals = assignment.find('=');
+        json["settings"][assignment.substr(0, equals)] = assignment.substr(equals + 1);
+    }
+    return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::vector<std::string> read_settings(std::string_view text, const std::string& name) {
+    const Json json = Json::parse(text, nullptr, false);
+    if (json.is_discarded()) throw InputError(name + ": not JSON");
+    if (!json.is_object() || json.value("format", Json()) != "sightline-settings")
+        throw InputError(name + ": format: not sightline-settings");
+    if (json.value("version", Json()) != 1) throw InputError(name + ": version: only 1 can be read");
+    if (!json.contains("settings") || !json["settings"].is_object())
+        throw InputError(name + ": settings: an object is needed here");
+    std::vector<std::string> assignments;
+    Settings settings;
+    for (const auto& [field, value] : json["settings"].items()) {
+        if (!value.is_string() && !value.is_number())
+            throw InputError(name + ": settings: " + field + ": neither text nor a number");
+        assignments.push_back(field + "=" + (value.is_string() ? value.get<std::string>() : value.dump()));
+        try {
+            apply_setting(settings, assignments.back());
+        } catch (const InputError& error) {
+            throw InputError(name + ": settings: " + error.what());
+        }
+    }
+    return assignments;
+}
+
+}  // namespace sightline

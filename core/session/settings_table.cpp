@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/settings_table.h"
+
+#include <algorithm>
+#include <charconv>
+
+#include "core/base/error.h"
+#include "core/base/number.h"
+#include "core/methods/method_table.h"
+
+namespace sightline {
+
+namespace {
+
+template <auto member>
+struct Field;  // reads and writes one member of Settings as text
+
+template <typename C, typename T, T C::*member>
+struct Field<member> {
+    static std::string get(const Settings& s) {
+        if constexpr (std::is_enum_v<T>)
+            return std::string(words<T>[static_cast<std::size_t>(s.*member)]);
+        else if constexpr (std::is_same_v<T, std::string>)
+            return s.*member;
+        else if constexpr (std::is_same_v<T, Budget>)
+            return budget_text(s.*member);
+        else if constexpr (std::is_same_v<T, ImageSize>)
+            return (s.*member).width == 0 ? "auto" : image_size_text(s.*member);
+        else if constexpr (std::is_integral_v<T>)
+            return std::to_string(s.*member);
+        else
+            return number_text(s.*member);
+    }
+};
+
+template <auto member>
+SettingRow choice(std::string_view name, Invalidates invalidates, std::string_view source, std::string_view help) {
+    using E = std::remove_cvref_t<decltype(Settings{}.*member)>;
+    return {name,
+            help,
+            source,
+            invalidates,
+            word_list<E>(),
+            Field<member>::get,
+            [](Settings& s, std::string_view value) {
+                const auto found = std::find(words<E>.begin(), words<E>.end(), value);
+                if (found == words<E>.end())
+                    throw InputError("'" + std::string(value) + "' is not one of " + std::string(word_list<E>()));
+                s.*member = static_cast<E>(found - words<E>.begin());
+            },
+            words<E>};
+}
+
+struct Range {
+    double low, high;
+    bool low_open = false, high_open = false;
+
+    bool contains(double v) const { return (low_open ? v > low : v >= low) && (high_open ? v < high : v <= high); }
+    std::string text() const {
+        return (low_open ? "(" : "[") + number_text(low) + ", " + number_text(high) + (high_open ? ")" : "]");
+    }
+};
+
+template <auto member>
+SettingRow real(std::string_view name, const Range& range, Invalidates invalidates, std::string_view values,
+                std::string_view source, std::string_view help) {
+    return {name, help, source, invalidates, values, Field<member>::get, [range](Settings& s, std::string_view value) {
+                const auto number = parse_number(value);
+                if (!number || !range.contains(*number))
+                    throw InputError("'" + std::string(value) + "' is not a number in " + range.text());
+                s.*member = *number;
+            }};
+}
+
+constexpr const char* any_number = "a finite number";
+
+template <auto member>
+SettingRow finite(std::string_view name, Invalidates invalidates, std::string_view source, std::string_view help) {
+    return {name, help, source, invalidates, any_number, Field<member>::get, [](Settings& s, std::string_view value) {
+                const auto number = parse_number(value);
+                if (!number) throw InputError("'" + std::string(value) + "' is not " + any_number);
+                s.*member = *number;
+            }};
+}
+
+template <auto member, std::uint64_t low, std::uint64_t high>
+SettingRow whole(std::string_view name, Invalidates invalidates, std::string_view values, std::string_view source,
+                 std::string_view help) {
+    return {name, help, source, invalidates, values, Field<member>::get, [](Settings& s, std::string_view value) {
+                std::uint64_t number = 0;
+                const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), number);
+                if (error != std::errc() || end != value.data() + value.size() || number < low || number > high)
+                    throw InputError("'" + std::string(value) + "' is not a whole number in [" + std::to_string(low) +
+                                     ", " + std::to_string(high) + "]");
+                s.*member = static_cast<std::remove_cvref_t<decltype(s.*member)>>(number);
+            }};
+}
+
+constexpr const char* image_size_range = "auto, a width in [1, 16777216] or WxH in [1, 8192]";
+
+ImageSize parse_image_size(std::string_view text) {
+    if (text == "auto") return {};
+    const std::size_t x = text.find('x');
+    const auto width = parse_whole(text.substr(0, x));
+    if (x == std::string_view::npos && width && *width >= 1 && *width <= 1u << 24) return {static_cast<int>(*width), 0};
+    if (x != std::string_view::npos && width && *width >= 1 && *width <= 8192)
+        if (const auto height = parse_whole(text.substr(x + 1)); height && *height >= 1 && *height <= 8192)
+            return {static_cast<int>(*width), static_cast<int>(*height)};
+    throw InputError("'" + std::string(text) + "' is not " + image_size_range);
+}
+
+/// The row of a setting that one dimension has to itself.
+SettingRow only_in(int dimension, SettingRow row) {
+    row.dimension = dimension;
+    return row;
+}
+
+using S = Settings;
+
+std::vector<SettingRow> own_rows() {
+    return {
+        choice<&S::two_sided>("two_sided", Invalidates::scene, "Doom WAD",
+                              "read two-sided lines of a level too, not only its solid walls"),
+
+        choice<&S::tessellation>("tessellation", Invalidates::tessellation, "TVCG 4.3",
+                                 "cells: Delaunay of the leaf centres, or the leaves of the tree"),
+        real<&S::error_bound>("error_bound", {0, 1, true, false}, Invalidates::tessellation, "(0, 1]",
+                              "TVCG 4.3, note 4", "leaves are split down to this share of the scene's longest side"),
+        choice<&S::border>("border", Invalidates::tessellation, "docs/algorithm.md, border",
+                           "corners of an inflated box close the gap between hull and scene border (Delaunay)"),
+        real<&S::jitter>("jitter", {0, 0.5, false, true}, Invalidates::tessellation, "[0, 0.5)", "TVCG 4.3",
+                         "random shift of a leaf's centre, in sides of the leaf"),
+        whole<&S::seed, 0, 0xffffffffffffffffull>("seed", Invalidates::tessellation, "[0, 2^64)", "TVCG 4.3",
+                                                  "seed of the jitter"),
+
+        SettingRow{"method", "which rule orders cells or primitives; see --help for the ids", "TVCG 5",
+                   Invalidates::traversal, "a method id", Field<&S::method>::get,
+                   [](Settings& s, std::string_view value) { s.method = std::string(value); }},
+        SettingRow{"budget", "how much may be rendered: 500, 5%, 16ms or unlimited", "TVCG 3", Invalidates::traversal,
+                   "500 | 5% | 16ms | unlimited", Field<&S::budget>::get,
+                   [](Settings& s, std::string_view value) { s.budget = parse_budget(value); }},
+        SettingRow{
+            "reference_size",
+            "pixels of the item buffer: a width in 2D (auto: 8192), width x height in 3D (auto: 1024x768), where "
+            "it also gives the view its aspect",
+            "TVCG 4.4", Invalidates::reference, image_size_range, Field<&S::reference_size>::get,
+            [](Settings& s, std::string_view value) { s.reference_size = parse_image_size(value); }},
+
+        choice<&S::palette>("palette", Invalidates::picture, "TR figs 1, 2, 4",
+                            "colours: safe for colour-blind readers, as in the papers, or for print"),
+        choice<&S::show_tessellation>("show_tessellation", Invalidates::picture, "TR fig. 1",
+                                      "draw the cells' borders"),
+        only_in(2, choice<&S::show_states>("show_states", Invalidates::picture, "TR figs 1, 4",
+                                           "fill cells by their state")),
+        only_in(2, choice<&S::show_primitives>("show_primitives", Invalidates::picture, "TR fig. 1",
+                                               "draw the scene: rendered, missed, hidden but rendered")),
+        choice<&S::show_visibility>(
+            "show_visibility", Invalidates::picture, "TR figs 1, 4",
+            "tell visible from hidden segments; off: only what is rendered, as the papers draw"),
+        choice<&S::show_view>("show_view", Invalidates::picture, "TR fig. 1", "draw eye, view cone and seed cell"),
+        choice<&S::show_normals>("show_normals", Invalidates::picture, "TVCG fig. 6",
+                                 "draw eye rays and facet normals of the last step"),
+        choice<&S::show_penalties>("show_penalties", Invalidates::picture, "TVCG fig. 6",
+                                   "mark facets of projected cells that cost a penalty"),
+        choice<&S::show_chain>("show_chain", Invalidates::picture, "docs/figures.md",
+                               "draw the chain of updates from the seed to the selected cell"),
+        choice<&S::label>("label", Invalidates::picture, "docs/figures.md", "the number written on cells"),
+        choice<&S::label_where>("label_where", Invalidates::picture, "docs/figures.md",
+                                "number the front with the last cell, every touched cell, or the selected one"),
+        choice<&S::heat>("heat", Invalidates::picture, "docs/figures.md", "the number shown as a heat map"),
+        choice<&S::legend>("legend", Invalidates::picture, "docs/figures.md", "where the legend stands"),
+        choice<&S::caption>("caption", Invalidates::picture, "docs/figures.md", "a caption with the conditions"),
+        only_in(2, real<&S::zoom>("zoom", {0.01, 1000}, Invalidates::picture, "[0.01, 1000]", "docs/figures.md",
+                                  "magnification; 1 shows the whole scene")),
+        only_in(2, choice<&S::zoom_at>(
+                       "zoom_at", Invalidates::picture, "docs/figures.md",
+                       "the middle of the picture: what the display eye looks at, the cell projected last, the "
+                       "selected cell, or the point zoom_x, zoom_y")),
+        only_in(2, finite<&S::zoom_x>("zoom_x", Invalidates::picture, "docs/figures.md",
+                                      "the middle of the picture with zoom_at=point, less the scene's origin")),
+        only_in(2, finite<&S::zoom_y>("zoom_y", Invalidates::picture, "docs/figures.md",
+                                      "the middle of the picture with zoom_at=point, less the scene's origin")),
+
+        only_in(3, choice<&S::clean_as>(
+                       "clean_as", Invalidates::picture, "TVCG figs 1, 2",
+                       "how cells that no step has touched are drawn, seen from another eye than the culling view's")),
+        only_in(3, choice<&S::projected_as>(
+                       "projected_as", Invalidates::picture, "TVCG fig. 1",
+                       "how projected cells are drawn, seen from another eye than the culling view's")),
+        only_in(3, choice<&S::enqueued_as>(
+                       "enqueued_as", Invalidates::picture, "TVCG fig. 1",
+                       "how cells in the front are drawn, seen from another eye than the culling view's")),
+        only_in(3, choice<&S::unseen_as>(
+                       "unseen_as", Invalidates::picture, "gem, NS_UNSEEN",
+                       "how cells outside the view are drawn, seen from another eye than the culling view's")),
+        only_in(3, real<&S::shrink>("shrink", {0.05, 1}, Invalidates::picture, "[0.05, 1]", "docs/figures.md",
+                                    "cells drawn at this share of their size, each about its centre")),
+        only_in(3, choice<&S::slice>("slice", Invalidates::picture, "docs/figures.md",
+                                     "cut away what lies above slice_at along an axis, or nearer to the eye")),
+        only_in(3, real<&S::slice_at>("slice_at", {0, 1}, Invalidates::picture, "[0, 1]", "docs/figures.md",
+                                      "where the slice lies in the box of the scene; cells whose centre lies beyond "
+                                      "are left out whole")),
+        only_in(3, choice<&S::only>("only", Invalidates::picture, "docs/figures.md",
+                                    "which cells are drawn: all, the front, or those around the selected or last one")),
+        only_in(3, whole<&S::around, 0, 1000>("around", Invalidates::picture, "[0, 1000]", "docs/figures.md",
+                                              "with only=around: how many rings of neighbours")),
+        only_in(3, choice<&S::triangles>("triangles", Invalidates::picture, "TVCG figs 1, 14",
+                                         "which triangles are drawn")),
+        only_in(3, choice<&S::inset>("inset", Invalidates::picture, "TVCG fig. 14",
+                                     "in a corner what the culling eye sees at this step, the pixels it misses, or "
+                                     "what it would see of everything")),
+        only_in(3, choice<&S::split>("split", Invalidates::picture, "TVCG fig. 13",
+                                     "beside the picture what the culling eye would see of everything, or the pixels "
+                                     "that it misses")),
+    };
+}
+
+/// Those of the session with the parameters of all methods behind the budget.
+const std::vector<SettingRow>& rows() {
+    static const std::vector<SettingRow> table = [] {
+        std::vector<SettingRow> all = own_rows();
+        auto at = std::find_if(all.begin(), all.end(), [](const SettingRow& row) { return row.name == "budget"; }) + 1;
+        for (const ParameterRow* parameter : all_parameters()) at = all.insert(at, parameter_setting(*parameter)) + 1;
+        return all;
+    }();
+    return table;
+}
+
+}  // namespace
+
+std::span<const SettingRow> settings_table() { return rows(); }
+
+SettingRow parameter_setting(const ParameterRow& row) {
+    return {row.name,
+            row.help,
+            row.source,
+            Invalidates::traversal,
+            row.values,
+            [&row](const Settings& s) { return std::string(s.parameters.text(row)); },
+            [&row](Settings& s, std::string_view value) { s.parameters.set(row, value); },
+            row.words,
+            0,
+            &row};
+}
+
+const SettingRow& setting_row(std::string_view name) {
+    for (const SettingRow& row : rows())
+        if (row.name == name) return row;
+    std::string known;
+    for (const SettingRow& row : rows()) known += (known.empty() ? "" : ", ") + std::string(row.name);
+    throw InputError("setting '" + std::string(name) + "' does not exist; there are " + known);
+}
+
+const SettingRow& apply_setting(Settings& settings, std::string_view assignment) {
+    const std::size_t equals = assignment.find('=');
+    if (equals == std::string_view::npos)
+        throw InputError("setting '" + std::string(assignment) + "': write FIELD=VALUE");
+    const SettingRow& row = setting_row(assignment.substr(0, equals));
+    if (row.parameter) {
+        row.set(settings, assignment.substr(equals + 1));
+        return row;
+    }
+    try {
+        row.set(settings, assignment.substr(equals + 1));
+    } catch (const InputError& error) {
+        throw InputError("setting " + std::string(row.name) + ": " + error.what());
+    }
+    return row;
+}
+
+std::span<const Preset> presets() {
+    static const std::vector<Preset> table{
+        {"default",
+         "every traversal setting at its default",
+         {"view_vector=eye", "transfer_sign=clamp", "on_reenqueue=replace", "star_shaped=on", "penalty=multiply",
+          "penalty_amount=2", "solidity_scale=max", "outside_view=unseen", "culled_cost=free",
+          "neighbours_before_break=yes", "seeds=one", "border=inflated", "jitter=0.02", "error_bound=0.05"}},
+        {"letter",
+         "the papers to the letter, as the 2D prototype of TR: no star-shape test",
+         {"view_vector=camera", "transfer_sign=signed", "on_reenqueue=replace", "star_shaped=off", "penalty=multiply",
+          "penalty_amount=2", "solidity_scale=max", "outside_view=enqueue", "culled_cost=free",
+          "neighbours_before_break=no", "seeds=one", "border=none", "jitter=0.02", "error_bound=0.05"}},
+    };
+    return table;
+}
+
+void apply_preset(Settings& settings, std::string_view id) {
+    for (const Preset& preset : presets())
+        if (preset.id == id) {
+            for (const std::string_view assignment : preset.assignments) apply_setting(settings, assignment);
+            return;
+        }
+    std::string known;
+    for (const Preset& preset : presets()) known += (known.empty() ? "" : ", ") + std::string(preset.id);
+    throw InputError("preset '" + std::string(id) + "' does not exist; there are " + known);
+}
+
+Invalidates difference(const Settings& a, const Settings& b) {
+    Invalidates strongest = Invalidates::picture;
+    for (const SettingRow& row : rows())
+        if (row.get(a) != row.get(b)) strongest = std::max(strongest, row.invalidates);
+    return strongest;
+}
+
+}  // namespace sightline
