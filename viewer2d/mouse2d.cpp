@@ -7,6 +7,8 @@
 #include "core/draw/notes.h"
 #include "core/draw/palette.h"
 #include "shell/commands/arguments.h"
+#include "shell/desk/gesture.h"
+#include "shell/desk/undo.h"
 #include "shell/desk/zoom.h"
 #include "shell/window/theme.h"
 

@@ -9,6 +9,7 @@
 #include "core/draw/palette.h"
 #include "core/draw/shown_world.h"
 #include "core/session/substep.h"
+#include "shell/desk/compare.h"
 #include "shell/desk/into.h"
 #include "shell/window/theme.h"
 

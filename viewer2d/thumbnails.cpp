@@ -8,7 +8,8 @@
 #include "core/draw/shown_world.h"
 #include "core/scene/make/catalogue.h"
 #include "core/scene/read/load.h"
-#include "shell/desk/open.h"
+#include "shell/desk/moves.h"
+#include "shell/desk/open_scene.h"
 
 namespace sightline {
 

@@ -9,7 +9,9 @@
 #include "shell/commands/arguments.h"
 #include "shell/desk/camera.h"
 #include "shell/desk/change.h"
-#include "shell/desk/flight.h"
+#include "shell/desk/fly.h"
+#include "shell/desk/gesture.h"
+#include "shell/desk/undo.h"
 #include "shell/desk/zoom.h"
 #include "shell/window/theme.h"
 

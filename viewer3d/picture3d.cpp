@@ -13,7 +13,8 @@
 #include "core/session/substep.h"
 #include "core/settings/settings_table.h"
 #include "shell/desk/camera.h"
-#include "shell/desk/flight.h"
+#include "shell/desk/compare.h"
+#include "shell/desk/fly.h"
 #include "shell/desk/into.h"
 #include "shell/window/theme.h"
 

@@ -6,8 +6,8 @@
 #include "core/base/error.h"
 #include "shell/commands/arguments.h"
 #include "shell/commands/groups.h"
-#include "shell/desk/history.h"
-#include "shell/desk/moves.h"
+#include "shell/desk/moved.h"
+#include "shell/desk/undo.h"
 
 namespace sightline {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/number.h"
-#include "shell/desk/transport.h"
+#include "shell/desk/play.h"
 #include "shell/window/buttons.h"
 #include "shell/window/parts.h"
 #include "shell/window/theme.h"

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "core/base/error.h"
-#include "shell/figure/layout.h"
+#include "shell/figure/lay_out.h"
 #include "tests/shell/figure/figure_samples.h"
 
 namespace sightline {

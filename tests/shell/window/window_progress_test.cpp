@@ -1,7 +1,7 @@
 // Word of something long, between two frames of the window and within one.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/error.h"
-#include "shell/desk/open.h"
+#include "shell/desk/open_scene.h"
 #include "tests/shell/desk/bench_support.h"
 #include "tests/shell/window/window_driver.h"
 #include "viewer2d/stage2d.h"
