@@ -17,7 +17,7 @@ namespace sightline {
 template <int D>
 std::optional<std::string> state_text(const std::string& name) {
     std::error_code error;
-    if (find_in_catalogue<D>(name) || !std::filesystem::is_regular_file(name, error)) return std::nullopt;
+    if (!std::filesystem::is_regular_file(name, error) || find_in_catalogue<D>(name)) return std::nullopt;
     std::string text = read_file(name);
     // Both kinds of JSON say at the top what they are; the rest is the readers' matter.
     if (text.substr(0, 200).find("\"sightline-state\"") == std::string::npos) return std::nullopt;
@@ -34,7 +34,7 @@ Settings start_settings(const std::string& name, bool in_window) {
 template <int D>
 Session<D> open_scene(const std::string& name, const Settings& settings, std::span<const Method<D>> methods,
                       const std::function<void(const std::string&)>& warn, const Graphics& graphics,
-                      const std::string& cells) {
+                      const std::string& cells, const ChooseView<D>& look) {
     const Stopwatch reading;
     auto scene = std::make_shared<const Scene<D>>(
         load_scene<D>(name, {.two_sided = settings.two_sided == Switch::on, .progress = graphics.progress}));
@@ -46,6 +46,7 @@ Session<D> open_scene(const std::string& name, const Settings& settings, std::sp
     ViewSpec<D> view;
     view.look_at.x = 1;
     if (scene->start_view) view = *scene->start_view;
+    if (look) view = look(view, *scene);
     std::shared_ptr<const CellComplex<D>> at_hand;
     if (!cells.empty()) {
         report(graphics.progress, "reading the cells", 0);
@@ -84,7 +85,7 @@ std::shared_ptr<const Scene<D>> reread(const std::shared_ptr<const Scene<D>>& sc
     template Settings start_settings<D>(const std::string&, bool);                                     \
     template Session<D> open_scene<D>(const std::string&, const Settings&, std::span<const Method<D>>, \
                                       const std::function<void(const std::string&)>&, const Graphics&, \
-                                      const std::string&);                                             \
+                                      const std::string&, const ChooseView<D>&);                       \
     template void add_bookmarks<D>(Session<D>&);                                                       \
     template std::shared_ptr<const Scene<D>> reread<D>(const std::shared_ptr<const Scene<D>>&, const Settings&);
 SIGHTLINE_INSTANTIATE(2)
