@@ -6,8 +6,10 @@
 #include <array>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <map>
 #include <regex>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -56,6 +58,10 @@ const std::vector<Source>& sources() {
 
 bool in(const Source& source, std::string_view folder) { return source.path.starts_with(std::string(folder) + "/"); }
 bool is_header(const Source& source) { return source.path.ends_with(".h"); }
+
+/// Pairs of files are one unit: a header, and what stands behind it.
+std::string unit(const std::string& path) { return path.substr(0, path.rfind('.')); }
+std::string folder(const std::string& path) { return path.substr(0, path.rfind('/')); }
 
 TEST(Structure, TheTestSeesTheSources) {
     EXPECT_GT(sources().size(), 100u);
@@ -135,10 +141,10 @@ TEST(Structure, ArrowsInCorePointDown) {
 }
 
 TEST(Structure, ArrowsInShellPointDown) {
-    // Figures and GL stand side by side: neither knows the other.
-    const std::map<std::string, int> levels{{"figure", 0}, {"gl", 0},       {"desk", 1},   {"export", 2},
-                                            {"panels", 3}, {"commands", 4}, {"window", 5}, {"start", 6}};
-    const auto folder = [](const std::string& path) { return path.substr(0, path.rfind('/')); };
+    // Figures and GL stand side by side: neither knows the other. So do the start and the panes: what both viewers put
+    // into the window, where it knows no dimension.
+    const std::map<std::string, int> levels{{"figure", 0},   {"gl", 0},     {"desk", 1}, {"export", 2}, {"panels", 3},
+                                            {"commands", 4}, {"window", 5}, {"pane", 6}, {"start", 6}};
     const auto level = [&](const std::string& path) {  // shell/FOLDER/FILE
         const auto found = levels.find(folder(path).substr(std::string("shell/").size()));
         EXPECT_NE(found, levels.end()) << path << " lies in a folder that the order does not name";
@@ -153,13 +159,59 @@ TEST(Structure, ArrowsInShellPointDown) {
     }
 }
 
+using Units = std::map<std::string, std::set<std::string>>;  ///< with what each includes
+
+/// The units of a way that ends where it begins; empty when there is none.
+std::vector<std::string> find_cycle(const Units& units) {
+    std::set<std::string> done;
+    std::vector<std::string> way;
+    const std::function<bool(const std::string&)> closes = [&](const std::string& at) {
+        if (const auto before = std::find(way.begin(), way.end(), at); before != way.end()) {
+            way.erase(way.begin(), before);
+            return true;
+        }
+        if (!done.insert(at).second) return false;
+        way.push_back(at);
+        if (const auto from = units.find(at); from != units.end())
+            for (const std::string& next : from->second)
+                if (closes(next)) return true;
+        way.pop_back();
+        return false;
+    };
+    for (const auto& [name, includes] : units)
+        if (closes(name)) return way;
+    return {};
+}
+
+TEST(Structure, NoArrowInsideAFolderOfTheShellRunsBackUp) {
+    EXPECT_EQ(find_cycle({{"a", {"b", "c"}}, {"b", {"c"}}}), std::vector<std::string>());
+    EXPECT_EQ(find_cycle({{"a", {"b"}}, {"b", {"c"}}, {"c", {"b"}}}), (std::vector<std::string>{"b", "c"}));
+    std::map<std::string, Units> folders;
+    std::size_t arrows = 0;
+    for (const Source& source : sources()) {
+        if (!in(source, "shell")) continue;
+        for (const std::string& include : source.includes)
+            if (folder(include) == folder(source.path) && unit(include) != unit(source.path))
+                arrows += folders[folder(source.path)][unit(source.path)].insert(unit(include)).second;
+    }
+    EXPECT_GT(arrows, 50u);
+    for (const auto& [name, units] : folders) {
+        std::string knot;
+        for (const std::string& at : find_cycle(units)) knot += " -> " + at;
+        EXPECT_EQ(knot, "") << name;
+    }
+    // The workbench stands above what it is made of, and the functions over it stand above the workbench.
+    EXPECT_GT(folders["shell/desk"].at("shell/desk/workbench").size(), 5u);
+}
+
 TEST(Structure, OnlyTheWindowAndTheProgramsKnowImGuiAndOnlyTheyAndGlKnowSdlAndOpenGl) {
     // The tests drive the real window.
     static const std::regex widgets(".*imgui.*", std::regex::icase), screen("(SDL|GL/|GLES|glad|epoxy).*");
     int seen = 0;
     for (const Source& source : sources()) {
         if (in(source, "tests")) continue;
-        const bool program = in(source, "viewer2d") || in(source, "viewer3d"), window = in(source, "shell/window");
+        const bool program = in(source, "viewer2d") || in(source, "viewer3d"),
+                   window = in(source, "shell/window") || in(source, "shell/pane");
         for (const std::string& include : source.includes) {
             const bool widget = std::regex_match(include, widgets), drawn = std::regex_match(include, screen);
             seen += widget || drawn;

@@ -5,7 +5,9 @@
 #include "core/draw/notes.h"
 #include "shell/desk/change.h"
 #include "shell/desk/edit.h"
+#include "shell/desk/moved.h"
 #include "shell/desk/moves.h"
+#include "shell/desk/undo.h"
 #include "shell/desk/zoom.h"
 
 namespace sightline {

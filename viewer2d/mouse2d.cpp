@@ -3,11 +3,13 @@
 
 #include <cmath>
 
-#include "core/base/number.h"
 #include "core/draw/notes.h"
 #include "core/draw/palette.h"
 #include "shell/commands/arguments.h"
+#include "shell/desk/gesture.h"
+#include "shell/desk/undo.h"
 #include "shell/desk/zoom.h"
+#include "shell/pane/cell_words.h"
 #include "shell/window/theme.h"
 
 namespace sightline {
@@ -15,16 +17,6 @@ namespace sightline {
 namespace {
 
 constexpr float drag_threshold = 4;
-
-std::string cell_tip(const Session<2>& session, std::uint32_t cell) {
-    const Mark mark = session.mark(cell);
-    std::string text =
-        "cell " + std::to_string(cell) + ", " + std::string(cell_state_words[static_cast<std::size_t>(mark.state)]);
-    if (mark.state == CellState::enqueued || mark.state == CellState::projected)
-        text += ", ρ " + short_number(mark.key);
-    return text + ", |A| " + std::to_string(session.cells().count(cell)) + ", visible share " +
-           short_number(session.reference().cell_share[cell]);
-}
 
 bool is_note_tool(Tool tool) { return tool >= Tool::text; }
 
@@ -104,11 +96,7 @@ void Mouse2d::place_note(Ui& ui) {
     const Vec<2> at = pane_->camera.to_scene(mouse);
     const std::uint32_t cell = centre_near(session, pane_->camera, at, ui.unit);
     const std::string anchor = cell != none ? "cell:" + std::to_string(cell) : point_text(at, session.scene());
-    const Tool tool = bench_.desk.tool;
-    field_.open(
-        mouse,
-        "note " + std::string(tool_words[static_cast<std::size_t>(tool)]) + " " + anchor + " " + first_offset(tool),
-        "tool select");
+    field_.open_new(mouse, bench_.desk.tool, anchor, first_offset(bench_.desk.tool));
 }
 
 void Mouse2d::edit_note(std::uint32_t index, const ImVec2& at) {
@@ -128,7 +116,7 @@ void Mouse2d::click(Ui& ui) {
     Pick under = pick_;
     if (!pane_->same_cells) under.cell = none;
     if (!pane_->lead) under.primitive = none;
-    ui.act("select " + cycle_.next(under, ImGui::GetIO().MousePos, drag_threshold * ui.unit));
+    ui.act("select " + cycle_.next(choices(under), ImGui::GetIO().MousePos, drag_threshold * ui.unit));
 }
 
 void Mouse2d::double_click(Ui& ui) {
@@ -228,7 +216,7 @@ void Mouse2d::draw_handles(Ui& ui, const MousePane& pane) {
 void Mouse2d::tooltip(Ui& ui) {
     if (!hovered_ || !ui.mouse_awake || drag_ || !pane_ || field_.is_open()) return;
     std::string text = handle_tip(pick_.handle);
-    if (text.empty() && pick_.cell != none) text = cell_tip(*pane_->session, pick_.cell);
+    if (text.empty() && pick_.cell != none) text = cell_words(*pane_->session, pick_.cell);
     if (text.empty()) return;
     // Beside the pointer, not on the cell that it speaks of.
     const ImVec2 mouse = ImGui::GetIO().MousePos;

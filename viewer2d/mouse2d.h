@@ -5,8 +5,9 @@
 #include <optional>
 #include <span>
 
-#include "shell/window/labels.h"
-#include "shell/window/note_field.h"
+#include "shell/pane/click_cycle.h"
+#include "shell/pane/labels.h"
+#include "shell/pane/note_field.h"
 #include "viewer2d/drag2d.h"
 
 namespace sightline {

@@ -6,7 +6,7 @@
 #include "shell/gl/list_renderer.h"
 #include "shell/gl/target.h"
 #include "shell/gl/texture_quad.h"
-#include "shell/window/legend.h"
+#include "shell/pane/pane_texts.h"
 #include "viewer2d/camera.h"
 
 namespace sightline {
@@ -25,40 +25,32 @@ public:
 
     const Camera& camera() const { return camera_; }
     /// Where the labels stand; those of notes have the numbers of the current notes (core/draw/notes.h).
-    const std::vector<LabelSpot>& spots() const { return spots_; }
+    const std::vector<LabelSpot>& spots() const { return texts_.spots(); }
 
 private:
-    struct Size {
-        int x = 0, y = 0, w = 0, h = 0;  ///< framebuffer pixels, y up
-        double px_per_pt = 0, line_scale = 1;
-        bool operator==(const Size&) const = default;
-    };
     /// What the layer of borders was drawn from.
     struct Borders {
         std::vector<Vec<2>> points;
         std::vector<std::uint32_t> facet_points;
         Palette palette{};
         Box<2> world;
-        Size size;
+        PaneSize size;
     };
 
-    void make_legend_box(const Ui& ui, const Session<2>& session, const PictureOptions& options);
+    void add_legend(const Ui& ui, const Session<2>& session, const PictureOptions& options);
     void draw_borders(const Session<2>& session, const PictureOptions& options, const ListView& view);
     void render(const Session<2>& session, const PictureOptions& options);
     ListView view(const Box<2>& world) const;
 
     Camera camera_;
-    Size size_;
+    PaneSize size_;
     std::uint64_t revision_ = 0;
     DrawList below_, above_;
-    ListRenderer below_renderer_, border_renderer_, above_renderer_, legend_renderer_;
+    ListRenderer below_renderer_, border_renderer_, above_renderer_;
     TextureQuad quad_;
     std::optional<GlTarget> picture_, border_picture_;
     Borders borders_;
-    LegendBox legend_;
-    Area legend_area_;
-    std::vector<LabelSpot> spots_, legend_spots_;
-    LabelMemory memory_;
+    PaneTexts texts_;
 };
 
 }  // namespace sightline

@@ -72,13 +72,11 @@ std::uint32_t centre_near(const Session<2>& session, const Camera& camera, const
     return found;
 }
 
-std::string ClickCycle::next(const Pick& under, const ImVec2& at, float reach) {
-    clicks_ = distance(at, last_) < reach ? clicks_ + 1 : 0;
-    last_ = at;
+std::vector<std::string> choices(const Pick& under) {
     std::vector<std::string> here;
     if (under.primitive != none) here.push_back("primitive:" + std::to_string(under.primitive));
     if (under.cell != none) here.push_back(std::to_string(under.cell));
-    return here.empty() ? "none" : here[clicks_ % here.size()];
+    return here;
 }
 
 }  // namespace sightline

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <span>
+#include <string>
+#include <vector>
 
 #include "viewer2d/handles.h"
 
@@ -29,17 +31,7 @@ Vec<2> snapped_to_end(const Session<2>& session, const Camera& camera, const Vec
 /// The cell whose centre is the nearest within reach of the point; none when there is none.
 std::uint32_t centre_near(const Session<2>& session, const Camera& camera, const Vec<2>& at, float unit);
 
-/// Repeated clicks at one place go through what lies there: the primitive, the cell, and so on.
-class ClickCycle {
-public:
-    /// What this click takes: "primitive:N", "N" or "none".
-    std::string next(const Pick& under, const ImVec2& at, float reach);
-    /// A click at the same place begins anew.
-    void forget() { last_ = {-1e9f, -1e9f}; }
-
-private:
-    ImVec2 last_{-1e9f, -1e9f};
-    std::size_t clicks_ = 0;
-};
+/// What a click can take, as `select` takes it: the primitive, then the cell.
+std::vector<std::string> choices(const Pick& under);
 
 }  // namespace sightline

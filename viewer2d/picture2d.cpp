@@ -1,47 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "viewer2d/picture2d.h"
 
-#include <algorithm>
-#include <cmath>
 #include <set>
 
-#include "core/draw/cell_number.h"
 #include "core/draw/palette.h"
 #include "core/draw/shown_world.h"
-#include "core/session/substep.h"
-#include "core/session/explain.h"
+#include "shell/desk/compare.h"
 #include "shell/desk/into.h"
+#include "shell/pane/cell_words.h"
 #include "shell/window/theme.h"
 
 namespace sightline {
 
-namespace {
-
-/// The part of the area that a pane has: all of it, or one half.
-Area pane_area(const Area& area, std::size_t pane, std::size_t count) {
-    if (count == 1) return area;
-    constexpr float gap = 3;
-    const float w = std::floor((area.w - gap) / 2);
-    return {pane == 0 ? area.x : area.x + area.w - w, area.y, w, area.h};
-}
-
-}  // namespace
-
-const Session<2>& Picture2d::session_of(std::size_t pane) const {
-    return pane == 0 ? bench_.session : bench_.other->session;
-}
-
 std::vector<MousePane> Picture2d::mouse_panes(const Area& area) {
     std::vector<MousePane> panes;
-    for (std::size_t i = 0; i < pane_count(); ++i) {
+    for (std::size_t i = 0; i < sessions_.count(); ++i) {
         MousePane pane;
-        pane.session = &session_of(i);
-        pane.camera.area = pane_area(area, i, pane_count());
+        pane.session = &sessions_[i];
+        pane.camera.area = pane_area(area, i, sessions_.count());
         const double aspect = pane.camera.area.w / pane.camera.area.h;
         const auto held = mouse_.held_world();
         pane.camera.world = held ? *held : widened(shown_world(bench_.session), aspect);
         pane.lead = i == 0;
-        pane.same_cells = i == 0 || !sides_.empty();
+        pane.same_cells = i == 0 || !sessions_.sides().empty();
         pane.note_spots = panes_[i].spots();
         panes.push_back(pane);
     }
@@ -49,25 +30,13 @@ std::vector<MousePane> Picture2d::mouse_panes(const Area& area) {
 }
 
 void Picture2d::update(const Ui& ui, const Area& area) {
-    if (sides_revision_ != ui.revision) {
-        sides_revision_ = ui.revision;
-        sides_ = bench_.other ? projected_sides(bench_.session, bench_.other->session) : std::vector<Side>();
-    }
+    sessions_.update(ui.revision);
     const std::vector<MousePane> panes = mouse_panes(area);
     const Shown<2> shown(bench_);
     for (std::size_t i = 0; i < panes.size(); ++i) {
-        const Session<2>& session = i == 0 ? *shown : session_of(i);
-        const CellNumber what = session.settings().heat;
-        HeatRange& heat = heat_[i];
-        if (heat.run != bench_.run || heat.what != what || heat.of != &session_of(i))
-            heat = {bench_.run, what, &session_of(i),
-                    what == CellNumber::none ? std::nullopt : number_range(session_of(i), what)};
-        PictureOptions options;
-        options.heat_range = heat.range;
+        const Session<2>& session = i == 0 ? *shown : sessions_[i];
+        auto options = sessions_.options<PictureOptions>(i);
         options.world = panes[i].camera.world;
-        options.sides = sides_;
-        if (i == 0 && bench_.substep)
-            options.facet = shown_in_substep(bench_.session, bench_.session.position(), *bench_.substep);
         panes_[i].update(ui, session, options, ui.revision, panes[i].camera.area, bench_.desk.projector,
                          i == 0 && bench_.desk.legend);
     }
@@ -92,18 +61,13 @@ void Picture2d::outline(const Ui& ui, const MousePane& pane, std::uint32_t cell)
     ring(colour(palette.ink), 2.2f * width);
 }
 
-/// Where the cells stand that scripts and readers of the screen may ask for.
 void Picture2d::note_cells() {
-    const auto add = [&](const std::string& name, std::uint32_t cell) {
-        if (cell >= bench_.session.cells().cell_count()) return;
-        const ImVec2 at = camera().to_window(bench_.session.cells().centre(cell));
-        bench_.places.push_back({name, at.x, at.y, 0, 0});
-    };
+    const auto to_window = [&](const Vec<2>& p) { return std::optional(camera().to_window(p)); };
     const std::uint32_t selected = bench_.session.selected_cell, last = last_cell(bench_.session);
-    add("selected cell", selected);
-    add("last cell", last);
+    note_cell(bench_, "selected cell", selected, to_window);
+    note_cell(bench_, "last cell", last, to_window);
     for (const std::uint32_t cell : std::set<std::uint32_t>{selected, bench_.hovered_cell, last})
-        add("cell " + std::to_string(cell), cell);
+        note_cell(bench_, "cell " + std::to_string(cell), cell, to_window);
 }
 
 void Picture2d::draw_over(Ui& ui, const std::vector<MousePane>& panes, const Area& area) {
@@ -153,7 +117,7 @@ void Picture2d::interact(Ui& ui, const Area& area) {
 }
 
 void Picture2d::draw(Ui&, const Area&) {
-    for (std::size_t i = 0; i < pane_count(); ++i) panes_[i].draw();
+    for (std::size_t i = 0; i < sessions_.count(); ++i) panes_[i].draw();
 }
 
 }  // namespace sightline

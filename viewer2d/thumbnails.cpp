@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "viewer2d/thumbnails.h"
 
-#include <exception>
-
 #include "core/draw/palette.h"
 #include "core/draw/picture.h"
 #include "core/draw/shown_world.h"
 #include "core/scene/make/catalogue.h"
 #include "core/scene/read/load.h"
-#include "shell/desk/open.h"
+#include "shell/desk/open_scene.h"
+#include "shell/gl/list_renderer.h"
 
 namespace sightline {
 
@@ -37,31 +36,21 @@ DrawList segments_alone(const Scene<2>& scene, double aspect) {
 
 }  // namespace
 
-GLuint Thumbnails::texture(const SceneChoice& scene, int width, int height) {
-    const auto found = made_.find(scene.name);
-    const bool there = found != made_.end() &&
-                       (!found->second || (found->second->width() == width && found->second->height() == height));
-    if (there) return found->second ? found->second->texture() : 0;
-    if (made_one_ || width < 1 || height < 1) return 0;
-    made_one_ = true;
-    std::unique_ptr<GlTarget>& target = made_[scene.name];
-    target.reset();
-    try {
+Thumbnails::Make thumbnails2d() {
+    return [renderer = std::make_shared<ListRenderer>()](const std::string& scene, int width, int height) {
         const double aspect = static_cast<double>(width) / height;
-        const CatalogueRow<2>* const row = find_in_catalogue(scene.name);
-        const DrawList list = row ? at_the_end(*row, aspect) : segments_alone(load_scene(scene.name), aspect);
-        target = std::make_unique<GlTarget>(width, height, samples);
+        const CatalogueRow<2>* const row = find_in_catalogue(scene);
+        const DrawList list = row ? at_the_end(*row, aspect) : segments_alone(load_scene(scene), aspect);
+        auto target = std::make_unique<GlTarget>(width, height, samples);
         target->bind();
         glClearColor(1, 1, 1, 1);
         glClear(GL_COLOR_BUFFER_BIT);
-        renderer_.set(list);
+        renderer->set(list);
         // Thinner than in a picture of full size.
-        renderer_.draw({list.world, 0, 0, width, height, 0.7, 1});
+        renderer->draw({list.world, 0, 0, width, height, 0.7, 1});
         target->resolve();
-    } catch (const std::exception&) {
-        return 0;  // the chooser shows an empty frame; opening the scene says why
-    }
-    return target->texture();
+        return target;
+    };
 }
 
 }  // namespace sightline

@@ -4,13 +4,15 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "core/base/number.h"
 #include "core/draw/projection.h"
 #include "shell/commands/arguments.h"
 #include "shell/desk/camera.h"
 #include "shell/desk/change.h"
-#include "shell/desk/flight.h"
+#include "shell/desk/fly.h"
+#include "shell/desk/gesture.h"
+#include "shell/desk/undo.h"
 #include "shell/desk/zoom.h"
+#include "shell/pane/cell_words.h"
 #include "shell/window/theme.h"
 
 namespace sightline {
@@ -26,17 +28,6 @@ constexpr double wheel_factor = 1.15;
 
 constexpr ImGuiButtonFlags any_button =
     ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle;
-
-std::string cell_words(const Session<3>& session, std::uint32_t cell) {
-    const Mark mark = session.mark(cell);
-    std::string text =
-        "cell " + std::to_string(cell) + ", " + std::string(cell_state_words[static_cast<std::size_t>(mark.state)]);
-    if (mark.state == CellState::enqueued || mark.state == CellState::projected)
-        text += ", ρ " + short_number(mark.key);
-    text += ", |A| " + std::to_string(session.cells().count(cell));
-    if (session.has_reference()) text += ", visible share " + short_number(session.reference().cell_share[cell]);
-    return text;
-}
 
 }  // namespace
 
@@ -113,9 +104,6 @@ void Mouse3d::drag(Ui& ui, const Pane3d& pane) {
 /// Clicks at one place take the triangle, then the cell, and so on.
 void Mouse3d::click(Ui& ui, const Pane3d& pane) {
     const ImVec2 at = ImGui::GetIO().MousePos;
-    const bool again = std::hypot(at.x - clicked_.x, at.y - clicked_.y) <= click_slack * ui.unit;
-    clicks_ = again ? clicks_ + 1 : 0;
-    clicked_ = at;
     if (!pane.area().contains(at)) return;
     const Pick3d under = pick(pane.solid(), pane.to_plane(at));
     const Tool tool = bench_.desk.tool;
@@ -124,15 +112,13 @@ void Mouse3d::click(Ui& ui, const Pane3d& pane) {
                                    : under.cell != none
                                        ? "cell:" + std::to_string(under.cell)
                                        : point_text(bench_.session.display_view().look_at, bench_.session.scene());
-        const std::string kind(tool_words[static_cast<std::size_t>(tool)]);
-        field_.open(at, "note " + kind + " " + anchor + (tool == Tool::arrow ? " [34,26]" : " [0,14]"), "tool select");
+        field_.open_new(at, tool, anchor, tool == Tool::arrow ? "[34,26]" : "[0,14]");
         return;
     }
     std::vector<std::string> choices;
     if (under.cell != none) choices.push_back(std::to_string(under.cell));
     if (under.primitive != none) choices.push_back("primitive:" + std::to_string(under.primitive));
-    if (choices.empty()) return ui.act("select none");
-    ui.act("select " + choices[static_cast<std::size_t>(clicks_) % choices.size()]);
+    ui.act("select " + cycle_.next(choices, at, click_slack * ui.unit));
 }
 
 void Mouse3d::frame(Ui& ui, std::span<const Pane3d> panes) {

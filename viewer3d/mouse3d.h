@@ -6,7 +6,8 @@
 #include <span>
 
 #include "shell/desk/gesture.h"
-#include "shell/window/note_field.h"
+#include "shell/pane/click_cycle.h"
+#include "shell/pane/note_field.h"
 #include "viewer3d/pane3d.h"
 #include "viewer3d/picking3d.h"
 
@@ -39,8 +40,8 @@ private:
     Drag drag_ = Drag::none;
     std::optional<Gesture<3>> before_;
     ViewSpec<3> from_{};  ///< the view that is dragged, as the button went down
-    ImVec2 pressed_{}, clicked_{-1e9f, -1e9f};
-    int clicks_ = 0;
+    ImVec2 pressed_{};
+    ClickCycle cycle_;
     bool hovered_ = false;
 };
 

@@ -7,7 +7,7 @@
 #include "shell/gl/solid_renderer.h"
 #include "shell/gl/target.h"
 #include "shell/gl/texture_quad.h"
-#include "shell/window/legend.h"
+#include "shell/pane/pane_texts.h"
 
 namespace sightline {
 
@@ -31,15 +31,10 @@ public:
     ImVec2 to_window(const Vec<2>& plane) const;
     /// The point of the picture's plane under a point of the window.
     Vec<2> to_plane(const ImVec2& window) const;
-    const std::vector<LabelSpot>& spots() const { return spots_; }
+    const std::vector<LabelSpot>& spots() const { return texts_.spots(); }
     double draw_ms() const { return draw_ms_; }  ///< of the last time
 
 private:
-    struct Size {
-        int x = 0, y = 0, w = 0, h = 0;  ///< framebuffer pixels, y up
-        double px_per_pt = 0, line_scale = 1;
-        bool operator==(const Size&) const = default;
-    };
     /// What the solids were made from, but for the camera.
     struct SolidKey {
         const Scene<3>* scene = nullptr;
@@ -54,24 +49,21 @@ private:
     };
 
     void make_solid_list(const Session<3>& session, const PictureOptions3& options, std::uint64_t run);
-    void make_legend_box(const Ui& ui, const Session<3>& session, const PictureOptions3& options,
-                         std::span<const Area> insets);
+    void add_legend(const Ui& ui, const Session<3>& session, const PictureOptions3& options,
+                    std::span<const Area> insets);
     void render(bool moving);
 
     Area area_;
-    Size size_;
+    PaneSize size_;
     std::uint64_t revision_ = 0;
     std::optional<SolidKey> key_;
     SolidList solid_;
     DrawList over_;
     SolidRenderer solid_renderer_;
-    ListRenderer over_renderer_, legend_renderer_;
+    ListRenderer over_renderer_;
     TextureQuad quad_;
     std::optional<GlTarget> picture_;
-    LegendBox legend_;
-    Area legend_area_;
-    std::vector<LabelSpot> spots_, legend_spots_;
-    LabelMemory memory_;
+    PaneTexts texts_;
     double draw_ms_ = 0;
 };
 

@@ -6,29 +6,19 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/draw/cell_number.h"
-#include "core/draw/palette.h"
 #include "core/draw/projection.h"
 #include "core/draw/shown_cells.h"
-#include "core/session/substep.h"
 #include "core/session/settings_table.h"
 #include "shell/desk/camera.h"
-#include "shell/desk/flight.h"
-#include "core/session/explain.h"
+#include "shell/desk/compare.h"
+#include "shell/desk/fly.h"
 #include "shell/desk/into.h"
+#include "shell/pane/cell_words.h"
 #include "shell/window/theme.h"
 
 namespace sightline {
 
 namespace {
-
-/// The part of the area that a pane has: all of it, or one half.
-Area pane_area(const Area& area, std::size_t pane, std::size_t count) {
-    if (count == 1) return area;
-    constexpr float gap = 3;
-    const float w = std::floor((area.w - gap) / 2);
-    return {pane == 0 ? area.x : area.x + area.w - w, area.y, w, area.h};
-}
 
 /// As much of an area, from above, as shows the culling view to both sides; never higher than the area.
 Area no_narrower(Area area, float aspect) {
@@ -58,10 +48,6 @@ float title_height(const Ui& ui) { return ui.fonts.text->FontSize / ui.framebuff
 
 }  // namespace
 
-const Session<3>& Picture3d::session_of(std::size_t pane) const {
-    return pane == 0 ? bench_.session : bench_.other->session;
-}
-
 bool Picture3d::takes_key(const std::string& key) const {
     return bench_.flight.on && std::any_of(flight_keys.begin(), flight_keys.end(), [&](const FlightKey& k) {
                return key == k.name || key == std::string("Shift+") + k.name;
@@ -69,7 +55,7 @@ bool Picture3d::takes_key(const std::string& key) const {
 }
 
 std::string Picture3d::title_of(std::size_t pane) const {
-    const std::string guarantee = ", " + session_of(pane).guarantee();
+    const std::string guarantee = ", " + sessions_[pane].guarantee();
     if (!bench_.other) return std::string(bench_.session.method().id) + guarantee;
     return (pane == 0 ? "left: " : "right: ") + side_titles(bench_)[pane] + guarantee;
 }
@@ -93,8 +79,8 @@ void Picture3d::measure(Ui& ui) {
     if (measure_ms_ > measured_in_flight_ms && rested_ < rest_seconds && unmeasured_ < measured_again_seconds) return;
     double ms = 0;
     bool any = false;
-    for (std::size_t i = 0; i < pane_count(); ++i) {
-        const Session<3>& session = session_of(i);
+    for (std::size_t i = 0; i < sessions_.count(); ++i) {
+        const Session<3>& session = sessions_[i];
         if (!session.flying() || session.has_reference()) continue;
         const double before = session.times().reference;
         session.reference();
@@ -108,9 +94,9 @@ void Picture3d::measure(Ui& ui) {
 }
 
 Picture3d::Part Picture3d::lay_out(const Ui& ui, const Area& area, std::size_t pane) const {
-    const Session<3>& session = session_of(pane);
+    const Session<3>& session = sessions_[pane];
     Part part;
-    part.whole = pane_area(area, pane, pane_count());
+    part.whole = pane_area(area, pane, sessions_.count());
     part.counters = counters(session, title_of(pane), panes_[pane].draw_ms(),
                              bench_.flight.on ? std::optional(flight_speed(bench_)) : std::nullopt);
     part.head = part.whole;
@@ -141,25 +127,13 @@ Picture3d::Part Picture3d::lay_out(const Ui& ui, const Area& area, std::size_t p
 }
 
 void Picture3d::update(const Ui& ui) {
-    if (sides_revision_ != ui.revision) {
-        sides_revision_ = ui.revision;
-        sides_ = bench_.other ? projected_sides(bench_.session, bench_.other->session) : std::vector<Side>();
-    }
+    sessions_.update(ui.revision);
     const Shown<3> shown(bench_);
-    for (std::size_t i = 0; i < pane_count(); ++i) {
-        const Session<3>& session = i == 0 ? *shown : session_of(i);
-        const CellNumber what = session.settings().heat;
-        HeatRange& heat = heat_[i];
-        if (heat.run != bench_.run || heat.what != what)
-            heat = {bench_.run, what,
-                    what == CellNumber::none || session.flying() ? std::nullopt : number_range(session_of(i), what)};
+    for (std::size_t i = 0; i < sessions_.count(); ++i) {
+        const Session<3>& session = i == 0 ? *shown : sessions_[i];
         const Area& picture = parts_[i].picture;
-        PictureOptions3 options;
-        options.heat_range = heat.range;
+        auto options = sessions_.options<PictureOptions3>(i);
         options.aspect = picture.w / picture.h;
-        options.sides = sides_;
-        if (i == 0 && bench_.substep)
-            options.facet = shown_in_substep(bench_.session, bench_.session.position(), *bench_.substep);
         eyes_[i].update(session, ui.revision);
         panes_[i].update(ui, session, options, ui.revision, bench_.run, picture, bench_.desk.projector,
                          i == 0 && bench_.desk.legend, mouse_.dragging() || lively(),
@@ -168,7 +142,7 @@ void Picture3d::update(const Ui& ui) {
 }
 
 void Picture3d::draw_part(ImDrawList& list, const Ui& ui, std::size_t pane) {
-    const Session<3>& session = session_of(pane);
+    const Session<3>& session = sessions_[pane];
     const Part& part = parts_[pane];
     const auto fill = [&](const Area& area) { list.AddRectFilled(area.min(), area.max(), colour(theme::panel)); };
     draw_counters(list, ui, part.counters, part.head);
@@ -196,38 +170,34 @@ void Picture3d::note(const std::string& name, const Area& area) {
     bench_.places.push_back({name, area.x, area.y, area.w, area.h});
 }
 
-/// Where the cells stand that scripts and readers of the screen may ask for.
-void Picture3d::note_places() {
-    const auto add = [&](const std::string& name, std::uint32_t cell) {
-        if (cell >= bench_.session.cells().cell_count()) return;
-        const auto at = project(panes_[0].camera(), bench_.session.cells().centre(cell));
-        if (!at) return;
-        const ImVec2 window = panes_[0].to_window(*at);
-        bench_.places.push_back({name, window.x, window.y, 0, 0});
+void Picture3d::note_cells() {
+    const auto to_window = [&](const Vec<3>& p) {
+        const auto at = project(panes_[0].camera(), p);
+        return at ? std::optional(panes_[0].to_window(*at)) : std::nullopt;
     };
-    add("selected cell", bench_.session.selected_cell);
-    add("last cell", last_cell(bench_.session));
+    note_cell(bench_, "selected cell", bench_.session.selected_cell, to_window);
+    note_cell(bench_, "last cell", last_cell(bench_.session), to_window);
 }
 
 void Picture3d::interact(Ui& ui, const Area& area) {
     ImGui::InvisibleButton(
         "scene", {area.w, area.h},
         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
-    mouse_.frame(ui, std::span<const Pane3d>(panes_).first(pane_count()));
+    mouse_.frame(ui, std::span<const Pane3d>(panes_).first(sessions_.count()));
     fly(ui, ImGui::GetIO().DeltaTime);
     measure(ui);
-    for (std::size_t i = 0; i < pane_count(); ++i) parts_[i] = lay_out(ui, area, i);
+    for (std::size_t i = 0; i < sessions_.count(); ++i) parts_[i] = lay_out(ui, area, i);
     update(ui);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.PushClipRect(area.min(), area.max(), true);
-    for (std::size_t i = 0; i < pane_count(); ++i) draw_part(list, ui, i);
-    mouse_.draw(ui, std::span<const Pane3d>(panes_).first(pane_count()), area);
+    for (std::size_t i = 0; i < sessions_.count(); ++i) draw_part(list, ui, i);
+    mouse_.draw(ui, std::span<const Pane3d>(panes_).first(sessions_.count()), area);
     list.PopClipRect();
-    note_places();
+    note_cells();
 }
 
 void Picture3d::draw(Ui&, const Area&) {
-    for (std::size_t i = 0; i < pane_count(); ++i) panes_[i].draw();
+    for (std::size_t i = 0; i < sessions_.count(); ++i) panes_[i].draw();
 }
 
 }  // namespace sightline

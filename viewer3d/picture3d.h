@@ -6,6 +6,7 @@
 #include <string>
 
 #include "shell/desk/workbench.h"
+#include "shell/pane/side_by_side.h"
 #include "shell/window/stage.h"
 #include "viewer3d/counters.h"
 #include "viewer3d/eye_pictures.h"
@@ -17,7 +18,7 @@ namespace sightline {
 class Picture3d {
 public:
     /// An OpenGL context is current. The bench must live longer.
-    explicit Picture3d(Workbench<3>& bench) : bench_(bench), mouse_(bench) {}
+    explicit Picture3d(Workbench<3>& bench) : bench_(bench), sessions_(bench), mouse_(bench) {}
 
     /// As Stage has them; interact comes first in a frame and brings the picture up to date.
     void interact(Ui& ui, const Area& area);
@@ -29,12 +30,6 @@ public:
     const Pane3d& pane() const { return panes_[0]; }
 
 private:
-    struct HeatRange {
-        std::uint64_t run = 0;
-        CellNumber what = CellNumber::none;
-        std::optional<std::array<double, 2>> range;
-    };
-
     /// What belongs to one session, from above: its counters, the picture and, where it is split, the culling eye's.
     struct Part {
         Area whole, head, picture;
@@ -42,8 +37,6 @@ private:
         std::vector<Counter> counters;
     };
 
-    const Session<3>& session_of(std::size_t pane) const;
-    std::size_t pane_count() const { return bench_.other ? 2 : 1; }
     std::string title_of(std::size_t pane) const;
     void fly(Ui& ui, float seconds);
     void measure(Ui& ui);
@@ -51,16 +44,14 @@ private:
     void update(const Ui& ui);
     void draw_part(ImDrawList& list, const Ui& ui, std::size_t pane);
     void note(const std::string& name, const Area& area);
-    void note_places();
+    void note_cells();
 
     Workbench<3>& bench_;
+    SideBySide<3> sessions_;
     Mouse3d mouse_;
     std::array<Pane3d, 2> panes_;
     std::array<Part, 2> parts_;
     std::array<EyePictures, 2> eyes_;
-    std::array<HeatRange, 2> heat_;
-    std::vector<Side> sides_;
-    std::uint64_t sides_revision_ = 0;
     std::uint64_t flown_ = 0;  ///< the run of the last frame
     float unmeasured_ = 0;     ///< seconds since the last exact image
     float rested_ = 0;         ///< seconds since the eye last flew

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "viewer3d/stage3d.h"
 
-#include "core/scene/make/catalogue.h"
+#include "shell/pane/stage_of.h"
 #include "viewer3d/picture3d.h"
 #include "viewer3d/thumbnails.h"
 
@@ -11,9 +11,8 @@ namespace {
 
 std::vector<SceneChoice> choices() {
     std::vector<SceneChoice> all;
-    for (const CatalogueRow<3>& row : catalogue<3>()) all.push_back({row.id, row.title, row.lesson});
-    for (const CatalogueRow<3>& row : failure_scenes<3>())
-        all.push_back({row.id, "Gallery: " + std::string(row.title), row.lesson});
+    add_catalogue<3>(all);
+    add_failures<3>(all);
     return all;
 }
 
@@ -28,26 +27,16 @@ struct Held {
 
     std::shared_ptr<Renderers> renderers;
     Picture3d picture;
-    Thumbnails3d thumbnails;
+    Thumbnails thumbnails{thumbnails3d()};
 };
 
 }  // namespace
 
 Stage stage3d(Workbench<3>& bench, const std::shared_ptr<Renderers>& renderers) {
     const auto held = std::make_shared<Held>(bench, renderers);
-    Stage stage;
-    stage.draw = [held](Ui& ui, const Area& area) { held->picture.draw(ui, area); };
-    stage.interact = [held](Ui& ui, const Area& area) {
-        held->thumbnails.next_frame();
-        held->picture.interact(ui, area);
-    };
-    stage.cancel = [held] { return held->picture.cancel(); };
+    Stage stage = stage_of(held, choices());
     stage.takes_key = [held](const std::string& key) { return held->picture.takes_key(key); };
     stage.lively = [held] { return held->picture.lively(); };
-    stage.scenes = choices();
-    stage.thumbnail = [held](const SceneChoice& scene, int width, int height) {
-        return held->thumbnails.texture(scene, width, height);
-    };
     return stage;
 }
 

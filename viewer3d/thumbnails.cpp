@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "viewer3d/thumbnails.h"
 
-#include <exception>
 #include <numeric>
 
 #include "core/draw/solid_palette.h"
 #include "core/scene/make/catalogue.h"
 #include "core/scene/read/load.h"
+#include "shell/gl/solid_renderer.h"
 
 namespace sightline {
 
@@ -31,28 +31,19 @@ SolidList whole_scene(const std::string& name, double aspect) {
 
 }  // namespace
 
-GLuint Thumbnails3d::texture(const SceneChoice& scene, int width, int height) {
-    const auto found = made_.find(scene.name);
-    const bool there = found != made_.end() &&
-                       (!found->second || (found->second->width() == width && found->second->height() == height));
-    if (there) return found->second ? found->second->texture() : 0;
-    if (made_one_ || width < 1 || height < 1) return 0;
-    made_one_ = true;
-    std::unique_ptr<GlTarget>& target = made_[scene.name];
-    target.reset();
-    try {
-        const SolidList list = whole_scene(scene.name, static_cast<double>(width) / height);
-        if (!renderer_) renderer_ = std::make_unique<SolidRenderer>();
-        target = std::make_unique<GlTarget>(width, height, samples, true);
-        renderer_->set(list);
+Thumbnails::Make thumbnails3d() {
+    const auto kept = std::make_shared<std::unique_ptr<SolidRenderer>>();  // made on first use
+    return [kept](const std::string& scene, int width, int height) {
+        const SolidList list = whole_scene(scene, static_cast<double>(width) / height);
+        if (!*kept) *kept = std::make_unique<SolidRenderer>();
+        SolidRenderer& renderer = **kept;
+        auto target = std::make_unique<GlTarget>(width, height, samples, true);
+        renderer.set(list);
         target->bind();
-        renderer_->draw(list.camera, 0, 0, width, height, 1);
+        renderer.draw(list.camera, 0, 0, width, height, 1);
         target->resolve();
-    } catch (const std::exception&) {
-        target.reset();
-        return 0;  // the chooser shows an empty frame; opening the scene says why
-    }
-    return target->texture();
+        return target;
+    };
 }
 
 }  // namespace sightline

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -80,10 +81,13 @@ struct DrawList {
     std::vector<Shape> shapes;
     std::vector<Label> labels;
 
-    void add(ShapeKind kind, std::uint16_t style, std::initializer_list<Vec<2>> at, double size_pt = 0) {
+    void add(ShapeKind kind, std::uint16_t style, std::span<const Vec<2>> at, double size_pt = 0) {
         shapes.push_back(
             {kind, style, static_cast<std::uint32_t>(points.size()), static_cast<std::uint32_t>(at.size()), size_pt});
         points.insert(points.end(), at.begin(), at.end());
+    }
+    void add(ShapeKind kind, std::uint16_t style, std::initializer_list<Vec<2>> at, double size_pt = 0) {
+        add(kind, style, std::span(at.begin(), at.size()), size_pt);
     }
 };
 

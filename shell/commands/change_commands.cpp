@@ -6,6 +6,7 @@
 #include "shell/commands/arguments.h"
 #include "shell/commands/groups.h"
 #include "shell/desk/change.h"
+#include "shell/desk/undo.h"
 
 namespace sightline {
 

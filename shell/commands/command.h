@@ -18,6 +18,7 @@ struct Command {
     /// the line to type the argument into. KEY is e.g. Right, Ctrl+Shift+Z, F1, PageDown, Space, ].
     std::string_view keys;
     void (*run)(Workbench<D>&, const std::string& argument);
+    std::string_view slow{};  ///< what a person is told before it begins, where it takes seconds; empty: it does not
 };
 
 }  // namespace sightline

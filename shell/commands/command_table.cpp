@@ -75,16 +75,38 @@ std::span<const Command<D>> command_table() {
     return table;
 }
 
+namespace {
+
+/// nullptr when there is no command of this id.
+template <int D>
+const Command<D>* find_command(std::string_view id) {
+    const auto table = command_table<D>();
+    const auto found = std::find_if(table.begin(), table.end(), [&](const Command<D>& c) { return c.id == id; });
+    return found == table.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+template <int D>
+std::string_view slow_word(std::string_view text) try {
+    for (const std::string& part : split_commands(text))
+        if (const Command<D>* const command = find_command<D>(split_word(part)[0]); command && !command->slow.empty())
+            return command->slow;
+    return {};
+} catch (const InputError&) {
+    return {};  // run_commands says what is wrong
+}
+
 template <int D>
 void run_commands(Workbench<D>& bench, std::string_view text) {
     for (const std::string& part : split_commands(text)) {
         const auto words = split_word(part);
         const std::string &word = words[0], &argument = words[1];
-        const auto table = command_table<D>();
-        const auto found = std::find_if(table.begin(), table.end(), [&](const Command<D>& c) { return c.id == word; });
-        if (found == table.end()) {
+        const Command<D>* const found = find_command<D>(word);
+        if (!found) {
             std::string known;
-            for (const Command<D>& command : table) known += (known.empty() ? "" : ", ") + std::string(command.id);
+            for (const Command<D>& command : command_table<D>())
+                known += (known.empty() ? "" : ", ") + std::string(command.id);
             throw InputError("command '" + word + "' does not exist; there are " + known);
         }
         try {
@@ -100,6 +122,8 @@ template std::span<const CommandGroup<2>> command_groups<2>();
 template std::span<const CommandGroup<3>> command_groups<3>();
 template std::span<const Command<2>> command_table<2>();
 template std::span<const Command<3>> command_table<3>();
+template std::string_view slow_word<2>(std::string_view);
+template std::string_view slow_word<3>(std::string_view);
 template void run_commands<2>(Workbench<2>&, std::string_view);
 template void run_commands<3>(Workbench<3>&, std::string_view);
 

@@ -29,6 +29,11 @@ std::span<const Command<D>> command_table();
 template <int D>
 void run_commands(Workbench<D>& bench, std::string_view text);
 
+/// What a person is to be told before run_commands takes this text (Command::slow); empty: nothing, also for a text
+/// that it refuses.
+template <int D>
+std::string_view slow_word(std::string_view text);
+
 /// One command as run_commands takes it, whatever characters it has.
 std::string quote_command(std::string_view command);
 

@@ -6,7 +6,7 @@
 #include "core/base/error.h"
 #include "shell/commands/arguments.h"
 #include "shell/commands/groups.h"
-#include "shell/desk/comparison.h"
+#include "shell/desk/compare.h"
 #include "shell/desk/open.h"
 
 namespace sightline {

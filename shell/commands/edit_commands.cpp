@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/error.h"
 #include "shell/commands/arguments.h"
-#include "shell/commands/command_table.h"
 #include "shell/commands/groups.h"
 #include "shell/desk/edit.h"
+#include "shell/desk/notes.h"
 
 namespace sightline {
 
@@ -30,8 +30,8 @@ void edit_segment(Workbench<2>& bench, Text text) {
 }
 
 void delete_selected(Workbench<2>& bench, Text) {
-    const bool note = bench.selected_note < bench.session.notes.size();
-    run_commands(bench, note ? "note-edit selected delete" : "segment delete");
+    if (bench.selected_note < bench.session.notes.size()) return delete_note(bench, bench.selected_note);
+    delete_segment(bench, primitive_argument(bench, "selected"));
 }
 
 void edit_scene(Workbench<2>& bench, Text text) {
@@ -61,7 +61,7 @@ template <>
 std::span<const Command<3>> edit_commands<3>() {
     static constexpr std::array table{
         Command<3>{"delete", "", "delete the selected note", "Delete",
-                   [](Workbench<3>& bench, Text) { run_commands(bench, "note-edit selected delete"); }},
+                   [](Workbench<3>& bench, Text) { delete_note(bench, note_argument(bench, "selected")); }},
     };
     return table;
 }

@@ -80,7 +80,7 @@ std::span<const Command<D>> file_commands() {
         Command<D>{"open", "SCENE | FILE", "open a scene by any name, or a state file", "Ctrl+O=?",
                    [](Workbench<D>& bench, Text text) {
                        open(bench, file_argument(text));
-                       note_opened(bench.recent, text);
+                       note_opened<D>(bench.recent, text);
                    }},
         Command<D>{D == 2 ? "viewer3d" : "viewer2d", "[SCENE]", "start the other viewer beside this one", "",
                    other_viewer<D>},
@@ -91,7 +91,7 @@ std::span<const Command<D>> file_commands() {
         Command<D>{"film", D == 2 ? "FROM-TO FILE [4fps]" : "[path] FROM-TO FILE [4fps]",
                    D == 2 ? "write steps as numbered .png, as pages of a .pdf, as .gif or as .mp4"
                           : "write steps, or frames of the path, as numbered .png, pages of a .pdf, .gif or .mp4",
-                   "", film<D>},
+                   "", film<D>, "drawing the film: the window answers again when it is written"},
         Command<D>{"save", "FILE", "write a state file", "Ctrl+S=?",
                    [](Workbench<D>& bench, Text text) { write_text(file_argument(text), bench_state(bench)); }},
         Command<D>{"cells", "FILE", "write the cells and what they hold, for --cells", "",

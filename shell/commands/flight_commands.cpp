@@ -11,7 +11,7 @@
 #include "shell/commands/groups.h"
 #include "shell/desk/camera.h"
 #include "shell/desk/change.h"
-#include "shell/desk/flight.h"
+#include "shell/desk/fly.h"
 
 namespace sightline {
 

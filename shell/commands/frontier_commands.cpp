@@ -7,6 +7,7 @@
 #include "shell/commands/arguments.h"
 #include "shell/commands/groups.h"
 #include "shell/desk/change.h"
+#include "shell/desk/measure_frontier.h"
 
 namespace sightline {
 

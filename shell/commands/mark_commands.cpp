@@ -6,8 +6,9 @@
 #include "core/session/condition.h"
 #include "shell/commands/arguments.h"
 #include "shell/commands/groups.h"
-#include "shell/desk/history.h"
+#include "shell/desk/moved.h"
 #include "shell/desk/moves.h"
+#include "shell/desk/undo.h"
 
 namespace sightline {
 

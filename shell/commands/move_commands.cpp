@@ -8,6 +8,7 @@
 #include "shell/commands/groups.h"
 #include "shell/desk/into.h"
 #include "shell/desk/moves.h"
+#include "shell/desk/play.h"
 
 namespace sightline {
 

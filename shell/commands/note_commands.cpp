@@ -6,8 +6,9 @@
 #include "core/base/error.h"
 #include "shell/commands/arguments.h"
 #include "shell/commands/groups.h"
-#include "shell/desk/history.h"
-#include "shell/desk/moves.h"
+#include "shell/desk/moved.h"
+#include "shell/desk/notes.h"
+#include "shell/desk/undo.h"
 
 namespace sightline {
 
@@ -86,10 +87,10 @@ void edit_note(Workbench<D>& bench, Text text) {
     auto& notes = bench.session.notes;
     Note<D> note = notes[index];
     std::string words = what;
-    const bool deletes = words == "delete";
+    if (words == "delete") return delete_note(bench, index);
     if (words.starts_with("at ")) {
         set_anchor(bench, note, words.substr(3));
-    } else if (!deletes) {
+    } else {
         const auto offset = take_offset(words);
         const auto steps = take_steps(words);
         if (words.empty() && !steps && !offset)
@@ -99,12 +100,7 @@ void edit_note(Workbench<D>& bench, Text text) {
         if (!words.empty()) note.text = words;
     }
     remember(bench);
-    if (deletes) {
-        notes.erase(notes.begin() + index);
-        bench.selected_note = none;
-    } else {
-        notes[index] = note;
-    }
+    notes[index] = note;
     take_along(bench);
 }
 

@@ -4,7 +4,7 @@
 #include "core/session/explain.h"
 #include "shell/commands/arguments.h"
 #include "shell/commands/groups.h"
-#include "shell/desk/flight.h"
+#include "shell/desk/fly.h"
 #include "shell/export/export.h"
 #include "shell/panels/panel_table.h"
 

@@ -4,7 +4,8 @@
 #include "shell/commands/arguments.h"
 #include "shell/commands/groups.h"
 #include "shell/desk/change.h"
-#include "shell/desk/moves.h"
+#include "shell/desk/moved.h"
+#include "shell/desk/undo.h"
 #include "shell/desk/zoom.h"
 
 namespace sightline {

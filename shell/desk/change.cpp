@@ -3,8 +3,9 @@
 
 #include <algorithm>
 
-#include "shell/desk/moves.h"
-#include "shell/desk/open.h"
+#include "shell/desk/moved.h"
+#include "shell/desk/open_scene.h"
+#include "shell/desk/undo.h"
 
 namespace sightline {
 
@@ -45,21 +46,6 @@ void renumber(Session<D>& session, std::span<const std::uint32_t> numbers) {
 }
 
 }  // namespace
-
-template <int D>
-void traversal_changed(Workbench<D>& bench) {
-    ++bench.run;
-    bench.transport.playing = false;
-    bench.marked.clear();
-    bench.marked_by.clear();
-    if (bench.hovered_cell != none && bench.hovered_cell >= bench.session.cells().cell_count())
-        bench.hovered_cell = none;
-    if (bench.record_ahead) {
-        record_whole_run(bench.session);
-        if (bench.other) record_whole_run(bench.other->session);
-    }
-    moved(bench);
-}
 
 template <int D>
 void change_settings(Workbench<D>& bench, const Settings& settings, const std::string& gesture) {
@@ -117,8 +103,6 @@ void replace_session(Workbench<D>& bench, Session<D> session) {
     traversal_changed(bench);
 }
 
-template void traversal_changed<2>(Workbench<2>&);
-template void traversal_changed<3>(Workbench<3>&);
 template void change_settings<2>(Workbench<2>&, const Settings&, const std::string&);
 template void change_settings<3>(Workbench<3>&, const Settings&, const std::string&);
 template void change_view<2>(Workbench<2>&, const ViewSpec<2>&, const std::string&);

@@ -33,8 +33,4 @@ void change_scene(Workbench<D>& bench, std::shared_ptr<const Scene<D>> scene, co
 template <int D>
 void replace_session(Workbench<D>& bench, Session<D> session);
 
-/// After every new traversal: counts it, and records the whole run where the bench asks for it.
-template <int D>
-void traversal_changed(Workbench<D>& bench);
-
 }  // namespace sightline

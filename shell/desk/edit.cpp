@@ -8,6 +8,7 @@
 #include "core/scene/clean.h"
 #include "core/scene/read/read_json.h"
 #include "shell/desk/change.h"
+#include "shell/desk/undo.h"
 
 namespace sightline {
 

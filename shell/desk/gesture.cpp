@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shell/desk/gesture.h"
 
-#include "shell/desk/change.h"
+#include "shell/desk/moved.h"
+#include "shell/desk/undo.h"
 
 namespace sightline {
 

@@ -3,6 +3,7 @@
 
 #include "core/session/substep.h"
 #include "shell/desk/moves.h"
+#include "shell/desk/play.h"
 
 namespace sightline {
 

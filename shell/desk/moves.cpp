@@ -3,13 +3,9 @@
 
 #include <algorithm>
 
-namespace sightline {
+#include "shell/desk/moved.h"
 
-template <int D>
-void moved(Workbench<D>& bench) {
-    bench.substep.reset();
-    take_along(bench);
-}
+namespace sightline {
 
 template <int D>
 void step_forward(Workbench<D>& bench, std::uint32_t steps) {
@@ -75,8 +71,6 @@ std::uint32_t whole_run(const Workbench<D>& bench) {
     return bench.record_ahead ? bench.session.recorded() : at_the_end(bench.session).recorded();
 }
 
-template void moved<2>(Workbench<2>&);
-template void moved<3>(Workbench<3>&);
 template void step_forward<2>(Workbench<2>&, std::uint32_t);
 template void step_forward<3>(Workbench<3>&, std::uint32_t);
 template void step_back<2>(Workbench<2>&, std::uint32_t);

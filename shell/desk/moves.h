@@ -7,11 +7,6 @@
 
 namespace sightline {
 
-/// After every move and every change of what is shown, each of which calls it: leaves the middle of a step and takes
-/// the second session along.
-template <int D>
-void moved(Workbench<D>& bench);
-
 /// Stop::steps when all were made. In the middle of a step the first one completes that step.
 template <int D>
 void step_forward(Workbench<D>& bench, std::uint32_t steps);
@@ -41,14 +36,6 @@ Session<D> at_the_end(const Session<D>& session) {
     Session<D> end = session;
     end.run();
     return end;
-}
-
-/// Stays where it is.
-template <int D>
-void record_whole_run(Session<D>& session) {
-    const std::uint32_t position = session.position();
-    session.run();
-    session.seek(position);
 }
 
 /// The step that projects the cell, whether done or still to come; none when no step of the run does.

@@ -10,8 +10,9 @@ namespace sightline {
 namespace {
 
 /// The name that opens the same from any folder.
+template <int D>
 std::string whole_name(const std::string& name) {
-    if (find_in_catalogue(name)) return name;
+    if (find_in_catalogue<D>(name)) return name;
     std::error_code error;
     const auto whole = [&](const std::string& file) { return std::filesystem::absolute(file, error).string(); };
     if (std::filesystem::exists(name, error)) return whole(name);
@@ -23,11 +24,15 @@ std::string whole_name(const std::string& name) {
 
 }  // namespace
 
+template <int D>
 void note_opened(std::vector<std::string>& recent, const std::string& name) {
-    const std::string whole = whole_name(name);
+    const std::string whole = whole_name<D>(name);
     std::erase(recent, whole);
     recent.insert(recent.begin(), whole);
     if (recent.size() > most_recent) recent.resize(most_recent);
 }
+
+template void note_opened<2>(std::vector<std::string>&, const std::string&);
+template void note_opened<3>(std::vector<std::string>&, const std::string&);
 
 }  // namespace sightline

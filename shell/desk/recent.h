@@ -12,6 +12,7 @@ namespace sightline {
 inline constexpr std::size_t most_recent = 10;
 
 /// Puts what `open` took in front of the list, files with their whole path.
+template <int D>
 void note_opened(std::vector<std::string>& recent, const std::string& name);
 
 }  // namespace sightline

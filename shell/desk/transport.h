@@ -14,9 +14,6 @@
 
 namespace sightline {
 
-template <int D>
-struct Workbench;
-
 enum class TransportState : std::uint8_t { ready, playing, paused, finished };
 inline constexpr auto transport_words = std::to_array<std::string_view>({"ready", "playing", "paused", "finished"});
 
@@ -28,22 +25,5 @@ struct Transport {
 
 /// Limits of Transport::steps_per_second.
 inline constexpr double slowest = 0.125, fastest = 65536;
-
-template <int D>
-TransportState transport_state(const Workbench<D>& bench);
-
-/// Starts to play; from the start again where the run is finished.
-template <int D>
-void play(Workbench<D>& bench);
-template <int D>
-void pause(Workbench<D>& bench);
-
-/// Sets the speed so that the whole run takes this long.
-template <int D>
-void play_whole_run_in(Workbench<D>& bench, double seconds);
-
-/// Makes the steps that are due after this much time. Stops at breakpoints, at the budget and at the empty front.
-template <int D>
-void advance_clock(Workbench<D>& bench, double seconds);
 
 }  // namespace sightline

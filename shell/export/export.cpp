@@ -12,6 +12,7 @@
 #include "core/session/condition.h"
 #include "core/session/state_file.h"
 #include "core/space/cells_file.h"
+#include "shell/desk/compare.h"
 
 namespace sightline {
 

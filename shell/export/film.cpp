@@ -9,7 +9,7 @@
 #include "core/base/output_file.h"
 #include "core/draw/compose.h"
 #include "core/session/state_file.h"
-#include "shell/desk/comparison.h"
+#include "shell/desk/compare.h"
 #include "shell/desk/moves.h"
 #include "shell/export/encode.h"
 #include "shell/export/export.h"

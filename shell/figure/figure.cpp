@@ -10,7 +10,7 @@
 #include "core/base/error.h"
 #include "core/base/output_file.h"
 #include "shell/figure/cairo_canvas.h"
-#include "shell/figure/layout.h"
+#include "shell/figure/lay_out.h"
 #include "shell/figure/paint.h"
 #include "shell/figure/png.h"
 #include "shell/figure/svg_canvas.h"

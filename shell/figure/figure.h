@@ -8,16 +8,9 @@
 
 #include "core/draw/draw_list.h"
 #include "core/draw/solid_list.h"
+#include "shell/figure/figure_size.h"
 
 namespace sightline {
-
-/// Final size: a width in millimetres (the height follows from the content), or the whole picture in pixels.
-struct FigureSize {
-    double width_mm = 84;
-    int width_px = 0, height_px = 0;  ///< both > 0: the picture has exactly this many pixels (PDF, SVG: 1/96 inch)
-    double font_pt = 8;               ///< size of legend, caption, titles and labels of scale 1
-    double dpi = 300;                 ///< PNG with a width in millimetres; images in SVG and PDF
-};
 
 /// Writes the figure; the ending of the name (.png, .svg, .pdf, any case) chooses the format. Lines are at least 0.5
 /// pt; text stays text; fonts are embedded in SVG and PDF. Texts shrink, down to half their size, where few pixels

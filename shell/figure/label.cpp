@@ -4,23 +4,15 @@
 #include <algorithm>
 
 #include "core/base/text.h"
+#include "core/draw/label_place.h"
 
 namespace sightline {
-
-namespace {
-
-double kept_inside(double low, double extent, double frame_low, double frame_extent) {
-    if (extent > frame_extent) return frame_low + (frame_extent - extent) / 2;
-    return std::clamp(low, frame_low, frame_low + frame_extent - extent);
-}
-
-}  // namespace
 
 std::optional<PlacedLabel> place_label(const Label& label, const Layout::Panel& panel, const Layout& layout,
                                        const Font& font) {
     const Vec<2> anchor = to_page(panel, layout.scale, label.at);
-    Vec<2> centre = anchor + Vec<2>(label.offset_pt.x, -label.offset_pt.y);
-    if (!panel.frame.grown(0.5).contains(anchor) || !is_finite<2>(centre)) return std::nullopt;
+    const Vec<2> point = anchor + Vec<2>(label.offset_pt.x, -label.offset_pt.y);
+    if (!panel.frame.grown(0.5).contains(anchor) || !is_finite<2>(point)) return std::nullopt;
     if (!(label.scale > 0 && label.scale < 1000)) return std::nullopt;
     PlacedLabel placed;
     TextRun& run = placed.run;
@@ -29,14 +21,11 @@ std::optional<PlacedLabel> place_label(const Label& label, const Layout::Panel& 
     run.size = layout.font_pt * label.scale;
     run.width = text_width(font, run.text) * run.size;
     if (label.disc) placed.radius = std::max(0.72 * run.size, run.width / 2 + 0.25 * run.size);
-    if (label.align == TextAlign::left) centre.x += run.width / 2;
-    if (label.align == TextAlign::right) centre.x -= run.width / 2;
-    const double margin = label.halo.a > 0 ? 1 : 0.5;
-    const Vec<2> half(std::max(run.width / 2 + margin, placed.radius), std::max(0.6 * run.size, placed.radius));
+    const LabelSize size{run.width, 0.6 * run.size, label.halo.a > 0 ? 1 : 0.5, placed.radius};
     const Rect& frame = panel.frame;
-    placed.box = {kept_inside(centre.x - half.x, 2 * half.x, frame.x, frame.w),
-                  kept_inside(centre.y - half.y, 2 * half.y, frame.y, frame.h), 2 * half.x, 2 * half.y};
-    placed.centre = {placed.box.x + half.x, placed.box.y + half.y};
+    const Box<2> box = label_box(label, point, size, {{frame.x, frame.y}, {frame.right(), frame.bottom()}});
+    placed.box = {box.min.x, box.min.y, box.extent().x, box.extent().y};
+    placed.centre = box.centre();
     // The end that the alignment fixes stays where it is even if a viewer's font is wider.
     run.align = label.disc ? TextAlign::centre : label.align;
     run.x = placed.centre.x;

@@ -3,9 +3,9 @@
 #pragma once
 
 #include <optional>
-#include <span>
+#include <vector>
 
-#include "shell/figure/figure.h"
+#include "core/draw/draw_list.h"
 #include "shell/figure/font.h"
 #include "shell/figure/page.h"
 
@@ -51,12 +51,5 @@ inline Rect world_on_page(const DrawList& list, const Layout::Panel& panel, doub
     const Vec<2> low = to_page(panel, scale, list.world.min), high = to_page(panel, scale, list.world.max);
     return {low.x, high.y, high.x - low.x, low.y - high.y};
 }
-
-/// Throws InputError for sizes that are no numbers or out of range.
-void check_size(const FigureSize& size);
-
-/// One layout for each page; frames and boxes lie at the same places on all of them.
-/// Throws InputError when the size is out of range or too small for the content.
-std::vector<Layout> lay_out(std::span<const Figure> pages, const FigureSize& size, const Font& font);
 
 }  // namespace sightline

@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/draw/label_place.h"
+#include "core/draw/swatch.h"
 #include "shell/figure/inset.h"
 #include "shell/figure/label.h"
 #include "shell/figure/outline.h"
@@ -123,12 +125,10 @@ void paint_leader(Canvas& canvas, const PlacedLabel& placed, const Vec<2>& tip, 
                   const Rect& frame) {
     const Rect box = placed.box.grown(1);
     if (box.contains(tip)) return;
-    const Vec<2> d = tip - placed.centre;
-    const double across = d.x != 0 ? box.w / 2 / std::abs(d.x) : 1, along = d.y != 0 ? box.h / 2 / std::abs(d.y) : 1;
     Style style;
     style.stroke = colour;
     style.width_pt = 0.8;
-    paint_arrow(canvas, {placed.centre + d * std::min(across, along), tip}, 4, style, frame);
+    paint_arrow(canvas, {leader_start({{box.x, box.y}, {box.right(), box.bottom()}}, tip), tip}, 4, style, frame);
 }
 
 void paint_solid(Canvas& canvas, const SolidList& solid, const Rect& rect, const DrawSolid& draw_solid) {
@@ -195,25 +195,8 @@ void paint_panel(Canvas& canvas, const Figure& figure, std::size_t i, const Layo
 }
 
 void paint_swatch(Canvas& canvas, const LegendRow& row, const Rect& swatch, double size, double pitch) {
-    const Rect clip = swatch.grown(2);
-    const double y = swatch.y + swatch.h / 2, mark = 0.36 * size;
-    std::vector<Vec<2>> points;
-    double extent = 0;
-    switch (row.swatch) {
-        case ShapeKind::polygon:
-            points = rectangle(swatch).points;
-            break;
-        case ShapeKind::arrow:
-            extent = std::max(0.6 * size, 3 * row.style.width_pt);
-            [[fallthrough]];
-        case ShapeKind::polyline:
-            points = {{swatch.x, y}, {swatch.right(), y}};
-            break;
-        default:
-            points = {{swatch.x + swatch.w / 2, y}};
-            extent = mark;
-    }
-    paint_shape(canvas, row.swatch, std::move(points), extent, row.style, clip, pitch);
+    const Swatch shape = swatch_of(row, {{swatch.x, swatch.y}, {swatch.right(), swatch.bottom()}}, size);
+    paint_shape(canvas, row.swatch, shape.points, shape.size_pt, row.style, swatch.grown(2), pitch);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // Two sessions beside each other: what is different between them, and what comes of it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/number.h"
+#include "shell/desk/compare.h"
 #include "shell/panels/panel_table.h"
 
 namespace sightline {

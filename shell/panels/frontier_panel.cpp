@@ -5,6 +5,7 @@
 
 #include "core/base/number.h"
 #include "core/session/settings_table.h"
+#include "shell/desk/measure_frontier.h"
 #include "shell/panels/panel_table.h"
 
 namespace sightline {

@@ -26,6 +26,13 @@ struct Row {
 /// The column of the window that a panel stands in.
 enum class Column : std::uint8_t { left, right };
 
+/// What the window makes of a panel.
+enum class Body : std::uint8_t {
+    rows,     ///< its rows
+    widgets,  ///< a widget for each of its rows
+    chart,    ///< a chart, which stays where it is, over its rows; measured while a person looks at it
+};
+
 template <int D>
 struct Panel {
     std::string_view id;
@@ -33,6 +40,7 @@ struct Panel {
     std::string_view text;  ///< what it is for, one line
     Column column = Column::right;
     std::vector<Row> (*rows)(const Workbench<D>&);
+    Body body = Body::rows;
 };
 
 template <int D>

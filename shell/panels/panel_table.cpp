@@ -12,7 +12,8 @@ template <int D>
 std::span<const Panel<D>> panel_table() {
     static constexpr std::array table{
         Panel<D>{"run", "Run", "where the run stands, and under which conditions", Column::left, run_rows<D>},
-        Panel<D>{"settings", "Settings", "every setting with its source", Column::left, settings_rows<D>},
+        Panel<D>{"settings", "Settings", "every setting with its source", Column::left, settings_rows<D>,
+                 Body::widgets},
         Panel<D>{"why", "Why", "why this cell now, and why the selected cell not yet", Column::right, why_rows<D>},
         Panel<D>{"code", "Code", "the algorithm, at the line and with the values of this step", Column::right,
                  code_rows<D>},
@@ -21,7 +22,7 @@ std::span<const Panel<D>> panel_table() {
                  inversion_rows<D>},
         Panel<D>{"compare", "Compare", "two sessions beside each other", Column::right, compare_rows<D>},
         Panel<D>{"frontier", "Frontier", "speed against accuracy of every method in this scene", Column::right,
-                 frontier_rows<D>},
+                 frontier_rows<D>, Body::chart},
         Panel<D>{"breakpoints", "Breakpoints", "where a run stops, and marks", Column::right, breakpoint_rows<D>},
         Panel<D>{"notes", "Notes", "notes and bookmarks", Column::right, note_rows<D>},
     };

@@ -4,6 +4,7 @@
 #include "core/session/report.h"
 #include "core/session/substep.h"
 #include "shell/desk/into.h"
+#include "shell/desk/play.h"
 #include "shell/panels/panel_table.h"
 
 namespace sightline {

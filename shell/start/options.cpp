@@ -58,31 +58,31 @@ std::array<int, 2> window_size(const std::string& text) {
     return {static_cast<int>(*w), static_cast<int>(*h)};
 }
 
-}  // namespace
+/// Numbers as they were typed, before anything says what is wrong with them.
+struct Typed {
+    std::string fov, steps, font, scale, window, frame, frames;
+};
 
 template <int D>
-std::optional<Options> parse_options(int argc, const char* const* argv, std::span<const Method<D>> methods) {
-    Options o;
-    CLI::App app{
-        std::string("Steps occlusion-culling methods through a scene of ") + (D == 2 ? "line segments" : "triangles") +
-            ", forward and back, explains every number, measures it against the exact visible set, and writes figures.",
-        D == 2 ? "viewer2d" : "viewer3d"};
-    app.get_formatter()->column_width(34);
-    std::string fov, steps, font, scale, window, frame, frames;
+void add_scene_options(CLI::App& app, Options& o, Typed& typed) {
+    constexpr const char* point = D == 2 ? "X,Y" : "X,Y,Z";
     app.add_option("SCENE", o.scene,
-                   D == 2 ? "a catalogue id (--list), a file (Sightline JSON, GeoJSON, Doom WAD as FILE.wad#MAP), or "
-                            "freedoom1#E1M2; default: the last one opened, without a window bottleneck"
+                   D == 2 ? "a catalogue id (--list), a file (Sightline JSON, GeoJSON, Doom WAD as FILE.wad#MAP), "
+                            "freedoom1#E1M2, or a state file; default: the last one opened, without a window bottleneck"
                           : "a catalogue id (--list), with a size if you like (city:100k), a file (OBJ, PLY, STL, OFF, "
-                            "glTF, GLB and whatever else Assimp reads) or a folder of them; default: the last one "
-                            "opened, without a window bottleneck");
+                            "glTF, GLB and whatever else Assimp reads), a folder of them, or a state file; default: "
+                            "the last one opened, without a window bottleneck");
     app.add_flag("--list", o.list,
                  D == 2 ? "print the catalogue and the installed levels, and end" : "print the catalogue, and end");
     app.add_flag("--headless", o.headless, "no window: obey the options, write the files, end");
-    app.add_option("--eye", o.eye, std::string(D == 2 ? "X,Y" : "X,Y,Z") + " of the eye, in the file's coordinates");
-    app.add_option("--look-at", o.look_at, std::string(D == 2 ? "X,Y" : "X,Y,Z") + " of a point to look at");
-    app.add_option("--fov", fov,
+    app.add_option("--eye", o.eye, std::string(point) + " of the eye, in the file's coordinates");
+    app.add_option("--look-at", o.look_at, std::string(point) + " of a point to look at");
+    app.add_option("--fov", typed.fov,
                    D == 2 ? "opening of the view in degrees; 360 looks all round"
                           : "opening of the view in degrees, from top to bottom");
+}
+
+void add_setting_options(CLI::App& app, Options& o) {
     app.add_option("--method", o.method, "method id, see below");
     app.add_option("--preset", o.preset, "preset id, see below");
     app.add_option("--cells", o.cells,
@@ -90,54 +90,59 @@ std::optional<Options> parse_options(int argc, const char* const* argv, std::spa
     app.add_option("--settings", o.settings_file, "FILE with settings, such as lab cells writes; --set goes before it");
     app.add_option("--set", o.settings, "FIELD=VALUE, see below; may be given several times")->allow_extra_args(false);
     app.add_option("--budget", o.budget, "500 | 5% | 16ms | unlimited");
-    app.add_option("--steps", steps, "start at step 0 and go to step N");
+}
+
+template <int D>
+void add_step_options(CLI::App& app, Options& o, Typed& typed) {
+    app.add_option("--steps", typed.steps, "start at step 0 and go to step N");
     app.add_option("--until", o.until, "start at step 0 and stop at step:N, cell:ID or where an expression holds");
     app.add_option("--do", o.commands, "\"COMMAND; COMMAND\": start at step 0 and run commands, see below");
-    if (D == 3) {
-        app.add_option("--path", o.path, "a flight path: one of the scene (--list), or a file; at its first frame");
-        app.add_option("--frame", frame, "of the path, from 0: where to look from");
-        app.add_option(
-            "--frames", frames,
-            "with --headless and --stats: N frames spread evenly over the path, an array of their statistics");
-    }
+    if (D == 2) return;
+    app.add_option("--path", o.path, "a flight path: one of the scene (--list), or a file; at its first frame");
+    app.add_option("--frame", typed.frame, "of the path, from 0: where to look from");
+    app.add_option("--frames", typed.frames,
+                   "with --headless and --stats: N frames spread evenly over the path, an array of their statistics");
+}
+
+void add_file_options(CLI::App& app, Options& o, Typed& typed) {
     app.add_option("--shot", o.shots, "write a figure: FILE.png, .svg or .pdf; its sidecar is FILE.ext.json")
         ->allow_extra_args(false);
     app.add_option("--panels", o.panels, "\"step 1; step 12; end\": a figure with panels (a), (b), (c)");
     app.add_option("--size", o.size, "of the figure: a width such as 84mm, or pixels such as 1280x720");
-    app.add_option("--font", font, "size of the figure's text, such as 8pt");
+    app.add_option("--font", typed.font, "size of the figure's text, such as 8pt");
     app.add_option("--state", o.state, "open a state file or sidecar: same scene, settings, view, step");
     app.add_option("--trace", o.trace, "write the records of all steps as JSON (- for standard output)");
     app.add_option("--stats", o.stats, "write the statistics as JSON (- for standard output)");
-    app.add_option("--scale", scale,
+}
+
+void add_window_options(CLI::App& app, Typed& typed) {
+    app.add_option("--scale", typed.scale,
                    "of everything in the window, such as 1.5, instead of what the density of the screen asks");
-    app.add_option("--window", window, "size of the window at the start, such as 1280x720");
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::CallForHelp&) {
-        std::cout << app.help() << tables<D>(methods);
-        return std::nullopt;
-    } catch (const CLI::ParseError& error) {
-        throw InputError(std::string(error.what()) + " (--help lists the options)");
-    }
-    const auto number = [](const std::string& option, std::string text, std::string_view unit) {
-        if (!unit.empty() && text.ends_with(unit)) text.resize(text.size() - unit.size());
-        const auto value = parse_number(text);
-        if (!value) throw InputError(option + " '" + text + "': not a number");
-        return *value;
-    };
-    if (!fov.empty()) o.fov = number("--fov", fov, "");
-    if (!font.empty()) o.font_pt = number("--font", font, "pt");
-    if (!steps.empty()) {
-        o.steps = parse_whole(steps);
-        if (!o.steps) throw InputError("--steps '" + steps + "': not a number of steps");
-    }
-    const auto whole = [](const std::string& option, const std::string& text) {
-        const auto value = parse_whole(text);
-        if (!value) throw InputError(option + " '" + text + "': not a whole number");
-        return value;
-    };
-    if (!frame.empty()) o.frame = whole("--frame", frame);
-    if (!frames.empty()) o.frames = whole("--frames", frames);
+    app.add_option("--window", typed.window, "size of the window at the start, such as 1280x720");
+}
+
+double number_option(const std::string& option, std::string text, std::string_view unit = "") {
+    if (!unit.empty() && text.ends_with(unit)) text.resize(text.size() - unit.size());
+    const auto value = parse_number(text);
+    if (!value) throw InputError(option + " '" + text + "': not a number");
+    return *value;
+}
+
+std::uint32_t whole_option(const std::string& option, const std::string& text, const char* what) {
+    const auto value = parse_whole(text);
+    if (!value) throw InputError(option + " '" + text + "': not a " + what);
+    return *value;
+}
+
+void read_numbers(const Typed& typed, Options& o) {
+    if (!typed.fov.empty()) o.fov = number_option("--fov", typed.fov);
+    if (!typed.font.empty()) o.font_pt = number_option("--font", typed.font, "pt");
+    if (!typed.steps.empty()) o.steps = whole_option("--steps", typed.steps, "number of steps");
+    if (!typed.frame.empty()) o.frame = whole_option("--frame", typed.frame, "whole number");
+    if (!typed.frames.empty()) o.frames = whole_option("--frames", typed.frames, "whole number");
+}
+
+void check_path(const Options& o) {
     if ((o.frame || o.frames) && o.path.empty()) throw InputError("--frame and --frames are of a path: write --path");
     if (!o.path.empty() && !(o.eye.empty() && o.look_at.empty()))
         throw InputError("--path says where to look from: leave out --eye and --look-at");
@@ -146,16 +151,52 @@ std::optional<Options> parse_options(int argc, const char* const* argv, std::spa
         throw InputError(
             "--frames: at least one frame, with --headless and --stats; without --frame, --steps, --until, --do, "
             "--shot and --trace");
-    if (!scale.empty()) {
-        o.scale = number("--scale", scale, "");
+}
+
+void read_window(const Typed& typed, Options& o) {
+    if (!typed.scale.empty()) {
+        o.scale = number_option("--scale", typed.scale);
         if (!(*o.scale >= smallest_scale && *o.scale <= largest_scale))
-            throw InputError("--scale '" + scale + "': not between " + short_number(smallest_scale) + " and " +
+            throw InputError("--scale '" + typed.scale + "': not between " + short_number(smallest_scale) + " and " +
                              short_number(largest_scale));
     }
-    if (!window.empty()) o.window = window_size(window);
+    if (!typed.window.empty()) o.window = window_size(typed.window);
     if (o.headless && (o.scale || o.window)) throw InputError("--scale and --window: with --headless there is none");
+}
+
+void check_scene(const Options& o) {
     if (!o.state.empty() && !o.scene.empty()) throw InputError("--state names its own scene: leave out " + o.scene);
     if (!o.cells.empty() && o.scene.empty()) throw InputError("--cells belongs to a scene: name the scene, too");
+}
+
+}  // namespace
+
+template <int D>
+std::optional<Options> parse_options(int argc, const char* const* argv, std::span<const Method<D>> methods) {
+    Options o;
+    Typed typed;
+    CLI::App app{
+        std::string("Steps occlusion-culling methods through a scene of ") + (D == 2 ? "line segments" : "triangles") +
+            ", forward and back, explains every number, measures it against the exact visible set, and writes figures.",
+        D == 2 ? "viewer2d" : "viewer3d"};
+    app.get_formatter()->column_width(34);
+    add_scene_options<D>(app, o, typed);
+    add_setting_options(app, o);
+    add_step_options<D>(app, o, typed);
+    add_file_options(app, o, typed);
+    add_window_options(app, typed);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::CallForHelp&) {
+        std::cout << app.help() << tables<D>(methods);
+        return std::nullopt;
+    } catch (const CLI::ParseError& error) {
+        throw InputError(std::string(error.what()) + " (--help lists the options)");
+    }
+    read_numbers(typed, o);
+    check_path(o);
+    read_window(typed, o);
+    check_scene(o);
     return o;
 }
 

@@ -14,7 +14,7 @@ namespace sightline {
 
 /// What was asked for; empty or nothing: not asked.
 struct Options {
-    std::string scene;
+    std::string scene;  ///< or a state file
     bool list = false, headless = false;
     std::string eye, look_at;
     std::optional<double> fov;

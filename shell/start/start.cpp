@@ -19,9 +19,10 @@
 #include "core/session/settings_file.h"
 #include "shell/commands/arguments.h"
 #include "shell/commands/command_table.h"
-#include "shell/desk/flight.h"
+#include "shell/desk/compare.h"
+#include "shell/desk/fly.h"
 #include "shell/desk/moves.h"
-#include "shell/desk/open.h"
+#include "shell/desk/open_scene.h"
 #include "shell/desk/recent.h"
 #include "shell/export/export.h"
 #include "shell/gl/context.h"
@@ -54,34 +55,48 @@ ViewSpec<D> apply_options(ViewSpec<D> view, const Options& o, const Scene<D>& sc
 
 void warn(const std::string& line) { std::cerr << "warning: " << line << "\n"; }
 
+/// What is to be opened.
+struct Asked {
+    std::string name;                  ///< of a scene, or of the state file
+    std::optional<std::string> state;  ///< what the state file says
+};
+
 template <int D>
-Session<D> open_session(const Options& o, bool in_window, std::span<const Method<D>> methods,
-                        const Graphics& graphics) {
+Asked asked_for(const Options& o) {
+    if (!o.state.empty()) return {o.state, read_file(o.state)};
     const std::string name = o.scene.empty() ? first_scene : o.scene;
+    const Asked asked{name, state_text<D>(name)};
+    if (asked.state && !o.cells.empty()) throw InputError("--cells belongs to a scene: " + name + " is a state file");
+    return asked;
+}
+
+template <int D>
+Session<D> open_session(const Options& o, const std::string& name, bool in_window, std::span<const Method<D>> methods,
+                        const Graphics& graphics) {
     Settings settings = start_settings<D>(name, in_window);
     apply_options(settings, o);
     std::error_code error;
     const bool made = !o.cells.empty() && std::filesystem::exists(o.cells, error);
-    Session<D> session = open_scene<D>(name, settings, methods, warn, graphics, made ? o.cells : "");
-    const ViewSpec<D> view = apply_options<D>(session.culling_view(), o, session.scene());
-    if (view != session.culling_view()) session.set_view(view);
-    return session;
+    return open_scene<D>(
+        name, settings, methods, warn, graphics, made ? o.cells : "",
+        [&o](const ViewSpec<D>& view, const Scene<D>& scene) { return apply_options<D>(view, o, scene); });
 }
 
 template <int D>
-Workbench<D> open_bench(const Options& o, bool in_window, std::span<const Method<D>> methods,
+Workbench<D> open_bench(const Options& o, const Asked& asked, bool in_window, std::span<const Method<D>> methods,
                         const Graphics& graphics) {
     // JSON on standard output stays alone there.
     std::ostream& out = o.stats == "-" || o.trace == "-" ? std::cerr : std::cout;
     const auto say = [&out](const std::string& line) { out << line << "\n"; };
-    if (o.state.empty()) {
-        Workbench<D> bench{open_session<D>(o, in_window, methods, graphics), {}, Stop::steps, false, say, methods};
+    if (!asked.state) {
+        Workbench<D> bench{
+            open_session<D>(o, asked.name, in_window, methods, graphics), {}, Stop::steps, false, say, methods};
         bench.graphics = graphics;
         if (std::error_code error; !o.cells.empty() && !std::filesystem::exists(o.cells, error))
             write_cells(bench, o.cells);
         return bench;
     }
-    OpenedState<D> opened = open_state<D>(read_file(o.state), o.state, methods, graphics.draw_ids, graphics.progress);
+    OpenedState<D> opened = open_state<D>(*asked.state, asked.name, methods, graphics.draw_ids, graphics.progress);
     for (const std::string& warning : opened.warnings) warn(warning);
     for (const std::string& warning : opened.session.scene().warnings) warn(warning);
     Settings settings = opened.session.settings();
@@ -97,24 +112,27 @@ Workbench<D> open_bench(const Options& o, bool in_window, std::span<const Method
     return bench;
 }
 
-/// As open_bench. Where no scene was asked for: the one that was opened last, or the first one where that is gone.
+/// As open_bench. Where no scene was asked for: the one that was opened last, or the first one where that is gone;
+/// `asked` is what became of it.
 template <int D>
-Workbench<D> open_last(const Options& o, bool in_window, Recalled& recalled, std::span<const Method<D>> methods,
-                       const Graphics& graphics) {
+Workbench<D> open_last(const Options& o, Asked& asked, bool in_window, Recalled& recalled,
+                       std::span<const Method<D>> methods, const Graphics& graphics) {
+    asked = asked_for<D>(o);
     if (!o.scene.empty() || !o.state.empty() || recalled.memory.recent.empty())
-        return open_bench<D>(o, in_window, methods, graphics);
+        return open_bench<D>(o, asked, in_window, methods, graphics);
     const std::string& last = recalled.memory.recent.front();
     try {
-        Options again = o;
-        (state_text<D>(last) ? again.state : again.scene) = last;
-        return open_bench<D>(again, in_window, methods, graphics);
+        const Asked again{last, state_text<D>(last)};
+        Workbench<D> bench = open_bench<D>(o, again, in_window, methods, graphics);
+        asked = again;
+        return bench;
     } catch (const InputError& error) {
-        Workbench<D> bench =
-            open_bench<D>(o, in_window, methods, graphics);  // throws again where the options are to blame
+        // Throws again where the options are to blame.
+        Workbench<D> bench = open_bench<D>(o, asked, in_window, methods, graphics);
         recalled.word +=
             (recalled.word.empty() ? "" : "; ") + std::string("the last scene does not open: ") + error.what();
         recalled.memory.recent.erase(recalled.memory.recent.begin());
-        note_opened(recalled.memory.recent, first_scene);
+        note_opened<D>(recalled.memory.recent, first_scene);
         return bench;
     }
 }
@@ -126,16 +144,16 @@ void arrange(Workbench<D>& bench, const Options& o, Recalled& recalled) {
     if (o.window) recalled.memory.placement = {(*o.window)[0], (*o.window)[1], std::nullopt, false};
     bench.recent = recalled.memory.recent;
     const std::string asked = o.state.empty() ? o.scene : o.state;
-    if (!asked.empty() || bench.recent.empty()) note_opened(bench.recent, asked.empty() ? first_scene : asked);
+    if (!asked.empty() || bench.recent.empty()) note_opened<D>(bench.recent, asked.empty() ? first_scene : asked);
 }
 
 /// Without a word about where to stand, a run without a window goes to its end, and so does a window in 3D, where the
 /// start shows nothing; in 2D it waits at the start.
 template <int D>
-void move(Workbench<D>& bench, const Options& o, bool window) {
+void move(Workbench<D>& bench, const Options& o, bool state, bool window) {
     const bool asked = (D == 2 && window) || o.steps || !o.until.empty() || !o.commands.empty();
-    if (!asked && o.state.empty()) run_to_end(bench);
-    if (!asked && !o.state.empty()) go_to_step(bench, bench.session.position());
+    if (!asked && !state) run_to_end(bench);
+    if (!asked && state) go_to_step(bench, bench.session.position());
     if (!o.commands.empty()) run_commands(bench, o.commands);
     if (!o.until.empty()) {
         const Condition<D> condition(o.until);
@@ -263,7 +281,8 @@ void obey(const Options& o, std::span<const Method<D>> methods, const Viewer<D>&
     if (in_window) recalled = recall<D>(memory);
     Graphics graphics = viewer.graphics;
     graphics.progress = terminal_progress();
-    Workbench<D> bench = open_last<D>(o, in_window, recalled, methods, graphics);
+    Asked asked;
+    Workbench<D> bench = open_last<D>(o, asked, in_window, recalled, methods, graphics);
     if (in_window) arrange(bench, o, recalled);
     // What follows may need OpenGL, which in 3D is the window's.
     std::optional<KeptWindow<D>> window;
@@ -274,13 +293,13 @@ void obey(const Options& o, std::span<const Method<D>> methods, const Viewer<D>&
         window->window.stage = viewer.stage(bench);
         if (!recalled.word.empty()) window->window.tell({recalled.word, true});
     }
-    if (o.state.empty()) add_bookmarks(bench.session);
+    if (!asked.state) add_bookmarks(bench.session);
     if (!o.size.empty()) set_figure_size(bench, o.size);
     if (o.font_pt) bench.figure.font_pt = *o.font_pt;
     if (!o.panels.empty()) bench.figure.panels = split_panels(o.panels);
     take_path(bench, o);
     if (o.frames) return write_text(o.stats, path_stats(bench, *o.frames));
-    move(bench, o, in_window);
+    move(bench, o, asked.state.has_value(), in_window);
     if (!in_window || o.writes()) print_summary(bench);
     for (const std::string& file : o.shots) write_shot(bench, file);
     if (!o.trace.empty()) write_text(o.trace, trace_json(bench.session));

@@ -44,12 +44,11 @@ void panel_column(Ui& ui, Workbench<D>& bench, Column side, const Area& area) {
     tabs(ui, bench, side, shown);
     ImGui::Separator();
     if (const Panel<D>* panel = find_panel<D>(shown)) {
-        const bool chart = shown == "frontier";  // stays where it is, and changes while the bench does not
-        if (chart) frontier_chart(ui, bench);
+        if (panel->body == Body::chart) frontier_chart(ui, bench);
         ImGui::BeginChild(shown.c_str());
-        if (shown == "settings")
+        if (panel->body == Body::widgets)
             settings_widgets(ui, bench);
-        else if (chart)
+        else if (panel->body == Body::chart)  // changes while the bench does not
             draw_rows(ui, panel->rows(bench), bench.hovered_cell);
         else
             draw_rows(ui, rows_of(ui, bench, side, *panel), bench.hovered_cell);

@@ -5,6 +5,7 @@
 
 #include "core/base/number.h"
 #include "core/run/budget.h"
+#include "shell/desk/measure_frontier.h"
 #include "shell/window/frontier_plot.h"
 #include "shell/window/parts.h"
 #include "shell/window/theme.h"

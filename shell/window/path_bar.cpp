@@ -5,7 +5,8 @@
 #include <string>
 
 #include "shell/commands/prompt.h"
-#include "shell/desk/flight.h"
+#include "shell/desk/fly.h"
+#include "shell/desk/undo.h"
 #include "shell/window/buttons.h"
 #include "shell/window/parts.h"
 #include "shell/window/theme.h"

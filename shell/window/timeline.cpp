@@ -5,6 +5,7 @@
 
 #include "core/base/number.h"
 #include "shell/desk/moves.h"
+#include "shell/desk/play.h"
 #include "shell/window/parts.h"
 #include "shell/window/theme.h"
 #include "shell/window/timeline_lanes.h"

@@ -6,8 +6,8 @@
 #include <numeric>
 
 #include "core/session/lanes.h"
-#include "shell/desk/comparison.h"
-#include "shell/desk/flight.h"
+#include "shell/desk/compare.h"
+#include "shell/desk/fly.h"
 
 namespace sightline {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/base/number.h"
-#include "shell/desk/comparison.h"
+#include "shell/desk/compare.h"
 
 namespace sightline {
 

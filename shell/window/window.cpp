@@ -9,14 +9,13 @@
 #include "core/base/stopwatch.h"
 #include "shell/commands/command_table.h"
 #include "shell/commands/prompt.h"
-#include "shell/desk/change.h"
-#include "shell/desk/flight.h"
-#include "shell/desk/frontier.h"
+#include "shell/desk/fly.h"
+#include "shell/desk/measure_frontier.h"
+#include "shell/desk/moved.h"
+#include "shell/desk/play.h"
 #include "shell/window/imgui_backend.h"
 #include "shell/window/keys.h"
-#include "shell/window/parts.h"
 #include "shell/window/screen_density.h"
-#include "shell/window/splitter.h"
 #include "shell/window/theme.h"
 
 namespace sightline {
@@ -25,7 +24,6 @@ namespace {
 
 constexpr std::size_t most_messages = 500;
 /// Pixels at scale 1.
-constexpr float least_timeline = 150, least_column = 180, least_timeline_em = 36;
 constexpr float least_side = 32;
 /// Of a frame, for the frontier.
 constexpr double measuring_ms = 8;
@@ -146,8 +144,8 @@ void Window<D>::tell(Message message) {
 
 template <int D>
 void Window<D>::act(const std::string& commands) {
-    if (commands.starts_with("film ") && !after_frame_) {
-        tell({"drawing the film: the window answers again when it is written", false});
+    if (const std::string_view word = slow_word<D>(commands); !word.empty() && !after_frame_) {
+        tell({std::string(word), false});
         after_frame_ = commands;
         return;
     }
@@ -271,86 +269,11 @@ void Window<D>::fit_theme() {
     ++ui_.revision;
 }
 
-template <int D>
-void Window<D>::lay_out() {
-    const ImVec2 size = ImGui::GetIO().DisplaySize;
-    Desk& desk = bench_.desk;
-    const float unit = ui_.unit, line = ImGui::GetTextLineHeightWithSpacing();
-    bench_.places.clear();
-    bench_.hovered_cell = std::exchange(ui_.hovering, none);
-    if (bench_.hovered_cell != none && bench_.hovered_cell >= bench_.session.cells().cell_count())
-        bench_.hovered_cell = none;
-    Area middle{0, 0, size.x, size.y};
-    if (desk.projector) {
-        const float banner = banner_height(ui_);
-        middle.h -= banner;
-        projector_banner(ui_, bench_, {0, middle.h, size.x, banner});
-    } else {
-        middle.y = menu_bar(ui_, bench_);
-        const float bar = line + 22 * unit, status = line + 6 * unit;
-        transport_bar(ui_, bench_, {0, middle.y, size.x, bar});
-        middle.y += bar;
-        middle.h = size.y - middle.y - status;
-        status_line(ui_, bench_, {0, size.y - status, size.x, status});
-        const float widest = size.x * 0.4f, strip = splitter_width(ui_);
-        const auto column = [&](Column side, const std::string& shown, double& width) {
-            const float w = shown.empty() ? 0 : std::min(static_cast<float>(width) * unit, widest);
-            if (w == 0) return;
-            const bool left = side == Column::left;
-            const float x = left ? 0 : middle.x + middle.w - w;
-            width =
-                splitter(ui_, left ? "split left" : "split right", {left ? w : x - strip, middle.y, strip, middle.h},
-                         {true, left ? 0 : x + w, least_column * unit, widest}, width);
-            panel_column(ui_, bench_, side, {x, middle.y, w, middle.h});
-            middle.w -= w + strip;
-            if (left) middle.x += w + strip;
-        };
-        const auto timeline_part = [&] {
-            if (!desk.timeline) return;
-            const float highest = middle.h * 0.5f, bottom = middle.y + middle.h;
-            const float h = std::min(static_cast<float>(desk.timeline_height) * unit, highest);
-            middle.h -= h + strip;
-            desk.timeline_height = splitter(ui_, "split timeline", {middle.x, middle.y + middle.h, middle.w, strip},
-                                            {false, bottom, least_timeline * unit, highest}, desk.timeline_height);
-            timeline(ui_, bench_, {middle.x, bottom - h, middle.w, h});
-        };
-        // Below the columns where its titles would not fit between them.
-        const auto taken = [&](const std::string& shown, double width) {
-            return shown.empty() ? 0 : std::min(static_cast<float>(width) * unit, widest);
-        };
-        const float between = size.x - taken(desk.left, desk.left_width) - taken(desk.right, desk.right_width);
-        const bool below = between < least_timeline_em * ImGui::GetFontSize();
-        if (below) timeline_part();
-        column(Column::left, desk.left, desk.left_width);
-        column(Column::right, desk.right, desk.right_width);
-        if (!below) timeline_part();
-    }
-    if (bench_.flight.bar) {
-        const float h = line + 18 * unit;
-        middle.h -= h;
-        path_bar(ui_, bench_, {middle.x, middle.y + middle.h, middle.w, h});
-    }
-    if (stage.interact && middle.w > 8 && middle.h > 8) {
-        bench_.places.push_back({"picture", middle.x, middle.y, middle.w, middle.h});
-        ImGui::SetNextWindowPos(middle.min());
-        ImGui::SetNextWindowSize({middle.w, middle.h});
-        ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
-        ImGui::Begin("picture", nullptr,
-                     ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoMove |
-                         ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBringToFrontOnFocus |
-                         ImGuiWindowFlags_NoSavedSettings);
-        ImGui::PopStyleVar();
-        stage.interact(ui_, middle);
-        ImGui::End();
-    }
-    overlays(ui_, bench_, stage, {0, middle.y, size.x, size.y - middle.y});
-    if (stage.draw && middle.w > 8 && middle.h > 8) stage.draw(ui_, middle);
-}
-
 /// A little of the frontier, where a person looks at it and does nothing else.
 template <int D>
 void Window<D>::measure() {
-    const bool watched = bench_.desk.right == "frontier" && !bench_.desk.projector;
+    const Panel<D>* const shown = find_panel<D>(bench_.desk.right);
+    const bool watched = shown && shown->body == Body::chart && !bench_.desk.projector;
     if (!watched || was_touched_ || ImGui::IsAnyMouseDown() || after_frame_ || !stands_still(bench_)) return;
     glFinish();  // what still draws would be in the times
     if (advance_frontier(bench_, measuring_ms)) lively_frames_ = std::max(lively_frames_, 1);

@@ -59,6 +59,9 @@ private:
     void press(const std::string& key);
     void escape();
     void fit_theme();
+    Area parts_around(const ImVec2& size);
+    void columns_and_timeline(Area& middle, float whole);
+    void picture_part(const Area& area);
     void lay_out();
     void measure();
     void wait_for_something();

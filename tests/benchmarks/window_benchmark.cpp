@@ -7,6 +7,7 @@
 #include "core/draw/picture.h"
 #include "core/scene/make/generators.h"
 #include "shell/desk/change.h"
+#include "shell/desk/moved.h"
 #include "shell/desk/moves.h"
 #include "shell/window/window.h"
 #include "viewer2d/picture2d.h"

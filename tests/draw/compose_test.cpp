@@ -7,7 +7,7 @@
 
 #include "core/draw/cell_number.h"
 #include "core/draw/shown_world.h"
-#include "shell/figure/layout.h"
+#include "shell/figure/lay_out.h"
 #include "tests/draw/picture_support.h"
 
 namespace sightline {

@@ -9,7 +9,8 @@
 #include "lab/measure/lab_scene.h"
 #include "lab/measure/measure_path.h"
 #include "shell/commands/command_table.h"
-#include "shell/desk/open.h"
+#include "shell/desk/measure_frontier.h"
+#include "shell/desk/open_scene.h"
 
 namespace sightline {
 namespace {

@@ -1,6 +1,5 @@
 // The frontier of speed and accuracy, measured slice by slice, and when it begins anew.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shell/desk/frontier.h"
 
 #include <gtest/gtest.h>
 
@@ -11,6 +10,7 @@
 #include "core/measure/wrong_region.h"
 #include "core/scene/scene_view.h"
 #include "shell/commands/command_table.h"
+#include "shell/desk/measure_frontier.h"
 #include "shell/desk/moves.h"
 #include "shell/panels/panel_table.h"
 #include "shell/window/frontier_plot.h"

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "shell/desk/change.h"
 #include "shell/desk/moves.h"
 #include "shell/window/timeline_data.h"
 #include "tests/shell/desk/bench_support.h"

@@ -8,8 +8,11 @@
 #include "core/scene/make/catalogue.h"
 #include "shell/commands/command_table.h"
 #include "shell/desk/change.h"
+#include "shell/desk/gesture.h"
 #include "shell/desk/moves.h"
-#include "shell/window/legend.h"
+#include "shell/desk/undo.h"
+#include "shell/pane/click_cycle.h"
+#include "shell/pane/legend.h"
 #include "tests/shell/desk/bench_support.h"
 #include "viewer2d/drag2d.h"
 
@@ -108,15 +111,15 @@ TEST_F(Canvas, HandlesComeFirstAndTheNearestWins) {
 TEST_F(Canvas, ClicksAtOnePlaceGoThroughWhatLiesThere) {
     ClickCycle cycle;
     const Pick both{Handle::none, 5, 9}, cell{Handle::none, none, 9}, nothing{};
-    EXPECT_EQ(cycle.next(both, {10, 10}, 4), "primitive:5");
-    EXPECT_EQ(cycle.next(both, {11, 10}, 4), "9");
-    EXPECT_EQ(cycle.next(both, {10, 11}, 4), "primitive:5");
-    EXPECT_EQ(cycle.next(both, {30, 10}, 4), "primitive:5");
+    EXPECT_EQ(cycle.next(choices(both), {10, 10}, 4), "primitive:5");
+    EXPECT_EQ(cycle.next(choices(both), {11, 10}, 4), "9");
+    EXPECT_EQ(cycle.next(choices(both), {10, 11}, 4), "primitive:5");
+    EXPECT_EQ(cycle.next(choices(both), {30, 10}, 4), "primitive:5");
     cycle.forget();
-    EXPECT_EQ(cycle.next(both, {30, 10}, 4), "primitive:5");
-    EXPECT_EQ(cycle.next(cell, {50, 10}, 4), "9");
-    EXPECT_EQ(cycle.next(cell, {50, 10}, 4), "9");
-    EXPECT_EQ(cycle.next(nothing, {70, 10}, 4), "none");
+    EXPECT_EQ(cycle.next(choices(both), {30, 10}, 4), "primitive:5");
+    EXPECT_EQ(cycle.next(choices(cell), {50, 10}, 4), "9");
+    EXPECT_EQ(cycle.next(choices(cell), {50, 10}, 4), "9");
+    EXPECT_EQ(cycle.next(choices(nothing), {70, 10}, 4), "none");
 }
 
 TEST_F(Canvas, DraggingTheEyeMovesTheWholeViewInOneEntryOfTheHistory) {

@@ -53,6 +53,20 @@ TEST_F(Viewer2d, HelpIsComplete) {
     for (const RecordField<2>& field : record_fields<2>()) EXPECT_NE(result.out.find(field.help), std::string::npos);
 }
 
+TEST_F(Viewer2d, SceneTakesAStateFileToo) {
+    good({"rooms", "--do", "step 7; bookmark mine; save kept.json"});
+    good({"--state", "kept.json", "--stats", "named.json", "--do", "save named-again.json"});
+    good({"kept.json", "--stats", "bare.json", "--do", "save bare-again.json"});
+    const Json bare = Json::parse(read("bare.json")), named = Json::parse(read("named.json"));
+    EXPECT_EQ(bare["state_hash"], named["state_hash"]);
+    EXPECT_EQ(bare["scene"], "rooms");
+    EXPECT_EQ(bare["steps"], 7) << "it stays where the file says";
+    EXPECT_EQ(read("bare-again.json"), read("named-again.json"));
+    bad({"kept.json", "--cells", "c.cells", "--stats", "s.json"}, "kept.json is a state file");
+    bad({"kept.json", "--state", "kept.json"}, "--state names its own scene");
+    bad({"kept.json", "--eye", "1,x", "--stats", "s.json"}, "1,x");
+}
+
 TEST_F(Viewer2d, StatsHaveEveryFieldOfTheContract) {
     const Json stats = this->stats({"bottleneck"});
     for (const char* text : {"scene", "method", "reference", "stop", "state_hash"})

@@ -8,7 +8,7 @@
 #include "core/space/cells_file.h"
 #include "shell/commands/groups.h"
 #include "shell/desk/camera.h"
-#include "shell/desk/open.h"
+#include "shell/desk/open_scene.h"
 #include "tests/scene/scene_support.h"
 #include "tests/session/session_3d_support.h"
 #include "tests/shell/commands/commands_support.h"

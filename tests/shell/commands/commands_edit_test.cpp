@@ -42,7 +42,7 @@ TEST_F(EachCommand, delete) {
     EXPECT_EQ(session().scene().primitives.size(), segments);
     EXPECT_EQ(session().selected_primitive, none);
     test::expect_input_error([&] { run("delete"); },
-                             "command 'delete': command 'segment delete': no primitive is selected");
+                             "command 'delete': no primitive is selected");
 }
 
 TEST_F(EachCommand, scene) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/substep.h"
-#include "shell/desk/transport.h"
+#include "shell/desk/play.h"
 #include "tests/shell/commands/commands_support.h"
 
 namespace sightline {

@@ -183,6 +183,17 @@ TEST_F(Commands, ErrorsNameTheCommandAndChangeNothing) {
     EXPECT_THROW(run("save " + file("missing/s.json")), WorkError);
 }
 
+TEST_F(Commands, WhatTakesLongIsToldBeforeWhereverItStands) {
+    const std::string_view word = slow_word<2>("film 1-2 a.gif");
+    EXPECT_NE(word, "");
+    for (const char* text : {"run; film 1-2 a.gif", " film 1-2 a.gif", "step 3;film 1-2 \"a;b.gif\"; quit"})
+        EXPECT_EQ(slow_word<2>(text), word) << text;
+    EXPECT_EQ(slow_word<3>("fly; film path 0-3 a.gif"), word);
+    for (const char* text : {"", ";", "run; step", "shot film.png", "note text 1,1 \"; film 1-2 a.gif\"",
+                             "filmx 1-2 a.gif", "film 1-2 \"a.gif"})
+        EXPECT_EQ(slow_word<2>(text), "") << text;
+}
+
 TEST_F(Commands, StatsTellWhyTheSessionStandsWhereItDoes) {
     const auto stop = [&](const std::string& commands) {
         run(commands);

@@ -5,8 +5,9 @@
 #include "core/base/number.h"
 #include "core/scene/make/catalogue.h"
 #include "shell/commands/command_table.h"
-#include "shell/desk/history.h"
+#include "shell/desk/change.h"
 #include "shell/desk/moves.h"
+#include "shell/desk/undo.h"
 #include "tests/shell/desk/bench_support.h"
 
 namespace sightline {

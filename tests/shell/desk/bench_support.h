@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "shell/desk/change.h"
+#include "shell/desk/moved.h"
 #include "tests/session/session_support.h"
 
 namespace sightline::test {

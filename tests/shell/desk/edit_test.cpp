@@ -13,7 +13,9 @@
 #include "core/scene/read/load.h"
 #include "core/scene/read/read_json.h"
 #include "core/session/state_file.h"
-#include "shell/desk/open.h"
+#include "shell/desk/change.h"
+#include "shell/desk/open_scene.h"
+#include "shell/desk/undo.h"
 #include "tests/shell/desk/bench_support.h"
 
 namespace sightline {

@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/session/state_file.h"
+#include "shell/desk/compare.h"
 #include "shell/desk/open.h"
 #include "tests/shell/desk/bench_support.h"
 

@@ -5,9 +5,7 @@
 #include "core/base/error.h"
 #include "core/session/pops.h"
 #include "shell/commands/command_table.h"
-#include "shell/desk/change.h"
-#include "shell/desk/flight.h"
-#include "shell/desk/moves.h"
+#include "shell/desk/fly.h"
 #include "tests/session/session_3d_support.h"
 
 namespace sightline {

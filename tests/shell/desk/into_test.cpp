@@ -6,7 +6,10 @@
 #include "core/session/explain.h"
 #include "core/session/settings_table.h"
 #include "core/session/substep.h"
+#include "shell/desk/change.h"
 #include "shell/desk/moves.h"
+#include "shell/desk/play.h"
+#include "shell/desk/undo.h"
 #include "shell/panels/panel_table.h"
 #include "tests/shell/desk/bench_support.h"
 

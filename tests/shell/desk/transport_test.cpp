@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shell/desk/transport.h"
 
 #include <gtest/gtest.h>
 
 #include "core/scene/make/catalogue.h"
+#include "shell/desk/change.h"
 #include "shell/desk/moves.h"
+#include "shell/desk/play.h"
 #include "tests/shell/desk/bench_support.h"
 
 namespace sightline {

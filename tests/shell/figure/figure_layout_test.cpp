@@ -6,7 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/text.h"
-#include "shell/figure/layout.h"
+#include "shell/figure/lay_out.h"
 #include "tests/shell/figure/figure_samples.h"
 
 namespace sightline {

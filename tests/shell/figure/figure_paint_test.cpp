@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "shell/figure/lay_out.h"
 #include "shell/figure/paint.h"
 #include "tests/shell/figure/figure_samples.h"
 

@@ -12,7 +12,7 @@
 #include "core/truth/image_plane.h"
 #include "shell/figure/cover.h"
 #include "shell/figure/figure.h"
-#include "shell/figure/layout.h"
+#include "shell/figure/lay_out.h"
 #include "shell/gl/solid_renderer.h"
 #include "tests/draw/solid_samples.h"
 #include "tests/shell/gl/gl_support.h"

@@ -8,7 +8,7 @@
 #include "core/session/explain.h"
 #include "core/session/explain_primitive.h"
 #include "shell/commands/command_table.h"
-#include "shell/desk/open.h"
+#include "shell/desk/open_scene.h"
 #include "shell/panels/panel.h"
 #include "tests/shell/desk/bench_support.h"
 

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/error.h"
 #include "shell/commands/command_table.h"
-#include "shell/desk/open.h"
+#include "shell/desk/measure_frontier.h"
+#include "shell/desk/open_scene.h"
 #include "tests/shell/desk/bench_support.h"
 #include "tests/shell/window/window_driver.h"
 #include "tests/shell/window/window_session_support.h"

@@ -222,21 +222,32 @@ TEST_F(WindowMemory, IsPerUser) {
 
 TEST_F(WindowMemory, TheNewestNameIsFirstAndOnlyOnce) {
     std::vector<std::string> recent;
-    note_opened(recent, "rooms");
-    note_opened(recent, "cars");
-    note_opened(recent, "rooms");
+    note_opened<2>(recent, "rooms");
+    note_opened<2>(recent, "cars");
+    note_opened<2>(recent, "rooms");
     EXPECT_EQ(recent, (std::vector<std::string>{"rooms", "cars"}));
     const fs::path before = fs::current_path();
     std::ofstream(folder / "map.wad") << "?";
     fs::current_path(folder);
-    note_opened(recent, "map.wad#E1M1");
-    note_opened(recent, "map.wad");
+    note_opened<2>(recent, "map.wad#E1M1");
+    note_opened<2>(recent, "map.wad");
     fs::current_path(before);
     EXPECT_EQ(recent[0], (folder / "map.wad").string());
     EXPECT_EQ(recent[1], (folder / "map.wad").string() + "#E1M1");
-    for (int i = 0; i < 20; ++i) note_opened(recent, "freedoom1#E1M" + std::to_string(i));
+    for (int i = 0; i < 20; ++i) note_opened<2>(recent, "freedoom1#E1M" + std::to_string(i));
     EXPECT_EQ(recent.size(), most_recent);
     EXPECT_EQ(recent[0], "freedoom1#E1M19");
+}
+
+TEST_F(WindowMemory, AnIdOfTheOtherViewersCatalogueIsAFileHere) {
+    const fs::path before = fs::current_path();
+    std::vector<std::string> recent;
+    std::ofstream(folder / "city") << "?";  // a scene in 3D only
+    fs::current_path(folder);
+    note_opened<2>(recent, "city");
+    note_opened<3>(recent, "city");
+    fs::current_path(before);
+    EXPECT_EQ(recent, (std::vector<std::string>{"city", (folder / "city").string()}));
 }
 
 }  // namespace

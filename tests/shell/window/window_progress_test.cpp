@@ -1,7 +1,7 @@
 // Word of something long, between two frames of the window and within one.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/error.h"
-#include "shell/desk/open.h"
+#include "shell/desk/open_scene.h"
 #include "tests/shell/desk/bench_support.h"
 #include "tests/shell/window/window_driver.h"
 #include "viewer2d/stage2d.h"
@@ -53,6 +53,26 @@ TEST(WindowProgress, LeavesTheFramesAsTheyWere) {
     window.ui().act("open streets");
     frame();
     EXPECT_EQ(kept.bench.session.scene().id, "streets");
+}
+
+TEST(WindowProgress, IsToldBeforeAFilmWhereverItStands) {
+    Bench kept(open_scene("bottleneck", start_settings("bottleneck"), method_table<2>(), [](const auto&) {}));
+    std::unique_ptr<WindowDriver<2>> driver;
+    try {
+        driver = std::make_unique<WindowDriver<2>>(kept.bench, 800, 500, stage2d);
+    } catch (const WorkError& error) {
+        GTEST_SKIP() << "no OpenGL here: " << error.what();
+    }
+    Ui& ui = driver->window().ui();
+    const std::size_t before = ui.messages.size();
+    ui.act("seek 3; film 1-2 /nowhere/at/all.png");
+    ASSERT_EQ(ui.messages.size(), before + 1);
+    EXPECT_NE(ui.messages.back().text.find("film"), std::string::npos);
+    EXPECT_FALSE(ui.messages.back().bad);
+    EXPECT_NE(kept.bench.session.position(), 3u) << "a frame shows the word first";
+    driver->frames(1);
+    EXPECT_EQ(kept.bench.session.position(), 3u);
+    EXPECT_TRUE(ui.messages.back().bad) << "the folder is not there";
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shell/desk/history.h"
+#include "shell/desk/undo.h"
 
-#include "shell/desk/change.h"
+#include "shell/desk/moved.h"
 
 namespace sightline {
 

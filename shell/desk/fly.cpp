@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shell/desk/flight.h"
+#include "shell/desk/fly.h"
 
 #include <algorithm>
 #include <utility>
 
 #include "core/base/error.h"
-#include "core/session/pops.h"
 #include "shell/desk/change.h"
-#include "shell/desk/moves.h"
-#include "shell/desk/workbench.h"
+#include "shell/desk/moved.h"
+#include "shell/desk/undo.h"
 
 namespace sightline {
 
@@ -25,21 +24,6 @@ void fly_to(Workbench<D>& bench, const ViewSpec<D>& view, const std::string& ges
     bench.session.check(view);
     remember(bench, gesture);
     fly_on(bench, view);
-}
-
-template <int D>
-void fly_on(Workbench<D>& bench, const ViewSpec<D>& view) {
-    bench.last_stop = bench.session.fly(view);
-    if (bench.other) {
-        bench.other->session.unfreeze();
-        bench.other->session.fly(view);
-        bench.other->lead_view = view;
-    }
-    ++bench.run;
-    bench.substep.reset();
-    bench.transport.playing = false;
-    bench.marked.clear();
-    bench.marked_by.clear();
 }
 
 template <int D>
@@ -152,7 +136,6 @@ bool advance_flight(Workbench<D>& bench, double seconds) {
 
 #define SIGHTLINE_INSTANTIATE(D)                                                    \
     template void fly_to<D>(Workbench<D>&, const ViewSpec<D>&, const std::string&); \
-    template void fly_on<D>(Workbench<D>&, const ViewSpec<D>&);                     \
     template void land<D>(Workbench<D>&);                                           \
     template void land_unless_moving<D>(Workbench<D>&);                             \
     template double flight_speed<D>(const Workbench<D>&);                           \

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shell/window/legend.h"
+#include "shell/pane/legend.h"
 
 #include <algorithm>
 #include <array>
+
+#include "core/draw/swatch.h"
 
 namespace sightline {
 
@@ -16,21 +18,9 @@ public:
 
     void row(const LegendRow& row) {
         down(1.22 * line_);
-        const double x = pad(), y = y_ + 0.61 * line_, mark = 0.36 * points(line_);
-        const auto style = add_style(row.style);
-        switch (row.swatch) {
-            case ShapeKind::polygon:
-                rectangle(style, {x, y - 0.42 * line_}, {x + swatch(), y + 0.42 * line_});
-                break;
-            case ShapeKind::polyline:
-            case ShapeKind::arrow:
-                if (row.style.stroke.a > 0)
-                    box_.list.add(row.swatch, style, {{x, y}, {x + swatch(), y}},
-                                  std::max(0.6 * points(line_), 3 * row.style.width_pt));
-                break;
-            default:
-                box_.list.add(row.swatch, style, {{x + swatch() / 2, y}}, mark);
-        }
+        const double x = pad(), y = y_ + 0.61 * line_;
+        const Swatch shape = swatch_of(row, {{x, y - 0.42 * line_}, {x + swatch(), y + 0.42 * line_}}, points(line_));
+        box_.list.add(row.swatch, add_style(row.style), shape.points, shape.size_pt);
         // Rows of text alone stand where the swatches begin.
         const bool bare = row.style.fill.a == 0 && row.style.stroke.a == 0 && row.style.hatch_colour.a == 0;
         text(row.text, {bare ? x : x + swatch() + 0.5 * line_, y}, TextAlign::left);

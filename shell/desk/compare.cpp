@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shell/desk/comparison.h"
-
-#include <algorithm>
+#include "shell/desk/compare.h"
 
 #include "core/base/error.h"
-#include "shell/desk/change.h"
+#include "shell/desk/moved.h"
 #include "shell/desk/moves.h"
 
 namespace sightline {
@@ -18,28 +16,6 @@ template <int D>
 Other<D>& need_other(Workbench<D>& bench) {
     if (!bench.other) throw InputError("there is nothing to compare with; write compare first");
     return *bench.other;
-}
-
-/// Scene and view of the left side, what is frozen, noted and selected there; true when the traversal was made again.
-template <int D>
-bool take_over(const Session<D>& lead, Other<D>& other) {
-    Session<D>& session = other.session;
-    if (session.shared_scene() != other.lead_scene) return false;
-    const bool new_scene = lead.shared_scene() != other.lead_scene;
-    const bool new_view = lead.culling_view() != other.lead_view && lead.culling_view() != session.culling_view();
-    if (new_scene) session.set_scene(lead.shared_scene());
-    set_views(session, new_view ? lead.culling_view() : session.culling_view(), lead.display_view(),
-              lead.frozen_part());
-    session.notes = lead.notes;
-    session.selected_primitive = lead.selected_primitive;
-    session.selected_cell = lead.selected_cell;
-    const auto at_cell = [](const Note<D>& note) { return note.anchor == Note<D>::Anchor::cell; };
-    const bool any = session.selected_cell != none || std::any_of(session.notes.begin(), session.notes.end(), at_cell);
-    if (any && !same_cells(lead, session)) {
-        session.selected_cell = none;
-        std::erase_if(session.notes, at_cell);
-    }
-    return new_scene || new_view;
 }
 
 }  // namespace
@@ -66,19 +42,6 @@ template <int D>
 void compare_off(Workbench<D>& bench) {
     bench.other.reset();
     moved(bench);
-}
-
-template <int D>
-void take_along(Workbench<D>& bench) {
-    if (!bench.other) return;
-    Other<D>& other = *bench.other;
-    if (take_over(bench.session, other)) {
-        ++bench.run;
-        if (bench.record_ahead) record_whole_run(other.session);
-    }
-    other.lead_scene = bench.session.shared_scene();
-    other.lead_view = bench.session.culling_view();
-    follow(bench.session, other.session, other.align);
 }
 
 template <int D>
@@ -159,7 +122,6 @@ std::array<std::string, 2> side_titles(const Workbench<D>& bench) {
     template void compare_with<D>(Workbench<D>&, Session<D>, const std::string&, Align);   \
     template void compare_settings<D>(Workbench<D>&, const Settings&, const std::string&); \
     template void compare_off<D>(Workbench<D>&);                                           \
-    template void take_along<D>(Workbench<D>&);                                            \
     template void align_with<D>(Workbench<D>&, Align);                                     \
     template const Difference& first_difference<D>(const Workbench<D>&);                   \
     template void go_to_difference<D>(Workbench<D>&);                                      \

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string>
 
+#include "shell/desk/desk.h"
 #include "shell/window/ui.h"
 
 namespace sightline {
@@ -15,6 +16,8 @@ public:
     /// (close) drops what was typed. `to` none: to the end.
     void open(const ImVec2& at, std::string command, std::string after, std::string text = "", std::uint32_t from = 0,
               std::uint32_t to = none);
+    /// For a new note of the tool's kind at an anchor as the command `note` takes it; then nothing more is placed.
+    void open_new(const ImVec2& at, Tool tool, const std::string& anchor, const char* offset);
     /// False when it was not open.
     bool close();
     bool is_open() const { return open_; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shell/window/note_field.h"
+#include "shell/pane/note_field.h"
 
 #include <imgui_stdlib.h>
 
@@ -19,6 +19,11 @@ void NoteField::open(const ImVec2& at, std::string command, std::string after, s
     text_ = std::move(text);
     from_ = from > 0 ? std::to_string(from) : "";
     to_ = to != none ? std::to_string(to) : "";
+}
+
+void NoteField::open_new(const ImVec2& at, Tool tool, const std::string& anchor, const char* offset) {
+    open(at, "note " + std::string(tool_words[static_cast<std::size_t>(tool)]) + " " + anchor + " " + offset,
+         "tool select");
 }
 
 bool NoteField::close() {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shell/desk/frontier.h"
+#include "shell/desk/measure_frontier.h"
 
 #include "core/base/error.h"
 #include "core/base/number.h"
 #include "core/scene/scene_view.h"
-#include "shell/desk/workbench.h"
 
 namespace sightline {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shell/desk/transport.h"
+#include "shell/desk/play.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shell/window/labels.h"
+#include "shell/pane/labels.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "core/draw/label_place.h"
 #include "shell/window/halo.h"
 
 namespace sightline {
@@ -52,11 +53,6 @@ private:
     std::vector<std::vector<Area>> tiles_;
 };
 
-float kept_inside(float low, float extent, float frame_low, float frame_extent) {
-    if (extent > frame_extent) return frame_low + (frame_extent - extent) / 2;
-    return std::clamp(low, frame_low, frame_low + frame_extent - extent);
-}
-
 /// Where a label may stand, in shares of its room: at its point, or else a little beside it. The order is fixed.
 constexpr std::array<std::array<float, 2>, 13> shifts{{{0, 0},
                                                        {0, -0.5f},
@@ -72,34 +68,31 @@ constexpr std::array<std::array<float, 2>, 13> shifts{{{0, 0},
                                                        {-0.7f, 0.7f},
                                                        {0.7f, 0.7f}}};
 
-/// As in figures (shell/figure/label.h).
+Vec<2> vec(const ImVec2& p) { return {p.x, p.y}; }
+ImVec2 window(const Vec<2>& p) { return {static_cast<float>(p.x), static_cast<float>(p.y)}; }
+Box<2> box_of(const Area& a) { return {vec(a.min()), vec(a.max())}; }
+
 LabelSpot spot_of(const Label& label, std::size_t index, const ImVec2& anchor, const LabelPaper& paper) {
     const ImVec2 extent = paper.measure(label.text);
-    ImVec2 centre{anchor.x + static_cast<float>(label.offset_pt.x) * paper.pt,
-                  anchor.y - static_cast<float>(label.offset_pt.y) * paper.pt};
+    const Vec<2> point = vec(anchor) + Vec<2>(label.offset_pt.x, -label.offset_pt.y) * double{paper.pt};
     LabelSpot spot{index, {}, {}, anchor, 0};
     if (label.disc) spot.radius = std::max(0.62f * extent.y, extent.x / 2 + 0.22f * extent.y);
-    if (label.align == TextAlign::left) centre.x += extent.x / 2;
-    if (label.align == TextAlign::right) centre.x -= extent.x / 2;
     const float margin = label.halo.a > 0 ? paper.halo : 1;
     // Letters fill about four fifths of a line's height.
-    const float half_w = std::max(extent.x / 2 + margin, spot.radius),
-                half_h = std::max(0.4f * extent.y + margin, spot.radius);
-    const Area& area = paper.area;
-    spot.box = {kept_inside(centre.x - half_w, 2 * half_w, area.x, area.w),
-                kept_inside(centre.y - half_h, 2 * half_h, area.y, area.h), 2 * half_w, 2 * half_h};
-    spot.text = {std::round(spot.box.x + half_w - extent.x / 2), std::round(spot.box.y + half_h - extent.y / 2)};
+    const LabelSize size{extent.x, 0.4f * extent.y + margin, margin, spot.radius};
+    const Box<2> box = label_box(label, point, size, box_of(paper.area));
+    const ImVec2 low = window(box.min), across = window(box.extent()), centre = window(box.centre());
+    spot.box = {low.x, low.y, across.x, across.y};
+    spot.text = {std::round(centre.x - extent.x / 2), std::round(centre.y - extent.y / 2)};
     return spot;
 }
 
 void draw_leader(ImDrawList& list, const LabelSpot& spot, ImU32 ink, ImU32 halo, float unit) {
     const Area& b = spot.box;
     if (b.contains(spot.anchor)) return;
-    const ImVec2 centre{b.x + b.w / 2, b.y + b.h / 2};
+    const Box<2> box = box_of({b.x - unit, b.y - unit, b.w + 2 * unit, b.h + 2 * unit});
+    const ImVec2 centre = window(box.centre()), from = window(leader_start(box, vec(spot.anchor)));
     const ImVec2 d{spot.anchor.x - centre.x, spot.anchor.y - centre.y};
-    const float across = d.x != 0 ? (b.w / 2 + unit) / std::abs(d.x) : 1,
-                along = d.y != 0 ? (b.h / 2 + unit) / std::abs(d.y) : 1, share = std::min({across, along, 1.0f});
-    const ImVec2 from{centre.x + d.x * share, centre.y + d.y * share};
     const float length = std::hypot(d.x, d.y), head = 8 * unit;
     const ImVec2 u{d.x / length, d.y / length}, tip = spot.anchor;
     const ImVec2 base{tip.x - u.x * head, tip.y - u.y * head};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shell/figure/layout.h"
+#include "shell/figure/lay_out.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 #include <span>
 
 #include "core/draw/palette.h"
-#include "shell/window/labels.h"
+#include "shell/pane/labels.h"
 
 namespace sightline {
 

@@ -1,0 +1,43 @@
+// What stands over a pane's picture: labels, and the legend in one of its corners.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "shell/gl/list_renderer.h"
+#include "shell/pane/legend.h"
+#include "shell/pane/pane_area.h"
+
+namespace sightline {
+
+class PaneTexts {
+public:
+    /// The pane that the next calls are for. No legend yet.
+    void begin(const Area& area, const PaneSize& size);
+    /// Not where it would take most of the picture, which helps nobody; in a corner where it hides none of the points.
+    void add_legend(const Ui& ui, std::span<const LegendRow> rows, const std::optional<ColourBar>& bar,
+                    const Colours& colours, std::span<const ImVec2> busy);
+    /// Labels keep off the legend and what else is taken.
+    void place(const Ui& ui, std::span<const Label> labels, std::function<ImVec2(const Vec<2>&)> to_window,
+               std::span<const Area> taken = {});
+
+    /// The legend's swatches with OpenGL, onto a target that the pane fills.
+    void draw_legend();
+    /// Texts of the labels, which are as they were placed, and of the legend.
+    void draw(ImDrawList& list, const Ui& ui, std::span<const Label> labels) const;
+
+    const std::vector<LabelSpot>& spots() const { return spots_; }
+
+private:
+    Area area_;
+    PaneSize size_;
+    LegendBox legend_;
+    Area legend_area_;
+    std::vector<LabelSpot> spots_, legend_spots_;
+    LabelMemory memory_;
+    ListRenderer legend_renderer_;
+};
+
+}  // namespace sightline

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shell/pane/side_by_side.h"
+
+#include "core/base/number.h"
+#include "core/draw/palette.h"
+#include "core/session/explain.h"
+
+namespace sightline {
+
+template <int D>
+void SideBySide<D>::update(std::uint64_t revision) {
+    if (revision_ == revision) return;
+    revision_ = revision;
+    sides_ = bench_.other ? projected_sides(bench_.session, bench_.other->session) : std::vector<Side>();
+}
+
+template <int D>
+const std::optional<std::array<double, 2>>& SideBySide<D>::heat_range(std::size_t pane) {
+    const Session<D>& session = (*this)[pane];
+    const CellNumber what = session.settings().heat;
+    HeatRange& heat = heat_[pane];
+    if (heat.run != bench_.run || heat.what != what || heat.of != &session)
+        heat = {bench_.run, what, &session,
+                what == CellNumber::none || session.flying() ? std::nullopt : number_range(session, what)};
+    return heat.range;
+}
+
+template <int D>
+std::optional<std::uint32_t> SideBySide<D>::facet() const {
+    if (!bench_.substep) return std::nullopt;
+    return shown_in_substep(bench_.session, bench_.session.position(), *bench_.substep);
+}
+
+std::optional<ColourBar> colour_bar(const Settings& settings, const std::optional<std::array<double, 2>>& range) {
+    if (settings.heat == CellNumber::none || !range) return std::nullopt;
+    return ColourBar{std::string(number_title(settings.heat)), short_number((*range)[0]), short_number((*range)[1]),
+                     colours(settings.palette).heat};
+}
+
+template class SideBySide<2>;
+template class SideBySide<3>;
+
+}  // namespace sightline

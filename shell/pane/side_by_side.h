@@ -1,0 +1,59 @@
+// The sessions of the panes, one or two, and what the options of their pictures share.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "core/draw/cell_number.h"
+#include "core/draw/draw_list.h"
+#include "shell/desk/workbench.h"
+
+namespace sightline {
+
+template <int D>
+class SideBySide {
+public:
+    /// The bench must live longer.
+    explicit SideBySide(const Workbench<D>& bench) : bench_(bench) {}
+
+    std::size_t count() const { return bench_.other ? 2 : 1; }
+    const Session<D>& operator[](std::size_t pane) const { return pane == 0 ? bench_.session : bench_.other->session; }
+    /// Before anything of a frame is asked for. A new revision says that the sessions may have changed.
+    void update(std::uint64_t revision);
+    /// Who projected what; empty without a second session of the same cells.
+    const std::vector<Side>& sides() const { return sides_; }
+
+    /// Those of PictureOptions or PictureOptions3 that do not depend on where the picture stands. The sides are good
+    /// until the next update.
+    template <typename Options>
+    Options options(std::size_t pane) {
+        Options options;
+        options.heat_range = heat_range(pane);
+        options.sides = sides_;
+        if (pane == 0) options.facet = facet();
+        return options;
+    }
+
+private:
+    /// The heat map's range, which stays while one steps.
+    struct HeatRange {
+        std::uint64_t run = 0;
+        CellNumber what = CellNumber::none;
+        const Session<D>* of = nullptr;
+        std::optional<std::array<double, 2>> range;
+    };
+    const std::optional<std::array<double, 2>>& heat_range(std::size_t pane);
+    std::optional<std::uint32_t> facet() const;
+
+    const Workbench<D>& bench_;
+    std::array<HeatRange, 2> heat_;
+    std::vector<Side> sides_;
+    std::uint64_t revision_ = 0;
+};
+
+/// What the colours of the cells mean; nothing without a range.
+std::optional<ColourBar> colour_bar(const Settings& settings, const std::optional<std::array<double, 2>>& range);
+
+}  // namespace sightline
