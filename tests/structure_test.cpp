@@ -8,6 +8,7 @@
 #include <fstream>
 #include <map>
 #include <regex>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -169,6 +170,75 @@ TEST(Structure, OnlyTheWindowAndTheProgramsKnowImGuiAndOnlyTheyAndGlKnowSdlAndOp
         }
     }
     EXPECT_GT(seen, 5);
+}
+
+/// What stands in the unnamed namespaces of a file, or outside of them, as clang-format lays it out; aliases aside,
+/// whose clashes do not compile.
+std::set<std::string> names_of(const std::vector<std::string>& lines, bool unnamed) {
+    static const std::regex type(R"(^(?:struct|class|enum class|enum) (\w+).*)");
+    static const std::regex value(
+        R"(^(?!using |namespace |template )\w[\w:<>,.&*()\[\] ]*?[ &*>](\w+)(?:\(| =|\{|;|\[).*)");
+    std::set<std::string> names;
+    bool hidden = false, text = false;  // a raw string, such as a shader
+    std::smatch match;
+    for (const std::string& line : lines) {
+        if (text) {
+            text = line.find(")\"") == std::string::npos;
+            continue;
+        }
+        const std::size_t raw = line.find("R\"(");
+        text = raw != std::string::npos && line.find(")\"", raw) == std::string::npos;
+        if (line == "namespace {") hidden = true;
+        if (line == "}  // namespace") hidden = false;
+        if (hidden == unnamed && (std::regex_match(line, match, type) || std::regex_match(line, match, value)))
+            names.insert(match[1]);
+    }
+    return names;
+}
+
+/// The names that a file's own headers declare, and the headers' headers.
+void collect_declared(const std::vector<std::string>& includes, std::map<std::string, std::string>& declared,
+                      std::set<std::string>& seen) {
+    for (const std::string& include : includes)
+        for (const Source& header : sources())
+            if (header.path == include && seen.insert(include).second) {
+                for (const std::string& name : names_of(header.lines, false)) declared.emplace(name, header.path);
+                collect_declared(header.includes, declared, seen);
+            }
+}
+
+TEST(Structure, SourcesThatAreCompiledTogetherHideDifferentNames) {
+    const std::vector<std::string> lines{"namespace {",
+                                         "struct A {",
+                                         "    int b = 0;",
+                                         "};",
+                                         "double c(int d) {",
+                                         "constexpr int e = 1;",
+                                         "const std::vector<F>& g() { return h(1); }",
+                                         "using J = int;",
+                                         "void A::k() {",
+                                         "template <int D>",
+                                         "TEST(L, M) {",
+                                         "}  // namespace",
+                                         "int n(int o);"};
+    EXPECT_EQ(names_of(lines, true), (std::set<std::string>{"A", "c", "e", "g"}));
+    EXPECT_EQ(names_of(lines, false), std::set<std::string>{"n"});
+    std::map<std::string, std::vector<const Source*>> together;  // a folder's twins of 3D are others
+    for (const Source& source : sources()) {
+        if (is_header(source) || in(source, "tests/benchmarks") || in(source, "tests/fuzz")) continue;
+        const bool twin = source.path.ends_with("_3d.cpp") || source.path.ends_with("_3d_test.cpp");
+        together[source.path.substr(0, source.path.rfind('/')) + (twin ? " 3D" : "")].push_back(&source);
+    }
+    for (const auto& [folder, all] : together) {
+        std::map<std::string, std::string> taken;
+        std::set<std::string> seen;
+        for (const Source* source : all) collect_declared(source->includes, taken, seen);
+        for (const Source* source : all)
+            for (const std::string& name : names_of(source->lines, true)) {
+                const auto [first, fresh] = taken.emplace(name, source->path);
+                EXPECT_TRUE(fresh) << source->path << " hides " << name << ", which is a name of " << first->second;
+            }
+    }
 }
 
 TEST(Structure, EveryFileNamesItsLicence) {

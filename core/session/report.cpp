@@ -12,10 +12,10 @@ namespace sightline {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
-Json or_null(std::uint32_t id) { return id == none ? Json(nullptr) : Json(id); }
+OrderedJson or_null(const std::optional<double>& value) { return value ? OrderedJson(*value) : OrderedJson(nullptr); }
+OrderedJson or_null(std::uint32_t id) { return id == none ? OrderedJson(nullptr) : OrderedJson(id); }
 
 /// What the budget amounts to in primitives: the whole scene when it does not limit them.
 template <int D>
@@ -24,7 +24,7 @@ std::uint32_t budget_in_primitives(const Session<D>& session) {
     return std::min(session.settings().budget.primitives(total), total);
 }
 
-Json other_reference(const Session<2>& session) {
+OrderedJson other_reference(const Session<2>& session) {
     const View<2> view = make_view(session.culling_view());
     // An all-round view has four image lines of equal width.
     int width = image_size<2>(session.settings().reference_size).width;
@@ -69,7 +69,7 @@ std::string stats_json(const Session<D>& session, Stop stop) {
     for (const Inversion& inversion : inversions) wasted += inversion.step <= session.position() ? inversion.wasted : 0;
     const std::size_t found = session.visible_rendered();
     const Times& ms = session.times();
-    Json json{
+    OrderedJson json{
         {"scene", scene.id},
         {"title", scene.title},
         {"seed", scene.seed},
@@ -122,58 +122,59 @@ std::string stats_json(const Session<D>& session, Stop stop) {
         json["item_buffer"] = other_reference(session);
     else
         json["wrong_pixels"] = wrong_pixels(reference, std::span(state.touched).first(state.touched_count));
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return json.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 
 template <int D>
 std::string trace_json(const Session<D>& session) {
-    Json steps = Json::array();
+    OrderedJson steps = OrderedJson::array();
     for (std::uint32_t step = 1; step <= session.position(); ++step) {
         const StepExplanation e = explain_step(session, step);
         const StepRecord& record = session.timeline().steps[step - 1];
-        Json row{{"step", step},
-                 {"cell", or_null(e.cell)},
-                 {"key", e.key},
-                 {"stamp", e.stamp},
-                 {"runner_up", or_null(e.runner_up)},
-                 {"runner_up_key", e.runner_up == none ? Json(nullptr) : Json(e.runner_up_key)},
-                 {"visible_share", e.visible_share},
-                 {"rendered_now", e.rendered},
-                 {"visible_now", e.visible},
-                 {"rendered", record.rendered_count},
-                 {"front", record.front_size}};
-        Json primitives = Json::array();
+        OrderedJson row{{"step", step},
+                        {"cell", or_null(e.cell)},
+                        {"key", e.key},
+                        {"stamp", e.stamp},
+                        {"runner_up", or_null(e.runner_up)},
+                        {"runner_up_key", e.runner_up == none ? OrderedJson(nullptr) : OrderedJson(e.runner_up_key)},
+                        {"visible_share", e.visible_share},
+                        {"rendered_now", e.rendered},
+                        {"visible_now", e.visible},
+                        {"rendered", record.rendered_count},
+                        {"front", record.front_size}};
+        OrderedJson primitives = OrderedJson::array();
         for (std::uint32_t i = session.timeline().touched_before(step); i < record.touched_count; ++i)
             if (const std::uint32_t entry = session.state().touched[i]; !(entry & State<D>::culled_bit))
                 primitives.push_back(entry);
         row["primitives"] = std::move(primitives);
-        Json facets = Json::array();
+        OrderedJson facets = OrderedJson::array();
         for (const FacetExplanation& f : e.facets) {
-            Json facet{{"neighbour", or_null(f.neighbour)},
-                       {"rule", rule_words[static_cast<std::size_t>(f.rule)]},
-                       {"state_before", cell_state_words[static_cast<std::size_t>(f.before.state)]},
-                       {"key_before", f.before.key}};
+            OrderedJson facet{{"neighbour", or_null(f.neighbour)},
+                              {"rule", rule_words[static_cast<std::size_t>(f.rule)]},
+                              {"state_before", cell_state_words[static_cast<std::size_t>(f.before.state)]},
+                              {"key_before", f.before.key}};
             if (f.terms)
-                facet["terms"] = {{"rho_a", f.terms->rho_a},
-                                  {"count", f.terms->count},
-                                  {"density", f.terms->density},
-                                  {"alignment", f.terms->alignment},
-                                  {"weight", f.terms->weight},
-                                  {"star_shaped", f.terms->star_tested ? Json(f.terms->star_shaped) : Json(nullptr)},
-                                  {"unpenalised", f.terms->unpenalised},
-                                  {"key", f.terms->key}};
+                facet["terms"] = {
+                    {"rho_a", f.terms->rho_a},
+                    {"count", f.terms->count},
+                    {"density", f.terms->density},
+                    {"alignment", f.terms->alignment},
+                    {"weight", f.terms->weight},
+                    {"star_shaped", f.terms->star_tested ? OrderedJson(f.terms->star_shaped) : OrderedJson(nullptr)},
+                    {"unpenalised", f.terms->unpenalised},
+                    {"key", f.terms->key}};
             facets.push_back(std::move(facet));
         }
         row["facets"] = std::move(facets);
         steps.push_back(std::move(row));
     }
-    const Json json{{"format", "sightline-trace"},
-                    {"version", 1},
-                    {"conditions", conditions(session)},
-                    {"seed_cell", or_null(session.state().seed)},
-                    {"state_hash", hash_text(session.hash())},
-                    {"steps", std::move(steps)}};
-    return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+    const OrderedJson json{{"format", "sightline-trace"},
+                           {"version", 1},
+                           {"conditions", conditions(session)},
+                           {"seed_cell", or_null(session.state().seed)},
+                           {"state_hash", hash_text(session.hash())},
+                           {"steps", std::move(steps)}};
+    return json.dump(1, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 
 template <int D>

@@ -45,7 +45,7 @@ std::string value_text(double value, std::string_view unit) {
     return number(value) + (unit.empty() ? "" : " " + std::string(unit));
 }
 
-std::string bound_text(const Expectation& e) {
+std::string bound_cell(const Expectation& e) {
     return (e.bound == Bound::at_least ? "at least " : "at most ") + value_text(e.threshold, text_of(e.measure).unit);
 }
 
@@ -76,7 +76,7 @@ std::string mark(const Verdict& verdict) {
     const MeasureText measure = text_of(e.measure);
     const std::string says = std::string(e.subject) + ": " + measure.name + " " +
                              (is_pending(verdict) ? "" : value_text(verdict.value, measure.unit) + ", ") +
-                             bound_text(e);
+                             bound_cell(e);
     return std::string("<span class=") + look_of(verdict) + " title=\"" + escaped(says) + "\">" + symbol_of(verdict) +
            (is_surprise(verdict) ? "!" : "") + "</span>";
 }
@@ -202,7 +202,7 @@ std::string table_of(const GalleryEntry& entry) {
                 (settings.empty() ? "" : " <code>" + escaped(settings) + "</code>") + "</td>" +
                 cell(unbroken(measure.name), true) +
                 cell(is_pending(verdict) ? "" : unbroken(value_text(verdict.value, measure.unit))) +
-                cell(unbroken(bound_text(e))) + cell(e.means, true) + "<td class='t " + look_of(verdict) + "'>" +
+                cell(unbroken(bound_cell(e))) + cell(e.means, true) + "<td class='t " + look_of(verdict) + "'>" +
                 result + "</td></tr>";
     }
     return html + "</table>";

@@ -16,7 +16,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 std::string_view word(const StabilityRow& row) { return disturbance_words[static_cast<std::size_t>(row.disturbance)]; }
-std::string tessellation(const MethodChoice& method) {
+std::string tessellation_word(const MethodChoice& method) {
     return std::string(words<Tessellation>[static_cast<std::size_t>(method.tessellation)]);
 }
 
@@ -26,7 +26,7 @@ Json rows_json(const std::vector<StabilityRow>& rows) {
         all.push_back({{"scene", row.scene},
                        {"path", row.path},
                        {"method", row.method.id},
-                       {"tessellation", tessellation(row.method)},
+                       {"tessellation", tessellation_word(row.method)},
                        {"budget", row.budget},
                        {"disturbance", word(row)},
                        {"amount", row.amount},
@@ -98,11 +98,12 @@ std::string stability_csv(const std::vector<StabilityRow>& rows) {
         "scene,path,method,tessellation,budget,disturbance,amount,samples,jaccard,jaccard_min,visible_jaccard,"
         "coverage_change,coverage_spread,equal,not_finite\n";
     for (const StabilityRow& row : rows)
-        text += row.scene + "," + row.path + "," + row.method.id + "," + tessellation(row.method) + "," + row.budget +
-                "," + std::string(word(row)) + "," + number_text(row.amount) + "," + std::to_string(row.samples) + "," +
-                number_text(row.jaccard) + "," + number_text(row.jaccard_min) + "," + number_text(row.visible_jaccard) +
-                "," + number_text(row.coverage_change) + "," + number_text(row.coverage_spread) + "," +
-                (row.equal ? "1" : "0") + "," + std::to_string(row.not_finite) + "\n";
+        text += row.scene + "," + row.path + "," + row.method.id + "," + tessellation_word(row.method) + "," +
+                row.budget + "," + std::string(word(row)) + "," + number_text(row.amount) + "," +
+                std::to_string(row.samples) + "," + number_text(row.jaccard) + "," + number_text(row.jaccard_min) +
+                "," + number_text(row.visible_jaccard) + "," + number_text(row.coverage_change) + "," +
+                number_text(row.coverage_spread) + "," + (row.equal ? "1" : "0") + "," +
+                std::to_string(row.not_finite) + "\n";
     return text;
 }
 

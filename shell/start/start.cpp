@@ -181,7 +181,7 @@ void print_summary(const Workbench<D>& bench) {
 
 /// The path and the frame that were asked for.
 template <int D>
-void take_path(Workbench<D>& bench, const Options& o) {
+void start_path(Workbench<D>& bench, const Options& o) {
     if (o.path.empty()) return;
     const auto& paths = bench.session.scene().paths;
     const bool known = std::any_of(paths.begin(), paths.end(), [&](const FlightPath<D>& p) { return p.id == o.path; });
@@ -279,7 +279,7 @@ void obey(const Options& o, std::span<const Method<D>> methods, const Viewer<D>&
     if (!o.size.empty()) set_figure_size(bench, o.size);
     if (o.font_pt) bench.figure.font_pt = *o.font_pt;
     if (!o.panels.empty()) bench.figure.panels = split_panels(o.panels);
-    take_path(bench, o);
+    start_path(bench, o);
     if (o.frames) return write_text(o.stats, path_stats(bench, *o.frames));
     move(bench, o, in_window);
     if (!in_window || o.writes()) print_summary(bench);
@@ -289,7 +289,7 @@ void obey(const Options& o, std::span<const Method<D>> methods, const Viewer<D>&
     if (window && !bench.quit) window->run();
 }
 
-int report(const std::string& program, const char* what, int status) {
+int failed(const std::string& program, const char* what, int status) {
     std::cerr << program << ": " << one_line(what, 4096) << "\n";
     return status;
 }
@@ -310,11 +310,11 @@ int start(int argc, const char* const* argv, std::span<const Method<D>> methods,
         if (!std::cout) throw WorkError("standard output: cannot be written");
         return 0;
     } catch (const InputError& error) {
-        return report(viewer.name, error.what(), 2);
+        return failed(viewer.name, error.what(), 2);
     } catch (const std::bad_alloc&) {
-        return report(viewer.name, "out of memory", 1);
+        return failed(viewer.name, "out of memory", 1);
     } catch (const std::exception& error) {
-        return report(viewer.name, error.what(), 1);
+        return failed(viewer.name, error.what(), 1);
     }
 }
 

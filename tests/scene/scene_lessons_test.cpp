@@ -49,7 +49,7 @@ std::vector<char> rendered(const Session<2>& s) {
     return drawn;
 }
 
-double wrong_pixels(const Session<2>& s) {
+double share_wrong(const Session<2>& s) {
     const ItemBuffer buffer = item_buffer(s.scene().primitives, make_view(s.culling_view()), 8192);
     const std::vector<char> drawn = rendered(s);
     const auto wrong = std::count_if(buffer.ids.begin(), buffer.ids.end(),
@@ -183,7 +183,7 @@ TEST(SceneLessons, StreetsShowAFewPercent) {
 TEST(SceneLessons, RoomsJudgeByCountAndByPixelsDifferently) {
     const Session<2> published = ran("rooms"), centroid = ran("rooms", {"method=centroid"});
     EXPECT_GT(covered(published), covered(centroid) + 0.02);
-    EXPECT_GT(wrong_pixels(published), 2 * wrong_pixels(centroid));
+    EXPECT_GT(share_wrong(published), 2 * share_wrong(centroid));
 }
 
 TEST(SceneLessons, CarsLoseAPartOfTheShellWhileTheInsideIsDrawn) {
@@ -211,7 +211,7 @@ TEST(SceneLessons, TerrainLeavesNothingToGain) {
         EXPECT_DOUBLE_EQ(oracle(published.reference(), k).value(), best);
         EXPECT_NEAR(covered(published), best, 0.02);
         EXPECT_NEAR(covered(centroid), best, 0.03);
-        EXPECT_LE(wrong_pixels(centroid), wrong_pixels(published));
+        EXPECT_LE(share_wrong(centroid), share_wrong(published));
     }
 }
 

@@ -11,9 +11,9 @@ namespace sightline {
 namespace {
 
 using Ids = std::vector<std::uint32_t>;
-constexpr std::uint32_t none = no_primitive;
+constexpr std::uint32_t nobody = no_primitive;
 
-View<2> look_round(const Vec<2>& eye) { return {eye, eye + Vec<2>(1, 0), 360, true, {}}; }
+View<2> see_round(const Vec<2>& eye) { return {eye, eye + Vec<2>(1, 0), 360, true, {}}; }
 /// 90 degrees towards +x.
 View<2> look_ahead(const Vec<2>& eye) {
     return {eye, eye + Vec<2>(1, 0), 90, false, {eye + Vec<2>(1, -1), eye + Vec<2>(1, 1)}};
@@ -35,14 +35,15 @@ Ids exact_buffer(const std::vector<Primitive<2>>& scene, const View<2>& view, in
         const Vec<2> ray = right * double(2 * (width - i) - 1) + left * double(2 * i + 1);
         const Integer x(ray.x), y(ray.y);
         Integer above = 0, below = 0;
-        std::uint32_t owner = none;
+        std::uint32_t owner = nobody;
         for (std::uint32_t k = 0; k < scene.size(); ++k) {
             Vec<2> a = scene[k][0] - view.eye, b = scene[k][1] - view.eye;
             if (cross(a, b) < 0) std::swap(a, b);
             const Integer turn(cross(a, b)), from_a = Integer(a.x) * y - Integer(a.y) * x;
             const Integer to_b = x * Integer(b.y) - y * Integer(b.x);
             if (turn == 0 || from_a < 0 || to_b <= 0) continue;
-            if (owner == none || turn * below < above * (from_a + to_b)) owner = k, above = turn, below = from_a + to_b;
+            if (owner == nobody || turn * below < above * (from_a + to_b))
+                owner = k, above = turn, below = from_a + to_b;
         }
         ids.push_back(owner);
     }
@@ -57,7 +58,7 @@ TEST(ItemBuffer, PixelsRunFromTheRightToTheLeft) {
 TEST(ItemBuffer, AnAllRoundViewHasFourLines) {
     const std::vector<Primitive<2>> box{{{{1, -1}, {1, 1}}},   {{{1, 1}, {-1, 1}}}, {{{-1, 1}, {-1, -1}}},
                                         {{{-1, -1}, {1, -1}}}, {{{2, 0}, {2, 5}}},  {{{-0.5, 0}, {-0.5, 0.5}}}};
-    EXPECT_EQ(item_buffer(box, look_round({0, 0}), 16).ids, (Ids{0, 0, 0, 0, 1, 1, 1, 1, 5, 5, 2, 2, 3, 3, 3, 3}));
+    EXPECT_EQ(item_buffer(box, see_round({0, 0}), 16).ids, (Ids{0, 0, 0, 0, 1, 1, 1, 1, 5, 5, 2, 2, 3, 3, 3, 3}));
 }
 
 TEST(ItemBuffer, AHiddenWallAndAGap) {
@@ -80,19 +81,19 @@ TEST(ItemBuffer, OnEqualDepthTheLowestIdWins) {
 TEST(ItemBuffer, SegmentsAreCutAtTheEyePlane) {
     const std::vector<Primitive<2>> walls{{{{-7, -1}, {9, -1}}}, {{{5, 1}, {-1, 1}}}};
     const Ids ids = item_buffer(walls, look_ahead({0, 0}), 8).ids;
-    EXPECT_EQ(ids, (Ids{0, 0, 0, 0, none, 1, 1, 1}));
+    EXPECT_EQ(ids, (Ids{0, 0, 0, 0, nobody, 1, 1, 1}));
     const std::vector<Primitive<2>> beside{{{{0, -2}, {0, -1}}}, {{{-1, -2}, {-1, 2}}}, {{{0, 1}, {4, 1}}}};
-    EXPECT_EQ(item_buffer(beside, look_ahead({0, 0}), 4).ids, (Ids{none, none, 2, 2}));
+    EXPECT_EQ(item_buffer(beside, look_ahead({0, 0}), 4).ids, (Ids{nobody, nobody, 2, 2}));
 }
 
 TEST(ItemBuffer, SegmentsThroughTheEyeAreNotDrawn) {
     const std::vector<Primitive<2>> walls{
         {{{0, 0}, {2, 0.3}}}, {{{-1, -1}, {1, 1}}}, {{{1, 0.5}, {2, 1}}}, {{{0, 0}, {0, 0}}}};
-    EXPECT_EQ(item_buffer(walls, look_ahead({0, 0}), 4096).ids, Ids(4096, none));
+    EXPECT_EQ(item_buffer(walls, look_ahead({0, 0}), 4096).ids, Ids(4096, nobody));
     // All but through the eye.
     const std::vector<Primitive<2>> grazing{
         {{{-1, -0x1p-52}, {1, 0x1p-53}}}, {{{0.3, 0.1}, {0.9, 0.3}}}, {{{3, 3}, {3, -3}}}};
-    for (const std::uint32_t id : item_buffer(grazing, look_ahead({0, 0}), 4096).ids) EXPECT_NE(id, none);
+    for (const std::uint32_t id : item_buffer(grazing, look_ahead({0, 0}), 4096).ids) EXPECT_NE(id, nobody);
 }
 
 TEST(ItemBuffer, EveryPixelHasTheNearestPrimitive) {
@@ -120,7 +121,7 @@ TEST(ItemBuffer, GrowsToTheExactVisibleSet) {
         auto scene = random_scene(random, 200, 1 << 16);
         for (auto& [a, b] : scene) b = a + glm::round((b - a) / 16.0);
         const Vec<2> eye(random.below(1 << 16), random.below(1 << 16));
-        const View<2> view = i % 2 == 0 ? look_round(eye) : look_ahead(eye);
+        const View<2> view = i % 2 == 0 ? see_round(eye) : look_ahead(eye);
         const VisibleSet set = exact_visible_set(scene, view);
         std::vector<std::uint8_t> visible;
         for (const int width : {64, 1024, 1 << 18}) {
@@ -162,10 +163,10 @@ TEST(ItemBuffer, DegenerateScenesAndScalesDoNoHarm) {
     for (int i = 0; i < 2000; ++i) {
         SCOPED_TRACE(i);
         auto scene = random_scene(random, 8, 5);
-        View<2> view = i % 2 == 0 ? look_round({random.below(5), random.below(5)})
-                                  : look_ahead({random.below(5), random.below(5)});
+        View<2> view =
+            i % 2 == 0 ? see_round({random.below(5), random.below(5)}) : look_ahead({random.below(5), random.below(5)});
         const Ids ids = item_buffer(scene, view, 256).ids;
-        for (const std::uint32_t id : ids) ASSERT_TRUE(id < scene.size() || id == none);
+        for (const std::uint32_t id : ids) ASSERT_TRUE(id < scene.size() || id == nobody);
         for (const int exponent : {-1000, -300, -3, 20, 200, 990}) {
             const double factor = std::ldexp(1.0, exponent);
             auto scaled = scene;
@@ -182,8 +183,8 @@ TEST(ItemBuffer, DegenerateScenesAndScalesDoNoHarm) {
 TEST(ItemBuffer, RejectsWidthsItCannotServe) {
     EXPECT_THROW(item_buffer({}, look_ahead({0, 0}), 0), InputError);
     EXPECT_THROW(item_buffer({}, look_ahead({0, 0}), (1 << 24) + 1), InputError);
-    EXPECT_THROW(item_buffer({}, look_round({0, 0}), 6), InputError);
-    EXPECT_EQ(item_buffer({}, look_ahead({0, 0}), 3).ids, Ids(3, none));
+    EXPECT_THROW(item_buffer({}, see_round({0, 0}), 6), InputError);
+    EXPECT_EQ(item_buffer({}, look_ahead({0, 0}), 3).ids, Ids(3, nobody));
 }
 
 }  // namespace
