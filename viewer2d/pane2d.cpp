@@ -20,7 +20,7 @@ void clear(const Colour& c) {
     glClear(GL_COLOR_BUFFER_BIT);
 }
 
-void fit(std::optional<GlTarget>& target, int w, int h) {
+void fit_target(std::optional<GlTarget>& target, int w, int h) {
     if (!target || target->width() != w || target->height() != h) target.emplace(w, h);
 }
 
@@ -78,7 +78,7 @@ void Pane2d::draw_borders(const Session<2>& session, const PictureOptions& optio
         border_renderer_.set(make_picture(session, part));
     }
     b = {cells.points, cells.facet_points, palette, view.world, size_};
-    fit(border_picture_, size_.w, size_.h);
+    fit_target(border_picture_, size_.w, size_.h);
     border_picture_->bind();
     clear(transparent);
     border_renderer_.draw(view);
@@ -87,7 +87,7 @@ void Pane2d::draw_borders(const Session<2>& session, const PictureOptions& optio
 void Pane2d::render(const Session<2>& session, const PictureOptions& options) {
     const bool borders = session.settings().show_tessellation == Switch::on;
     if (borders) draw_borders(session, options, view(camera_.world));
-    fit(picture_, size_.w, size_.h);
+    fit_target(picture_, size_.w, size_.h);
     picture_->bind();
     clear(colours(session.settings().palette).background);
     below_renderer_.set(below_);

@@ -12,7 +12,7 @@ namespace sightline {
 
 namespace {
 
-std::vector<SceneChoice> choices() {
+std::vector<SceneChoice> scene_choices() {
     std::vector<SceneChoice> all;
     add_catalogue<2>(all);
     for (const CatalogueRow<3>& row : catalogue<3>())
@@ -31,6 +31,6 @@ struct Held {
 
 }  // namespace
 
-Stage stage2d(Workbench<2>& bench) { return stage_of(std::make_shared<Held>(bench), choices()); }
+Stage stage2d(Workbench<2>& bench) { return stage_of(std::make_shared<Held>(bench), scene_choices()); }
 
 }  // namespace sightline

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int samples = 4;
 
-DrawList at_the_end(const CatalogueRow<2>& row, double aspect) {
+DrawList finished_run(const CatalogueRow<2>& row, double aspect) {
     Settings settings = start_settings<2>(row.id);
     settings.show_tessellation = Switch::off;
     Session<2> session(std::make_shared<const Scene<2>>(make_scene(row)), row.view, settings);
@@ -40,7 +40,7 @@ Thumbnails::Make thumbnails2d() {
     return [renderer = std::make_shared<ListRenderer>()](const std::string& scene, int width, int height) {
         const double aspect = static_cast<double>(width) / height;
         const CatalogueRow<2>* const row = find_in_catalogue(scene);
-        const DrawList list = row ? at_the_end(*row, aspect) : segments_alone(load_scene(scene), aspect);
+        const DrawList list = row ? finished_run(*row, aspect) : segments_alone(load_scene(scene), aspect);
         auto target = std::make_unique<GlTarget>(width, height, samples);
         target->bind();
         glClearColor(1, 1, 1, 1);

@@ -9,7 +9,7 @@ namespace sightline {
 
 namespace {
 
-std::vector<SceneChoice> choices() {
+std::vector<SceneChoice> scene_choices() {
     std::vector<SceneChoice> all;
     add_catalogue<3>(all);
     add_failures<3>(all);
@@ -34,7 +34,7 @@ struct Held {
 
 Stage stage3d(Workbench<3>& bench, const std::shared_ptr<Renderers>& renderers) {
     const auto held = std::make_shared<Held>(bench, renderers);
-    Stage stage = stage_of(held, choices());
+    Stage stage = stage_of(held, scene_choices());
     stage.takes_key = [held](const std::string& key) { return held->picture.takes_key(key); };
     stage.lively = [held] { return held->picture.lively(); };
     return stage;

@@ -18,7 +18,7 @@ namespace {
     throw WorkError("cannot write " + path.string() + ": " + reason);
 }
 
-std::string reason_of(int error) { return std::generic_category().message(error); }
+std::string words_of(int error) { return std::generic_category().message(error); }
 
 }  // namespace
 
@@ -28,7 +28,7 @@ OutputFile::OutputFile(std::filesystem::path target) : target_(std::move(target)
     // nobody reads would wait for ever.
     if (std::filesystem::is_other(target_, error)) {
         descriptor_ = open(target_.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK);
-        if (descriptor_ < 0) fail(target_, reason_of(errno));
+        if (descriptor_ < 0) fail(target_, words_of(errno));
         fcntl(descriptor_, F_SETFL, fcntl(descriptor_, F_GETFL) & ~O_NONBLOCK);
         return;
     }
@@ -42,12 +42,12 @@ OutputFile::OutputFile(std::filesystem::path target) : target_(std::move(target)
     if (!std::filesystem::is_directory(folder, error)) fail(target_, folder.string() + " is not a folder");
     if (std::filesystem::is_directory(target_, error)) fail(target_, "it is a folder");
     // A rename would replace a file that its owner has protected.
-    if (std::filesystem::exists(target_, error) && access(target_.c_str(), W_OK) != 0) fail(target_, reason_of(errno));
+    if (std::filesystem::exists(target_, error) && access(target_.c_str(), W_OK) != 0) fail(target_, words_of(errno));
     // Short, whatever the target's own name: file systems limit a name's length.
     for (int attempt = 0; descriptor_ < 0; ++attempt) {
         temporary_ = folder / (".sightline-" + std::to_string(getpid()) + "-" + std::to_string(attempt) + ".tmp");
         descriptor_ = open(temporary_.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
-        if (descriptor_ < 0 && errno != EEXIST) fail(target_, reason_of(errno));
+        if (descriptor_ < 0 && errno != EEXIST) fail(target_, words_of(errno));
     }
 }
 
@@ -60,15 +60,15 @@ void OutputFile::write(std::string_view data) {
     while (!data.empty()) {
         const ssize_t written = ::write(descriptor_, data.data(), data.size());
         if (written < 0 && errno == EINTR) continue;
-        if (written < 0) fail(target_, reason_of(errno));
+        if (written < 0) fail(target_, words_of(errno));
         data.remove_prefix(static_cast<std::size_t>(written));
     }
 }
 
 void OutputFile::commit() {
-    if (close(std::exchange(descriptor_, -1)) != 0) fail(target_, reason_of(errno));
+    if (close(std::exchange(descriptor_, -1)) != 0) fail(target_, words_of(errno));
     if (temporary_.empty()) return;
-    if (rename(temporary_.c_str(), target_.c_str()) != 0) fail(target_, reason_of(errno));
+    if (rename(temporary_.c_str(), target_.c_str()) != 0) fail(target_, words_of(errno));
     temporary_.clear();
 }
 

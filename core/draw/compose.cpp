@@ -68,7 +68,7 @@ struct Common {
 
 /// Each source is met before the first one is drawn.
 template <int D>
-void meet(const PanelSource<D>& source, Common<D>& common) {
+void meet_at(const PanelSource<D>& source, Common<D>& common) {
     if (common.settings.heat == CellNumber::none) return;
     const HeatRange own = number_range(source.session, common.settings.heat);
     HeatRange& range = common.range;
@@ -135,7 +135,7 @@ Common<D> common_of(std::span<const PanelSource<D>> sources) {
 template <int D>
 Figure figure_of(std::span<const PanelSource<D>> sources) {
     Common<D> common = common_of(sources);
-    for (const PanelSource<D>& source : sources) meet(source, common);
+    for (const PanelSource<D>& source : sources) meet_at(source, common);
     std::vector<Figure::Panel> panels = draw_panels(sources, common);
     note_use<D>(sources, panels, common);
     Figure figure = empty_figure(common);
@@ -174,7 +174,7 @@ Film make_film(std::size_t frames, FilmFrame<D> frame) {
     Film film;
     for (std::size_t i = 0; i < frames; ++i)
         for (const PanelSource<D>& source : frame(i)) {
-            meet(source, common);
+            meet_at(source, common);
             widen_world(source, common);
         }
     const std::vector<std::size_t> kept = spread_frames(frames, kept_pictures);

@@ -12,7 +12,7 @@ namespace sightline {
 
 namespace {
 
-std::uint16_t index(Look look) { return static_cast<std::uint16_t>(look); }
+std::uint16_t style_index(Look look) { return static_cast<std::uint16_t>(look); }
 
 struct Entry {
     Look look;
@@ -152,7 +152,7 @@ void add_texts(const Settings& settings, std::span<const Note<D>> notes, std::ve
 }  // namespace
 
 void add_used(const DrawList& list, UsedStyles& used) {
-    used.looks.resize(index(Look::count));
+    used.looks.resize(style_index(Look::count));
     for (const Shape& shape : list.shapes) {
         if (shape.style < used.looks.size()) {
             if (!used.looks[shape.style] && is_shown(list, shape)) used.looks[shape.style] = 1;
@@ -185,18 +185,19 @@ void add_used(const SolidList& list, UsedStyles& in) {
 
 std::vector<LegendRow> legend_rows(const UsedStyles& styles, const Settings& settings, std::span<const Note<2>> notes) {
     std::vector<std::uint8_t> used = styles.looks;
-    used.resize(index(Look::count));
+    used.resize(style_index(Look::count));
     const bool states = settings.heat == CellNumber::none && settings.show_states == Switch::on;
-    used[index(Look::clean)] = states && settings.show_tessellation == Switch::on;
-    const bool beside = used[index(Look::both)] || used[index(Look::only_left)] || used[index(Look::only_right)];
+    used[style_index(Look::clean)] = states && settings.show_tessellation == Switch::on;
+    const bool beside =
+        used[style_index(Look::both)] || used[style_index(Look::only_left)] || used[style_index(Look::only_right)];
     const std::vector<Style>& looks = colours(settings.palette).looks;
     std::vector<LegendRow> rows;
     for (const Entry& entry : entries)
-        if (used[index(entry.look)]) {
-            Style style = looks[index(entry.look)];
+        if (used[style_index(entry.look)]) {
+            Style style = looks[style_index(entry.look)];
             // An area without a border of its own would not show as a swatch when it is as light as the page.
             if (entry.swatch == ShapeKind::polygon && style.stroke.a == 0)
-                style.stroke = looks[index(Look::tessellation)].stroke;
+                style.stroke = looks[style_index(Look::tessellation)].stroke;
             rows.push_back({entry.swatch, style, text_of(entry, beside, settings)});
         }
     add_texts(settings, notes, rows);
@@ -210,10 +211,10 @@ std::vector<LegendRow> legend_rows(const UsedStyles& used, const Settings& setti
         if (const auto look = static_cast<std::size_t>(entry.look);
             look < used.solids.size() && (used.solids[look].faces || used.solids[look].edges))
             rows.push_back(solid_row(solid_styles(settings.palette)[look], used.solids[look], entry.text,
-                                     palette.looks[index(Look::tessellation)].stroke));
+                                     palette.looks[style_index(Look::tessellation)].stroke));
     for (const Entry& entry : entries)
-        if (index(entry.look) < used.looks.size() && used.looks[index(entry.look)])
-            rows.push_back({entry.swatch, palette.looks[index(entry.look)],
+        if (style_index(entry.look) < used.looks.size() && used.looks[style_index(entry.look)])
+            rows.push_back({entry.swatch, palette.looks[style_index(entry.look)],
                             entry.look == Look::selected_primitive ? "selected triangle" : entry.text});
     for (const StarEntry& entry : star_entries)
         for (const Style& style : used.others)

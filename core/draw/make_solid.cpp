@@ -14,9 +14,9 @@ namespace sightline {
 
 namespace {
 
-constexpr int heat_steps = 32;
+constexpr int solid_heat_steps = 32;
 
-std::uint8_t index(SolidLook look) { return static_cast<std::uint8_t>(look); }
+std::uint8_t look_index(SolidLook look) { return static_cast<std::uint8_t>(look); }
 
 SolidLook look_of(CellState state) {
     switch (state) {
@@ -48,8 +48,8 @@ DrawnAs drawn_as(const Settings& set, SolidLook look) {
 /// Adds the steps of the heat map and returns the first; `alpha` is that of all.
 std::uint8_t add_heat(const Settings& set, std::uint8_t alpha, SolidList& list) {
     const auto first = static_cast<std::uint8_t>(list.styles.size());
-    for (int i = 0; i < heat_steps; ++i) {
-        SolidStyle style{"heat " + std::to_string(i), between(colours(set.palette).heat, i / (heat_steps - 1.0))};
+    for (int i = 0; i < solid_heat_steps; ++i) {
+        SolidStyle style{"heat " + std::to_string(i), between(colours(set.palette).heat, i / (solid_heat_steps - 1.0))};
         style.colour.a = alpha;
         style.width_pt = 0.8;
         list.styles.push_back(style);
@@ -80,15 +80,15 @@ std::vector<CellPaint> paint_cells(const Session<3>& session, const PictureOptio
                                                        : SolidLook::only_right;
         }
         CellPaint& own = paint[cell];
-        own.group = own.style = index(look);
+        own.group = own.style = look_index(look);
         own.as = drawn_as(set, look);
-        if (border) own.border = index(SolidLook::border);
+        if (border) own.border = look_index(SolidLook::border);
         if (heat && !numbers[cell]) {
             if (own.as != DrawnAs::wireframe) own.as = DrawnAs::off;
         } else if (heat) {
             const double share = high > low ? std::clamp((*numbers[cell] - low) / (high - low), 0.0, 1.0) : 0;
             own.style = static_cast<std::uint8_t>((own.as == DrawnAs::translucent ? glass : opaque) +
-                                                  std::lround(share * (heat_steps - 1)));
+                                                  std::lround(share * (solid_heat_steps - 1)));
         }
     }
     return paint;
@@ -97,7 +97,7 @@ std::vector<CellPaint> paint_cells(const Session<3>& session, const PictureOptio
 void make_glass(const Settings& set, SolidList& list) {
     for (const SolidLook look : {SolidLook::clean, SolidLook::enqueued, SolidLook::projected, SolidLook::unseen,
                                  SolidLook::both, SolidLook::only_left, SolidLook::only_right})
-        if (drawn_as(set, look) == DrawnAs::translucent) list.styles[index(look)].colour.a = translucent_alpha;
+        if (drawn_as(set, look) == DrawnAs::translucent) list.styles[look_index(look)].colour.a = translucent_alpha;
 }
 
 }  // namespace

@@ -12,19 +12,19 @@ SolidStyle solid(const char* name, Colour colour, double width_pt = 0.8) { retur
 SolidStyle edge(const char* name, Colour colour, double width_pt) { return {name, colour, false, width_pt}; }
 
 /// The states' colours are those of pictures in 2D; the triangles are of stone, so that a class with a hue stands out.
-std::vector<SolidStyle> standard() {
+std::vector<SolidStyle> standard_solids() {
     return {
         solid("clean", {150, 165, 180}, 0.5), solid("enqueued", {36, 86, 150}),    solid("projected", {166, 203, 187}),
         solid("unseen", {140, 140, 140}),     solid("both", {166, 203, 187}),      solid("only_left", {80, 145, 205}),
         solid("only_right", {110, 80, 0}),    edge("border", {90, 110, 130}, 0.5), solid("plain", {205, 200, 190}),
         solid("rest", {228, 230, 234}),       solid("rendered", {205, 200, 190}),  solid("missed", {200, 70, 0}),
-        solid("wasted", {185, 135, 175}),      solid("other", {228, 230, 234}),     solid("fresh", {240, 175, 20}),
+        solid("wasted", {185, 135, 175}),     solid("other", {228, 230, 234}),     solid("fresh", {240, 175, 20}),
     };
 }
 
 /// TVCG fig. 1: projected cells red, others green; the front blue as in TR figs 1 and 4; missed pixels red (TVCG fig.
 /// 14).
-std::vector<SolidStyle> paper() {
+std::vector<SolidStyle> paper_solids() {
     const Colour red{255, 60, 60}, green{60, 220, 60}, blue{90, 130, 255};
     return {
         solid("clean", green, 0.5),
@@ -46,7 +46,7 @@ std::vector<SolidStyle> paper() {
 }
 
 /// Greys only.
-std::vector<SolidStyle> print() {
+std::vector<SolidStyle> print_solids() {
     const auto grey = [](std::uint8_t v) { return Colour{v, v, v}; };
     return {
         solid("clean", grey(165), 0.5), solid("enqueued", grey(60)),    solid("projected", grey(205)),
@@ -60,7 +60,7 @@ std::vector<SolidStyle> print() {
 }  // namespace
 
 const std::vector<SolidStyle>& solid_styles(Palette palette) {
-    static const std::array table{standard(), paper(), print()};
+    static const std::array table{standard_solids(), paper_solids(), print_solids()};
     return table[static_cast<std::size_t>(palette)];
 }
 

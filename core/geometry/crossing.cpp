@@ -24,7 +24,7 @@ Vector<T> difference(const Vec<2>& head, const Vec<2>& tail) {
 }
 
 template <typename T>
-T cross(const Vector<T>& a, const Vector<T>& b) {
+T cross_of(const Vector<T>& a, const Vector<T>& b) {
     return a.x * b.y - a.y * b.x;
 }
 
@@ -39,8 +39,8 @@ template <typename T>
 Vector<T> towards(const Vec<2>& eye, const Crossing& p) {
     // The crossing divides s in the ratio of the distances of its ends to the line of t.
     const Vector<T> along = difference<T>(p.t[1], p.t[0]);
-    const T weight0 = cross(along, difference<T>(p.s[1], p.t[0]));
-    const T weight1 = -cross(along, difference<T>(p.s[0], p.t[0]));
+    const T weight0 = cross_of(along, difference<T>(p.s[1], p.t[0]));
+    const T weight1 = -cross_of(along, difference<T>(p.s[0], p.t[0]));
     const Vector<T> end0 = difference<T>(p.s[0], eye), end1 = difference<T>(p.s[1], eye);
     return {weight0 * end0.x + weight1 * end1.x, weight0 * end0.y + weight1 * end1.y};
 }
@@ -55,18 +55,18 @@ int turn(const Vec<2>& eye, const P& p, const Q& q) {
     {
         const Interval::Protector protect;
         const CGAL::Uncertain<CGAL::Sign> sign =
-            CGAL::sign(cross(towards<Interval>(eye, p), towards<Interval>(eye, q)));
+            CGAL::sign(cross_of(towards<Interval>(eye, p), towards<Interval>(eye, q)));
         if (CGAL::is_certain(sign)) return sides * CGAL::get_certain(sign);
     }
-    return sides * CGAL::sign(cross(towards<Rational>(eye, p), towards<Rational>(eye, q)));
+    return sides * CGAL::sign(cross_of(towards<Rational>(eye, p), towards<Rational>(eye, q)));
 }
 
 Vec<2> clamped(const Segment& s, const Vec<2>& p) { return glm::clamp(p, glm::min(s[0], s[1]), glm::max(s[0], s[1])); }
 
 /// Where the line through `origin` along the given vector meets s.
 Vec<2> meet_exactly(const Segment& s, const Vec<2>& origin, const Vector<Rational>& along) {
-    const Rational side0 = cross(along, difference<Rational>(s[0], origin));
-    const Rational side1 = cross(along, difference<Rational>(s[1], origin));
+    const Rational side0 = cross_of(along, difference<Rational>(s[0], origin));
+    const Rational side1 = cross_of(along, difference<Rational>(s[1], origin));
     const Rational part = side0 / (side0 - side1);
     const Vector<Rational> whole = difference<Rational>(s[1], s[0]);
     return clamped(s, {CGAL::to_double(s[0].x + part * whole.x), CGAL::to_double(s[0].y + part * whole.y)});

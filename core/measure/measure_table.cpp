@@ -5,6 +5,7 @@ namespace sightline {
 
 namespace {
 
+namespace rows {
 using enum Measure;
 constexpr std::array<MeasureRow, measure_count> table{{
     {budget, "budget", "budget", "primitives", "k: how many primitives the frame may render", "TVCG 3"},
@@ -62,6 +63,8 @@ constexpr std::array<MeasureRow, measure_count> table{{
     {total_error, "total_error_ms", "error of the time per frame", "ms",
      "root of the sum of the squares of the three errors", "docs/measuring.md", Better::neither, true},
 }};
+}  // namespace rows
+using rows::table;
 
 }  // namespace
 
@@ -70,6 +73,7 @@ std::span<const MeasureRow> measure_table() { return table; }
 const MeasureRow& measure_row(Measure measure) { return table[static_cast<std::size_t>(measure)]; }
 
 std::optional<Measure> error_of(Measure time) {
+    using enum Measure;
     switch (time) {
         case traverse_ms:
             return traverse_error;

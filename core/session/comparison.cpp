@@ -15,8 +15,8 @@ namespace {
 template <int D>
 std::vector<std::uint32_t> rendered_in(const Session<D>& session, std::uint32_t step) {
     const Counters &before = session.timeline().before(step), &after = session.timeline().after(step);
-    return rendered_ids(session.traversal().drawn().all().subspan(before.touched_count,
-                                                                  after.touched_count - before.touched_count));
+    return rendered_ids(
+        session.traversal().drawn().all().subspan(before.touched_count, after.touched_count - before.touched_count));
 }
 
 /// What one side does in a step. `theirs` is the cell that the other side pops, none where cell ids do not compare.
@@ -34,8 +34,8 @@ std::string what_it_does(const Session<D>& session, const std::string& name, std
                (primitives.empty() ? "" : ", first " + std::to_string(primitives.front()));
     }
     const Session<D> before = copy_at(session, step - 1);
-    std::string text = name + " projects cell " + std::to_string(cell) + " with key " +
-                       short_number(before.mark(cell).key, digits);
+    std::string text =
+        name + " projects cell " + std::to_string(cell) + " with key " + short_number(before.mark(cell).key, digits);
     if (theirs == none || theirs == cell) return text;
     const Mark mark = before.mark(theirs);
     text += " (its cell " + std::to_string(theirs) + ": " +
@@ -47,7 +47,7 @@ std::string what_it_does(const Session<D>& session, const std::string& name, std
 
 /// The digits that tell the keys of a side's popped cell and of the other side's apart.
 template <int D>
-int digits_of(const Session<D>& session, std::uint32_t step, std::uint32_t theirs) {
+int digits_apart(const Session<D>& session, std::uint32_t step, std::uint32_t theirs) {
     if (step > session.recorded()) return 3;
     const std::uint32_t cell = id_of(session.timeline().steps[step - 1].item, Kind::cell);
     if (cell == none || theirs == none) return 3;
@@ -112,10 +112,11 @@ template <int D>
 std::string difference_sentence(const Session<D>& a, const Session<D>& b, std::uint32_t step) {
     const bool comparable = same_cells(a, b);
     const auto popped = [&](const Session<D>& session) {
-        return comparable && step <= session.recorded() ? id_of(session.timeline().steps[step - 1].item, Kind::cell) : none;
+        return comparable && step <= session.recorded() ? id_of(session.timeline().steps[step - 1].item, Kind::cell)
+                                                        : none;
     };
     const std::uint32_t left = popped(a), right = popped(b);
-    const int digits = std::max(digits_of(a, step, right), digits_of(b, step, left));
+    const int digits = std::max(digits_apart(a, step, right), digits_apart(b, step, left));
     return "Step " + std::to_string(step) + ": " + what_it_does(a, "left", step, right, digits) + "; " +
            what_it_does(b, "right", step, left, digits) + ".";
 }

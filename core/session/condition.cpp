@@ -55,7 +55,7 @@ const std::vector<RecordField<D>>& fields() {
         {"cell", "what was popped: the number of the cell",
          [](S s) -> double { return last(s).item ? last(s).item.id : no_value; }},
         {"rho", "its key: accumulated solidity, or what the method has instead",
-         [](S s) -> double { return last(s).item ? last(s).key : no_value; }},
+         [](S s) -> double { return last(s).item && last(s).item.kind != Kind::primitive ? last(s).key : no_value; }},
         {"count", "|A|, the primitives in it",
          [](S s) -> double { return last_popped(s) == none ? no_value : s.cells().count(last_popped(s)); }},
         {"runner_up", "the key of the next cell in the front",

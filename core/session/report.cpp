@@ -12,10 +12,10 @@ namespace sightline {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
-Json or_null(std::uint32_t id) { return id == none ? Json(nullptr) : Json(id); }
+OrderedJson or_null(const std::optional<double>& value) { return value ? OrderedJson(*value) : OrderedJson(nullptr); }
+OrderedJson or_null(std::uint32_t id) { return id == none ? OrderedJson(nullptr) : OrderedJson(id); }
 
 /// What the budget amounts to in primitives: the whole scene when it does not limit them.
 template <int D>
@@ -24,7 +24,7 @@ std::uint32_t budget_in_primitives(const Session<D>& session) {
     return std::min(session.settings().budget.primitives(total), total);
 }
 
-Json other_reference(const Session<2>& session) {
+OrderedJson other_reference(const Session<2>& session) {
     const IdImage image = item_row(session.scene(), session.problem().view, session.settings().reference_size);
     Reference reference;
     reference.image = image;
@@ -41,16 +41,17 @@ Json other_reference(const Session<2>& session) {
 }
 
 /// By name; a word in place of a number is JSON as it stands, else a text.
-Json terms_json(const KeyExplanation& key) {
-    Json json = Json::object();
+OrderedJson terms_json(const KeyExplanation& key) {
+    OrderedJson json = OrderedJson::object();
     for (const Term& term : key.terms) {
         if (term.words.empty()) {
             const bool whole = term.value >= 0 && term.value < 4294967296.0 && term.name == "count";
-            json[std::string(term.name)] = whole ? Json(static_cast<std::uint32_t>(term.value)) : Json(term.value);
+            json[std::string(term.name)] =
+                whole ? OrderedJson(static_cast<std::uint32_t>(term.value)) : OrderedJson(term.value);
             continue;
         }
-        Json word = Json::parse(term.words, nullptr, false);
-        json[std::string(term.name)] = word.is_discarded() ? Json(term.words) : std::move(word);
+        OrderedJson word = OrderedJson::parse(term.words, nullptr, false);
+        json[std::string(term.name)] = word.is_discarded() ? OrderedJson(term.words) : std::move(word);
     }
     return json;
 }
@@ -74,7 +75,7 @@ std::string stats_json(const Session<D>& session, Stop stop) {
     for (const Inversion& inversion : inversions) wasted += inversion.step <= session.position() ? inversion.wasted : 0;
     const std::size_t found = session.visible_rendered();
     const Times& ms = session.times();
-    Json json{
+    OrderedJson json{
         {"scene", scene.id},
         {"title", scene.title},
         {"seed", scene.seed},
@@ -128,48 +129,48 @@ std::string stats_json(const Session<D>& session, Stop stop) {
         json["item_buffer"] = other_reference(session);
     else
         json["wrong_pixels"] = wrong_pixels(reference, session.met());
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return json.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 
 template <int D>
 std::string trace_json(const Session<D>& session) {
-    Json steps = Json::array();
+    OrderedJson steps = OrderedJson::array();
     for (std::uint32_t step = 1; step <= session.position(); ++step) {
         const StepExplanation e = explain_step(session, step);
         const Counters &before = session.timeline().before(step), &after = session.timeline().after(step);
-        Json row{{"step", step},
-                 {"cell", or_null(e.cell)},
-                 {"key", e.key},
-                 {"stamp", e.stamp},
-                 {"runner_up", or_null(e.runner_up)},
-                 {"runner_up_key", e.runner_up == none ? Json(nullptr) : Json(e.runner_up_key)},
-                 {"visible_share", e.visible_share},
-                 {"rendered_now", e.rendered},
-                 {"visible_now", e.visible},
-                 {"rendered", after.rendered_count},
-                 {"front", after.front_size}};
+        OrderedJson row{{"step", step},
+                        {"cell", or_null(e.cell)},
+                        {"key", e.key},
+                        {"stamp", e.stamp},
+                        {"runner_up", or_null(e.runner_up)},
+                        {"runner_up_key", e.runner_up == none ? OrderedJson(nullptr) : OrderedJson(e.runner_up_key)},
+                        {"visible_share", e.visible_share},
+                        {"rendered_now", e.rendered},
+                        {"visible_now", e.visible},
+                        {"rendered", after.rendered_count},
+                        {"front", after.front_size}};
         if (e.item && e.cell == none) row["item"] = {{"kind", kind_word(e.item.kind)}, {"id", e.item.id}};
         row["primitives"] =
             rendered_ids(session.met().subspan(before.touched_count, after.touched_count - before.touched_count));
-        Json facets = Json::array();
+        OrderedJson facets = OrderedJson::array();
         for (const Considered& c : e.looked_at) {
-            Json facet{{"neighbour", c.item ? Json(c.item.id) : Json(nullptr)},
-                       {"rule", c.words},
-                       {"state_before", cell_state_words[static_cast<std::size_t>(c.before.state)]},
-                       {"key_before", c.before.key}};
+            OrderedJson facet{{"neighbour", c.item ? OrderedJson(c.item.id) : OrderedJson(nullptr)},
+                              {"rule", c.words},
+                              {"state_before", cell_state_words[static_cast<std::size_t>(c.before.state)]},
+                              {"key_before", c.before.key}};
             if (c.key) facet["terms"] = terms_json(*c.key);
             facets.push_back(std::move(facet));
         }
         row["facets"] = std::move(facets);
         steps.push_back(std::move(row));
     }
-    const Json json{{"format", "sightline-trace"},
-                    {"version", 1},
-                    {"conditions", conditions(session)},
-                    {"seed_cell", or_null(seed_cell(session))},
-                    {"state_hash", hash_text(session.hash())},
-                    {"steps", std::move(steps)}};
-    return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+    const OrderedJson json{{"format", "sightline-trace"},
+                           {"version", 1},
+                           {"conditions", conditions(session)},
+                           {"seed_cell", or_null(seed_cell(session))},
+                           {"state_hash", hash_text(session.hash())},
+                           {"steps", std::move(steps)}};
+    return json.dump(1, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 
 template <int D>
@@ -180,8 +181,7 @@ std::string conditions(const Session<D>& session) {
     std::string text = scene.title.empty() ? scene.id : scene.title;
     if (scene.source == "generated") text += " (" + scene.id + ", seed " + std::to_string(scene.seed) + ")";
     text += ", " + std::to_string(scene.primitives.size()) + primitives + ". Method " + settings.method + " (" +
-            session.guarantee() + "), " +
-            std::to_string(session.cells().cell_count()) + " " +
+            session.guarantee() + "), " + std::to_string(session.cells().cell_count()) + " " +
             (settings.tessellation == Tessellation::delaunay ? "Delaunay"
              : D == 2                                        ? "quadtree"
                                                              : "octree") +

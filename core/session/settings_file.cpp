@@ -8,23 +8,24 @@
 
 namespace sightline {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 std::string write_settings(const std::vector<std::string>& assignments, const std::string& why) {
-    Json json{{"format", "sightline-settings"}, {"version", 1}, {"why", why}, {"settings", Json::object()}};
+    OrderedJson json{
+        {"format", "sightline-settings"}, {"version", 1}, {"why", why}, {"settings", OrderedJson::object()}};
     for (const std::string& assignment : assignments) {
         const std::size_t equals = assignment.find('=');
         json["settings"][assignment.substr(0, equals)] = assignment.substr(equals + 1);
     }
-    return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+    return json.dump(1, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 
 std::vector<std::string> read_settings(std::string_view text, const std::string& name) {
-    const Json json = Json::parse(text, nullptr, false);
+    const OrderedJson json = OrderedJson::parse(text, nullptr, false);
     if (json.is_discarded()) throw InputError(name + ": not JSON");
-    if (!json.is_object() || json.value("format", Json()) != "sightline-settings")
+    if (!json.is_object() || json.value("format", OrderedJson()) != "sightline-settings")
         throw InputError(name + ": format: not sightline-settings");
-    if (json.value("version", Json()) != 1) throw InputError(name + ": version: only 1 can be read");
+    if (json.value("version", OrderedJson()) != 1) throw InputError(name + ": version: only 1 can be read");
     if (!json.contains("settings") || !json["settings"].is_object())
         throw InputError(name + ": settings: an object is needed here");
     std::vector<std::string> assignments;

@@ -13,10 +13,10 @@ namespace sightline {
 namespace {
 
 template <auto member>
-struct Field;  // reads and writes one member of Settings as text
+struct MemberText;  // reads and writes one member of Settings as text
 
 template <typename C, typename T, T C::*member>
-struct Field<member> {
+struct MemberText<member> {
     static std::string get(const Settings& s) {
         if constexpr (std::is_enum_v<T>)
             return std::string(words<T>[static_cast<std::size_t>(s.*member)]);
@@ -41,7 +41,7 @@ SettingRow choice(std::string_view name, Invalidates invalidates, std::string_vi
             source,
             invalidates,
             word_list<E>(),
-            Field<member>::get,
+            MemberText<member>::get,
             [](Settings& s, std::string_view value) {
                 const auto found = std::find(words<E>.begin(), words<E>.end(), value);
                 if (found == words<E>.end())
@@ -64,29 +64,31 @@ struct Range {
 template <auto member>
 SettingRow real(std::string_view name, const Range& range, Invalidates invalidates, std::string_view values,
                 std::string_view source, std::string_view help) {
-    return {name, help, source, invalidates, values, Field<member>::get, [range](Settings& s, std::string_view value) {
-                const auto number = parse_number(value);
-                if (!number || !range.contains(*number))
-                    throw InputError("'" + std::string(value) + "' is not a number in " + range.text());
-                s.*member = *number;
-            }};
+    return {
+        name, help, source, invalidates, values, MemberText<member>::get, [range](Settings& s, std::string_view value) {
+            const auto number = parse_number(value);
+            if (!number || !range.contains(*number))
+                throw InputError("'" + std::string(value) + "' is not a number in " + range.text());
+            s.*member = *number;
+        }};
 }
 
 constexpr const char* any_number = "a finite number";
 
 template <auto member>
 SettingRow finite(std::string_view name, Invalidates invalidates, std::string_view source, std::string_view help) {
-    return {name, help, source, invalidates, any_number, Field<member>::get, [](Settings& s, std::string_view value) {
-                const auto number = parse_number(value);
-                if (!number) throw InputError("'" + std::string(value) + "' is not " + any_number);
-                s.*member = *number;
-            }};
+    return {
+        name, help, source, invalidates, any_number, MemberText<member>::get, [](Settings& s, std::string_view value) {
+            const auto number = parse_number(value);
+            if (!number) throw InputError("'" + std::string(value) + "' is not " + any_number);
+            s.*member = *number;
+        }};
 }
 
 template <auto member, std::uint64_t low, std::uint64_t high>
 SettingRow whole(std::string_view name, Invalidates invalidates, std::string_view values, std::string_view source,
                  std::string_view help) {
-    return {name, help, source, invalidates, values, Field<member>::get, [](Settings& s, std::string_view value) {
+    return {name, help, source, invalidates, values, MemberText<member>::get, [](Settings& s, std::string_view value) {
                 std::uint64_t number = 0;
                 const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), number);
                 if (error != std::errc() || end != value.data() + value.size() || number < low || number > high)
@@ -134,16 +136,16 @@ std::vector<SettingRow> own_rows() {
                                                   "seed of the jitter"),
 
         SettingRow{"method", "which rule orders cells or primitives; see --help for the ids", "TVCG 5",
-                   Invalidates::traversal, "a method id", Field<&S::method>::get,
+                   Invalidates::traversal, "a method id", MemberText<&S::method>::get,
                    [](Settings& s, std::string_view value) { s.method = std::string(value); }},
         SettingRow{"budget", "how much may be rendered: 500, 5%, 16ms or unlimited", "TVCG 3", Invalidates::traversal,
-                   "500 | 5% | 16ms | unlimited", Field<&S::budget>::get,
+                   "500 | 5% | 16ms | unlimited", MemberText<&S::budget>::get,
                    [](Settings& s, std::string_view value) { s.budget = parse_budget(value); }},
         SettingRow{
             "reference_size",
             "pixels of the item buffer: a width in 2D (auto: 8192), width x height in 3D (auto: 1024x768), where "
             "it also gives the view its aspect",
-            "TVCG 4.4", Invalidates::reference, image_size_range, Field<&S::reference_size>::get,
+            "TVCG 4.4", Invalidates::reference, image_size_range, MemberText<&S::reference_size>::get,
             [](Settings& s, std::string_view value) { s.reference_size = parse_image_size(value); }},
 
         choice<&S::palette>("palette", Invalidates::picture, "TR figs 1, 2, 4",
@@ -216,7 +218,7 @@ std::vector<SettingRow> own_rows() {
 }
 
 /// Those of the session with the parameters of all methods behind the budget.
-const std::vector<SettingRow>& rows() {
+const std::vector<SettingRow>& all_rows() {
     static const std::vector<SettingRow> table = [] {
         std::vector<SettingRow> all = own_rows();
         auto at = std::find_if(all.begin(), all.end(), [](const SettingRow& row) { return row.name == "budget"; }) + 1;
@@ -228,7 +230,7 @@ const std::vector<SettingRow>& rows() {
 
 }  // namespace
 
-std::span<const SettingRow> settings_table() { return rows(); }
+std::span<const SettingRow> settings_table() { return all_rows(); }
 
 SettingRow parameter_setting(const ParameterRow& row) {
     return {row.name,
@@ -244,10 +246,10 @@ SettingRow parameter_setting(const ParameterRow& row) {
 }
 
 const SettingRow& setting_row(std::string_view name) {
-    for (const SettingRow& row : rows())
+    for (const SettingRow& row : all_rows())
         if (row.name == name) return row;
     std::string known;
-    for (const SettingRow& row : rows()) known += (known.empty() ? "" : ", ") + std::string(row.name);
+    for (const SettingRow& row : all_rows()) known += (known.empty() ? "" : ", ") + std::string(row.name);
     throw InputError("setting '" + std::string(name) + "' does not exist; there are " + known);
 }
 
@@ -297,7 +299,7 @@ void apply_preset(Settings& settings, std::string_view id) {
 
 Invalidates difference(const Settings& a, const Settings& b) {
     Invalidates strongest = Invalidates::picture;
-    for (const SettingRow& row : rows())
+    for (const SettingRow& row : all_rows())
         if (row.get(a) != row.get(b)) strongest = std::max(strongest, row.invalidates);
     return strongest;
 }

@@ -178,7 +178,7 @@ void read_breakpoints(const Json& json, Session<D>& session) {
     }
 }
 
-Settings read_settings(const Json& json) {
+Settings settings_of_state(const Json& json) {
     Settings settings;
     for (const auto& [field, value] : json.items()) apply_setting(settings, field + "=" + value.get<std::string>());
     return settings;
@@ -194,7 +194,7 @@ OpenedState<D> read_state(const Json& json, const std::string& name, std::span<c
     if (const int dimension = json.value("dimension", 2); dimension != D)
         throw InputError("the state is one of " + std::to_string(dimension) + "D: open it with viewer" +
                          std::to_string(dimension) + "d");
-    const Settings settings = read_settings(json.at("settings"));
+    const Settings settings = settings_of_state(json.at("settings"));
     if (!shared || json.contains("scene"))
         shared = std::make_shared<const Scene<D>>(
             read_scene<D>(json.at("scene"), name, settings.two_sided == Switch::on, progress));

@@ -133,20 +133,6 @@ void set_border_cells(CellComplex<D>& cells) {
     }
 }
 
-template <int D>
-CellComplex<D> tessellation(const Scene<D>& scene, const TessellationSettings& settings) {
-    Tree<D> tree = build_tree<D>(scene.primitives, settings.error_bound);
-    return settings.tessellation == Tessellation::delaunay ? delaunay_cells(std::move(tree), settings)
-                                                           : tree_cells(std::move(tree));
-}
-
-template <int D>
-CellComplex<D> build_cells(const Scene<D>& scene, const TessellationSettings& settings) {
-    CellComplex<D> cells = tessellation(scene, settings);
-    assign_primitives(cells, scene.primitives);
-    return cells;
-}
-
 #define SIGHTLINE_INSTANTIATE(D)                                                                \
     template struct CellComplex<D>;                                                             \
     template std::uint32_t locate<D>(const CellComplex<D>&, const Vec<D>&, std::uint32_t);      \
@@ -154,9 +140,7 @@ CellComplex<D> build_cells(const Scene<D>& scene, const TessellationSettings& se
     template double distance_to_facet<D>(const CellComplex<D>&, std::uint32_t, const Vec<D>&);  \
     template void set_cell_primitives<D>(CellComplex<D>&, std::span<const CellPrimitive>);      \
     template void set_solidity_scales<D>(CellComplex<D>&);                                      \
-    template void set_border_cells<D>(CellComplex<D>&);                                         \
-    template CellComplex<D> tessellation<D>(const Scene<D>&, const TessellationSettings&);                  \
-    template CellComplex<D> build_cells<D>(const Scene<D>&, const TessellationSettings&);
+    template void set_border_cells<D>(CellComplex<D>&);
 SIGHTLINE_INSTANTIATE(2)
 SIGHTLINE_INSTANTIATE(3)
 #undef SIGHTLINE_INSTANTIATE

@@ -11,7 +11,7 @@ namespace sightline {
 namespace {
 
 /// The point of the triangle's plane on the ray from the eye through a point; nothing where the ray lies along it.
-std::optional<Vec<3>> hit(const Primitive<3>& triangle, const Vec<3>& eye, const Vec<3>& through) {
+std::optional<Vec<3>> point_of(const Primitive<3>& triangle, const Vec<3>& eye, const Vec<3>& through) {
     const Vec<3> normal = glm::cross(triangle[1] - triangle[0], triangle[2] - triangle[0]);
     const double along = glm::dot(normal, through - eye);
     if (along == 0) return std::nullopt;
@@ -63,7 +63,7 @@ private:
     }
 
     std::uint32_t cell_at(std::uint32_t id, int x, int y) {
-        const auto point = hit(scene_.primitives[id], view_.eye, pixel_centre(view_, size_, x, y));
+        const auto point = point_of(scene_.primitives[id], view_.eye, pixel_centre(view_, size_, x, y));
         const std::uint32_t cell = point ? any_holding(cells_, *point, near_) : none;
         if (cell != none) near_ = cell;
         return cell;

@@ -10,8 +10,8 @@ namespace sightline {
 
 namespace {
 
-std::vector<IdImage> draw(const Scene<3>& scene, const View<3>& view, const ImageSize& size, const DrawIds& draw_ids,
-                          int layers) {
+std::vector<IdImage> draw_images(const Scene<3>& scene, const View<3>& view, const ImageSize& size,
+                                 const DrawIds& draw_ids, int layers) {
     if (!draw_ids) throw WorkError("the exact image cannot be drawn: there is no OpenGL");
     return draw_ids(scene, view, image_size<3>(size), layers);
 }
@@ -32,8 +32,7 @@ IdImage item_row(const Scene<2>& scene, const View<2>& view, const ImageSize& si
 }
 
 template <>
-std::vector<std::uint8_t> visible_set<2>(const Scene<2>& scene, const View<2>& view, const ImageSize&,
-                                         const DrawIds&) {
+std::vector<std::uint8_t> visible_set<2>(const Scene<2>& scene, const View<2>& view, const ImageSize&, const DrawIds&) {
     return exact_visible_set(scene.primitives, view).visible;
 }
 
@@ -41,7 +40,8 @@ template <>
 std::vector<std::uint8_t> visible_set<3>(const Scene<3>& scene, const View<3>& view, const ImageSize& size,
                                          const DrawIds& draw_ids) {
     std::vector<std::uint8_t> visible(scene.primitives.size());
-    for (const std::uint32_t id : draw(scene, view, size, draw_ids, 1).front().ids)
+    const std::vector<IdImage> images = draw_images(scene, view, size, draw_ids, 1);
+    for (const std::uint32_t id : images.front().ids)
         if (id != none) visible[id] = 1;
     return visible;
 }
@@ -55,7 +55,7 @@ Reference make_reference<2>(const Scene<2>& scene, const CellComplex<2>& cells, 
 template <>
 Reference make_reference<3>(const Scene<3>& scene, const CellComplex<3>& cells, const View<3>& view,
                             const ImageSize& size, const DrawIds& draw_ids) {
-    return image_reference(std::move(draw(scene, view, size, draw_ids, 1).front()), scene, cells, view);
+    return image_reference(std::move(draw_images(scene, view, size, draw_ids, 1).front()), scene, cells, view);
 }
 
 template <>
@@ -67,13 +67,12 @@ std::vector<std::uint32_t> make_layering<2>(const Scene<2>& scene, const View<2>
 template <>
 std::vector<std::uint32_t> make_layering<3>(const Scene<3>& scene, const View<3>& view, const ImageSize& size,
                                             const DrawIds& draw_ids) {
-    return layering_numbers(draw(scene, view, size, draw_ids, most_layers), scene.primitives.size());
+    return layering_numbers(draw_images(scene, view, size, draw_ids, most_layers), scene.primitives.size());
 }
 
 template <>
 std::vector<Truth> make_truths<2>(const Scene<2>& scene, std::span<const CellComplex<2>* const> tessellations,
-                                  const View<2>& view, const ImageSize& size, const DrawIds& draw_ids,
-                                  bool with_zeta) {
+                                  const View<2>& view, const ImageSize& size, const DrawIds& draw_ids, bool with_zeta) {
     const IdImage image = item_row(scene, view, size);
     auto zeta = std::make_shared<std::vector<std::uint32_t>>(scene.primitives.size());
     if (with_zeta) *zeta = make_layering(scene, view, size, draw_ids);
@@ -88,9 +87,8 @@ std::vector<Truth> make_truths<2>(const Scene<2>& scene, std::span<const CellCom
 
 template <>
 std::vector<Truth> make_truths<3>(const Scene<3>& scene, std::span<const CellComplex<3>* const> tessellations,
-                                  const View<3>& view, const ImageSize& size, const DrawIds& draw_ids,
-                                  bool with_zeta) {
-    const std::vector<IdImage> layers = draw(scene, view, size, draw_ids, with_zeta ? most_layers : 1);
+                                  const View<3>& view, const ImageSize& size, const DrawIds& draw_ids, bool with_zeta) {
+    const std::vector<IdImage> layers = draw_images(scene, view, size, draw_ids, with_zeta ? most_layers : 1);
     auto zeta = std::make_shared<std::vector<std::uint32_t>>(scene.primitives.size());
     if (with_zeta) *zeta = layering_numbers(layers, scene.primitives.size());
     std::vector<Truth> truths;

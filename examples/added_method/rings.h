@@ -23,7 +23,8 @@ public:
     }
 
     sightline::Stop run(std::uint32_t steps, sightline::Recorder* recorder) override {
-        for (std::uint32_t made = 0; made < steps; made += !in_round_) {
+        const std::uint64_t end = std::uint64_t{this->steps_} + steps;
+        while (this->steps_ < end) {
             if (finished()) return left_ == 0 && !in_round_ ? sightline::Stop::front_empty : sightline::Stop::budget;
             if (!in_round_) {  // else the budget ended inside this one, and it goes on
                 inner_ = outer_;

@@ -9,8 +9,8 @@
 #include "core/base/error.h"
 #include "core/scene/read/load.h"
 #include "core/session/condition.h"
-#include "core/session/start_settings.h"
 #include "core/session/settings_table.h"
+#include "core/session/start_settings.h"
 #include "lab/gallery/gallery_measures.h"
 
 namespace sightline::lab {
@@ -104,7 +104,7 @@ bool passes(const Expectation& expectation, double value) {
 }
 
 Verdict judge(const Expectation& expectation, bool known, double value) {
-    Verdict verdict{Verdict::Kind::expected, &expectation, value, passes(expectation, value)};
+    Verdict verdict{Verdict::Kind::expected, &expectation, value, passes(expectation, value), expectation.subject};
     if (!known || expectation.expect == Expect::pending)
         verdict.kind =
             known || expectation.expect != Expect::pending ? Verdict::Kind::surprise : Verdict::Kind::pending;
@@ -133,10 +133,8 @@ std::vector<Verdict> measure_row(const GalleryRow<D>& row, const DrawIds& draw_i
     for (const Expectation& expectation : row.expectations) {
         const Subject subject = parse_subject(expectation.subject);
         const bool known = needs_no_method(subject.id) || is_method<D>(methods, subject.id);
-        const double value =
-            known ? value_of(subject, expectation) : std::numeric_limits<double>::quiet_NaN();
+        const double value = known ? value_of(subject, expectation) : std::numeric_limits<double>::quiet_NaN();
         verdicts.push_back(judge(expectation, known, value));
-        verdicts.back().subject = expectation.subject;
         if (verdicts.back().subject != "published") continue;
         for (const std::string& variant : also) {
             const double other = value_of(parse_subject(variant.c_str()), expectation);
@@ -162,9 +160,9 @@ Session<D> gallery_session(const GalleryRow<D>& row, const DrawIds& draw_ids, st
     return session;
 }
 
-#define SIGHTLINE_INSTANTIATE(D)                                                        \
+#define SIGHTLINE_INSTANTIATE(D)                                                                                   \
     template std::vector<Verdict> measure_row<D>(const GalleryRow<D>&, const DrawIds&, std::span<const Method<D>>, \
-                                                 std::span<const std::string>);                                   \
+                                                 std::span<const std::string>);                                    \
     template Session<D> gallery_session<D>(const GalleryRow<D>&, const DrawIds&, std::span<const Method<D>>);
 SIGHTLINE_INSTANTIATE(2)
 SIGHTLINE_INSTANTIATE(3)

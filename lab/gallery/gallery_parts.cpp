@@ -21,7 +21,8 @@ PartCounts counts_of(const Probe<D>& p, CarPart part) {
     if (parts.size() != p.at.scene().primitives.size())
         throw InputError(p.at.scene().id + ": which primitive is which part of a car is not known");
     const Reference reference = p.at.truth(p.view, p.settings).reference;
-    const OneRun run = one_run(p.methods, p.at.scene(), p.at.cells(p.settings), p.at.view(p.view, p.settings), p.settings);
+    const OneRun run =
+        one_run(p.methods, p.at.scene(), p.at.cells(p.settings), p.at.view(p.view, p.settings), p.settings);
     PartCounts counts;
     for (std::size_t i = 0; i < parts.size(); ++i) {
         counts.all_rendered += run.rendered[i];
@@ -33,26 +34,26 @@ PartCounts counts_of(const Probe<D>& p, CarPart part) {
     return counts;
 }
 
-double ratio(double part, double whole) { return whole > 0 ? part / whole : std::numeric_limits<double>::quiet_NaN(); }
+double share(double part, double whole) { return whole > 0 ? part / whole : std::numeric_limits<double>::quiet_NaN(); }
 
 }  // namespace
 
 template <int D>
 double front_coverage(const Probe<D>& p) {
     const PartCounts front = counts_of(p, CarPart::front);
-    return ratio(front.found, front.visible);
+    return share(front.found, front.visible);
 }
 
 template <int D>
 double back_coverage(const Probe<D>& p) {
     const PartCounts back = counts_of(p, CarPart::back);
-    return ratio(back.found, back.visible);
+    return share(back.found, back.visible);
 }
 
 template <int D>
 double hidden_engine(const Probe<D>& p) {
     const PartCounts engine = counts_of(p, CarPart::engine);
-    return ratio(engine.rendered - engine.found, engine.all_rendered);
+    return share(engine.rendered - engine.found, engine.all_rendered);
 }
 
 #define SIGHTLINE_INSTANTIATE(D)                        \

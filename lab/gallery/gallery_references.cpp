@@ -14,20 +14,20 @@ namespace sightline::lab {
 namespace {
 
 /// The exact image of a scene: ids, 0-based; in 2D of one row.
-IdImage image_of(const Scene<2>& scene, const View<2>& view, const ImageSize& asked, const DrawIds&) {
+IdImage ids_of(const Scene<2>& scene, const View<2>& view, const ImageSize& asked, const DrawIds&) {
     const int width = image_size<2>(asked).width;
     return {width, 1, item_buffer(scene.primitives, view, width).ids};
 }
-IdImage image_of(const Scene<3>& scene, const View<3>& view, const ImageSize& asked, const DrawIds& draw_ids) {
+IdImage ids_of(const Scene<3>& scene, const View<3>& view, const ImageSize& asked, const DrawIds& draw_ids) {
     return draw_ids(scene, view, image_size<3>(asked), 1).front();
 }
 
 template <int D>
-IdImage image_of(const Probe<D>& p, const ViewSpec<D>& view) {
-    return image_of(p.at.scene(), p.at.view(view, p.settings), p.settings.reference_size, p.at.draw_ids());
+IdImage ids_of(const Probe<D>& p, const ViewSpec<D>& view) {
+    return ids_of(p.at.scene(), p.at.view(view, p.settings), p.settings.reference_size, p.at.draw_ids());
 }
 
-std::vector<std::uint8_t> shown(const IdImage& image, std::size_t count) {
+std::vector<std::uint8_t> shown_primitives(const IdImage& image, std::size_t count) {
     std::vector<std::uint8_t> mask(count);
     for (const std::uint32_t id : image.ids)
         if (id != none) mask[id] = 1;
@@ -44,23 +44,23 @@ Vec<3> ray(const View<3>& view, const IdImage& image, int x, int y) {
     return pixel_centre(view, {image.width, image.height}, x, y) - view.eye;
 }
 
-constexpr double missed = std::numeric_limits<double>::infinity();
+constexpr double no_hit = std::numeric_limits<double>::infinity();
 
 /// Distance along the ray in its lengths to the line or plane of a primitive.
 double along(const Primitive<2>& s, const Vec<2>& eye, const Vec<2>& d) {
     const Vec<2> e = s[1] - s[0], from = s[0] - eye;
     const double turn = d.x * e.y - d.y * e.x;
-    return turn == 0 ? missed : (from.x * e.y - from.y * e.x) / turn;
+    return turn == 0 ? no_hit : (from.x * e.y - from.y * e.x) / turn;
 }
 double along(const Primitive<3>& t, const Vec<3>& eye, const Vec<3>& d) {
     const Vec<3> n = glm::cross(t[1] - t[0], t[2] - t[0]);
     const double facing = glm::dot(n, d);
-    return facing == 0 ? missed : glm::dot(n, t[0] - eye) / facing;
+    return facing == 0 ? no_hit : glm::dot(n, t[0] - eye) / facing;
 }
 
 /// The nearest triangle on the ray, by distance (Moeller and Trumbore 1997).
 double first_hit(const Scene<3>& scene, const View<3>& view, const Vec<3>& d) {
-    double nearest = missed;
+    double nearest = no_hit;
     for (std::size_t i = 0; i < scene.primitives.size(); ++i) {
         const Primitive<3>& t = scene.primitives[i];
         const Vec<3> u = t[1] - t[0], v = t[2] - t[0], p = glm::cross(d, v);
@@ -86,7 +86,7 @@ bool near(double a, double b) { return a == b || std::abs(a - b) <= 1e-4 * std::
 template <int D>
 double lost_by_pixels(const Probe<D>& p) {
     const std::size_t count = p.at.scene().primitives.size();
-    const std::vector<std::uint8_t> seen = shown(image_of(p, p.view), count);
+    const std::vector<std::uint8_t> seen = shown_primitives(ids_of(p, p.view), count);
     std::vector<std::uint8_t> visible;
     if constexpr (D == 2) {
         visible = exact_visible_set(p.at.scene().primitives, p.at.view(p.view, p.settings)).visible;
@@ -94,7 +94,7 @@ double lost_by_pixels(const Probe<D>& p) {
         Probe<D> fine = p;
         const ImageSize size = image_size<D>(p.settings.reference_size);
         fine.settings.reference_size = {4 * size.width, 4 * size.height};
-        visible = shown(image_of(fine, p.view), count);
+        visible = shown_primitives(ids_of(fine, p.view), count);
     }
     double all = 0, lost = 0;
     for (std::size_t i = 0; i < count; ++i) {
@@ -118,7 +118,7 @@ double churn(const Probe<D>& p) {
         point->y -= 0.3 * pixel * d.x / flat;
     }
     const std::size_t count = p.at.scene().primitives.size();
-    return 1 - jaccard(shown(image_of(p, p.view), count), shown(image_of(p, beside), count));
+    return 1 - jaccard(shown_primitives(ids_of(p, p.view), count), shown_primitives(ids_of(p, beside), count));
 }
 
 namespace {
@@ -129,7 +129,7 @@ IdImage reverse_image(const Probe<D>& p) {
     Scene<D> scene = p.at.scene();
     std::reverse(scene.primitives.begin(), scene.primitives.end());
     std::reverse(scene.two_sided.begin(), scene.two_sided.end());
-    IdImage image = image_of(scene, p.at.view(p.view, p.settings), p.settings.reference_size, p.at.draw_ids());
+    IdImage image = ids_of(scene, p.at.view(p.view, p.settings), p.settings.reference_size, p.at.draw_ids());
     for (std::uint32_t& id : image.ids)
         if (id != none) id = static_cast<std::uint32_t>(scene.primitives.size()) - 1 - id;
     return image;
@@ -140,12 +140,12 @@ IdImage reverse_image(const Probe<D>& p) {
 template <int D>
 double churn_in_reverse(const Probe<D>& p) {
     const std::size_t count = p.at.scene().primitives.size();
-    return 1 - jaccard(shown(image_of(p, p.view), count), shown(reverse_image(p), count));
+    return 1 - jaccard(shown_primitives(ids_of(p, p.view), count), shown_primitives(reverse_image(p), count));
 }
 
 template <int D>
 double unexplained_in_reverse(const Probe<D>& p) {
-    const IdImage a = image_of(p, p.view), b = reverse_image(p);
+    const IdImage a = ids_of(p, p.view), b = reverse_image(p);
     const View<D> view = p.at.view(p.view, p.settings);
     double wrong = 0;
     for (int y = 0; y < a.height; ++y)
@@ -164,13 +164,13 @@ double unexplained_in_reverse(const Probe<D>& p) {
 
 template <int D>
 double wrong_against_rays(const Probe<D>& p) {
-    const IdImage image = image_of(p, p.view);
+    const IdImage image = ids_of(p, p.view);
     const View<D> view = p.at.view(p.view, p.settings);
     double tried = 0, wrong = 0;
     for (std::size_t i = 0; i < image.ids.size(); i += 11) {
         const int x = static_cast<int>(i) % image.width, y = static_cast<int>(i) / image.width;
         const Vec<D> d = ray(view, image, x, y);
-        double nearest = missed;
+        double nearest = no_hit;
         if constexpr (D == 2) {
             for (const Primitive<2>& s : p.at.scene().primitives) {
                 const Vec<2> a = s[0] - view.eye, b = s[1] - view.eye;
@@ -182,7 +182,7 @@ double wrong_against_rays(const Probe<D>& p) {
         }
         const std::uint32_t id = image.ids[i];
         ++tried;
-        wrong += !near(id == none ? missed : along(p.at.scene().primitives[id], view.eye, d), nearest);
+        wrong += !near(id == none ? no_hit : along(p.at.scene().primitives[id], view.eye, d), nearest);
     }
     return wrong / tried;
 }

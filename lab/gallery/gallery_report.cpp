@@ -45,7 +45,7 @@ std::string value_text(double value, std::string_view unit) {
     return number(value) + (unit.empty() ? "" : " " + std::string(unit));
 }
 
-std::string bound_text(const Expectation& e) {
+std::string bound_cell(const Expectation& e) {
     return (e.bound == Bound::at_least ? "at least " : "at most ") + value_text(e.threshold, text_of(e.measure).unit);
 }
 
@@ -57,7 +57,7 @@ std::pair<std::string, std::string> parts_of(const std::string& subject) {
 }
 
 bool is_surprise(const Verdict& verdict) { return verdict.kind == Verdict::Kind::surprise; }
-bool is_asked(const Verdict& verdict) { return verdict.kind == Verdict::Kind::asked; }
+bool is_beside(const Verdict& verdict) { return verdict.kind == Verdict::Kind::asked; }
 bool is_pending(const Verdict& verdict) { return verdict.kind == Verdict::Kind::pending; }
 
 /// The class of a verdict, for its colour.
@@ -77,7 +77,7 @@ std::string mark(const Verdict& verdict) {
     const MeasureText measure = text_of(e.measure);
     const std::string says = verdict.subject + ": " + measure.name + " " +
                              (is_pending(verdict) ? "" : value_text(verdict.value, measure.unit) + ", ") +
-                             bound_text(e);
+                             bound_cell(e);
     return std::string("<span class=") + look_of(verdict) + " title=\"" + escaped(says) + "\">" + symbol_of(verdict) +
            (is_surprise(verdict) ? "!" : "") + "</span>";
 }
@@ -96,7 +96,7 @@ Columns columns_of(std::span<const GalleryEntry> entries) {
     std::vector<bool> used(known);
     for (const GalleryEntry& entry : entries)
         for (const Verdict& verdict : entry.verdicts) {
-            if (is_asked(verdict)) continue;
+            if (is_beside(verdict)) continue;
             const std::string id = parts_of(verdict.subject).first;
             const auto found = std::find(order.begin(), order.end(), id);
             if (found == order.end())
@@ -117,7 +117,7 @@ std::string matrix_cell(const GalleryEntry& entry, const std::string& id, bool f
     bool surprise = false;
     for (const Verdict& verdict : entry.verdicts) {
         const auto [subject, settings] = parts_of(verdict.subject);
-        if (subject != id || is_asked(verdict)) continue;
+        if (subject != id || is_beside(verdict)) continue;
         surprise = surprise || is_surprise(verdict);
         (settings.empty() ? plain : varied) += mark(verdict);
         if (!settings.empty() || is_pending(verdict)) continue;
@@ -138,7 +138,7 @@ std::string tally(std::span<const GalleryEntry> entries, const std::string& id) 
     std::size_t passed = 0, measured = 0;
     for (const GalleryEntry& entry : entries)
         for (const Verdict& verdict : entry.verdicts) {
-            if (id != verdict.subject || is_pending(verdict) || is_asked(verdict)) continue;
+            if (id != verdict.subject || is_pending(verdict) || is_beside(verdict)) continue;
             ++measured;
             passed += verdict.passed;
         }
@@ -204,7 +204,7 @@ std::string table_of(const GalleryEntry& entry) {
                 (settings.empty() ? "" : " <code>" + escaped(settings) + "</code>") + "</td>" +
                 cell(unbroken(measure.name), true) +
                 cell(is_pending(verdict) ? "" : unbroken(value_text(verdict.value, measure.unit))) +
-                cell(unbroken(bound_text(e))) + cell(e.means, true) + "<td class='t " + look_of(verdict) + "'>" +
+                cell(unbroken(bound_cell(e))) + cell(e.means, true) + "<td class='t " + look_of(verdict) + "'>" +
                 result + "</td></tr>";
     }
     return html + "</table>";
@@ -247,8 +247,8 @@ GalleryCounts count(std::span<const GalleryEntry> entries) {
     GalleryCounts counts;
     for (const GalleryEntry& entry : entries) {
         ++counts.scenes;
-        counts.expectations += entry.verdicts.size();
         for (const Verdict& verdict : entry.verdicts) {
+            counts.expectations += !is_beside(verdict);
             counts.pending += is_pending(verdict);
             counts.surprises += is_surprise(verdict);
         }

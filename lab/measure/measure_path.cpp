@@ -17,13 +17,13 @@ namespace sightline::lab {
 namespace {
 
 /// What a method drew at one budget in one frame, kept until the next.
-struct Drawn {
+struct DrawnFrame {
     std::vector<std::uint8_t> rendered, wrong;
 };
 
 /// A frame of one method at all budgets.
 struct Shown {
-    std::vector<Drawn> at;  ///< per budget
+    std::vector<DrawnFrame> at;  ///< per budget
     std::vector<Values> values;
 };
 
@@ -99,8 +99,8 @@ private:
     /// Without a budget.
     Problem<D> problem_of(std::size_t method, std::uint32_t i) const {
         const Choice& c = methods_[method];
-        return {lab_.scene.get(), &lab_.on(c.choice.tessellation), lab_.views[i], none, c.variant.parameters, nullptr,
-                {}};
+        return {
+            lab_.scene.get(), &lab_.on(c.choice.tessellation), lab_.views[i], none, c.variant.parameters, nullptr, {}};
     }
     static void give_visible_set(Problem<D>& problem, const Reference& reference) {
         const auto visible = std::make_shared<const std::vector<std::uint8_t>>(reference.visible);
@@ -129,9 +129,8 @@ private:
             Shown& shown = frame.methods[m];
             for (const AtBudget& budget : methods_[m].budgets) {
                 const std::uint32_t k = problem.budget = budget.primitives;
-                const auto best =
-                    method.orders_cells() ? cell_oracle<D>(truth.reference, problem) : std::nullopt;
-                Drawn drawn;
+                const auto best = method.orders_cells() ? cell_oracle<D>(truth.reference, problem) : std::nullopt;
+                DrawnFrame drawn;
                 drawn.rendered = rendered_by(run, cut_at(run, k).met, lab_.scene->primitives.size());
                 drawn.wrong = wrong_mask(truth.reference.image, drawn.rendered);
                 shown.values.push_back(frame_numbers(run, truth, k, drawn.rendered, drawn.wrong, best));
@@ -145,7 +144,7 @@ private:
         const double change = 1 - jaccard(before.reference.visible, now.reference.visible);
         for (std::size_t m = 0; m < now.methods.size(); ++m)
             for (std::size_t b = 0; b < now.methods[m].at.size(); ++b) {
-                const Drawn &a = before.methods[m].at[b], &c = now.methods[m].at[b];
+                const DrawnFrame &a = before.methods[m].at[b], &c = now.methods[m].at[b];
                 Values& values = now.methods[m].values[b];
                 if (const auto share = pop(before.reference.visible, a.rendered, now.reference.visible, c.rendered))
                     values[Measure::pop] = *share;

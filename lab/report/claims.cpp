@@ -23,7 +23,7 @@ const Row* find(const Results& results, const std::string& scene, const std::str
     return nullptr;
 }
 
-std::string per_cent(double share) { return short_number(100 * share) + " %"; }
+std::string with_per_cent(double share) { return short_number(100 * share) + " %"; }
 
 /// A row's summary; NaN without a row.
 double value(const Row* row, Measure m) { return row ? summary(*row, m) : unknown; }
@@ -47,12 +47,13 @@ std::vector<Claim> judge_claims(const Results& results) {
         const double delaunay = value(published, coverage), tree = value(on_tree, coverage),
                      sorted = value(centroid, coverage);
         add("TVCG 5.1", "At 10 % PLP on Delaunay cells finds over 90 % of what is visible in CITY.", published,
-            scene(published) + ": " + per_cent(delaunay) + ".", delaunay > 0.9, {delaunay});
+            scene(published) + ": " + with_per_cent(delaunay) + ".", delaunay > 0.9, {delaunay});
         add("TVCG 5.1",
             "At 10 % Delaunay cells find more than octree cells (64 %), and these more than sorting by distance "
             "(30 %) in CITY.",
             delaunay > tree ? on_tree : published,
-            scene(published) + ": " + per_cent(delaunay) + ", " + per_cent(tree) + " and " + per_cent(sorted) + ".",
+            scene(published) + ": " + with_per_cent(delaunay) + ", " + with_per_cent(tree) + " and " +
+                with_per_cent(sorted) + ".",
             delaunay > tree && tree > sorted, {delaunay, tree, sorted});
     }
     {
@@ -63,7 +64,7 @@ std::vector<Claim> judge_claims(const Results& results) {
             "At 5 % PLP finds 80 % of what is visible in CITY, at 4 times the speed of "
             "drawing everything.",
             found >= 0.8 ? nullptr : published,
-            scene(published) + ": " + per_cent(found) + " at " + short_number(all / ms) + " times the speed.",
+            scene(published) + ": " + with_per_cent(found) + " at " + short_number(all / ms) + " times the speed.",
             found >= 0.8 && all / ms >= 4, {found, ms, all});
     }
     {
@@ -93,8 +94,8 @@ std::vector<Claim> judge_claims(const Results& results) {
                      sorted = value(find(results, "room", "centroid", "10%"), wrong);
         add("TVCG 5.1, figs. 13 to 15", "In ROOM octree cells give the best image and sorting by distance the worst.",
             tree < delaunay ? published : on_tree,
-            scene(on_tree) + ", wrong pixels at 10 %: octree " + per_cent(tree) + ", Delaunay " + per_cent(delaunay) +
-                ", sorted " + per_cent(sorted) + ".",
+            scene(on_tree) + ", wrong pixels at 10 %: octree " + with_per_cent(tree) + ", Delaunay " +
+                with_per_cent(delaunay) + ", sorted " + with_per_cent(sorted) + ".",
             tree < delaunay && delaunay < sorted, {tree, delaunay, sorted});
     }
     return claims;

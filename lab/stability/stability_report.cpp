@@ -16,8 +16,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string_view word(const StabilityRow& row) { return disturbance_words[static_cast<std::size_t>(row.disturbance)]; }
-std::string tessellation(const MethodChoice& method) {
+std::string_view disturbance_word(const StabilityRow& row) {
+    return disturbance_words[static_cast<std::size_t>(row.disturbance)];
+}
+std::string tessellation_word(const MethodChoice& method) {
     return std::string(words<Tessellation>[static_cast<std::size_t>(method.tessellation)]);
 }
 
@@ -27,9 +29,9 @@ Json rows_json(const std::vector<StabilityRow>& rows) {
         all.push_back({{"scene", row.scene},
                        {"path", row.path},
                        {"method", row.method.variant},
-                       {"tessellation", tessellation(row.method)},
+                       {"tessellation", tessellation_word(row.method)},
                        {"budget", row.budget},
-                       {"disturbance", word(row)},
+                       {"disturbance", disturbance_word(row)},
                        {"amount", row.amount},
                        {"samples", row.samples},
                        {"jaccard", row.jaccard},
@@ -100,9 +102,9 @@ std::string stability_csv(const std::vector<StabilityRow>& rows) {
         "coverage_change,coverage_spread,equal,not_finite\n";
     for (const StabilityRow& row : rows)
         text += csv_field(row.scene) + "," + csv_field(row.path) + "," + csv_field(row.method.variant) + "," +
-                tessellation(row.method) + "," + csv_field(row.budget) + "," + std::string(word(row)) + "," +
-                number_text(row.amount) + "," + std::to_string(row.samples) + "," + number_text(row.jaccard) + "," +
-                number_text(row.jaccard_min) + "," + number_text(row.visible_jaccard) + "," +
+                tessellation_word(row.method) + "," + csv_field(row.budget) + "," + std::string(disturbance_word(row)) +
+                "," + number_text(row.amount) + "," + std::to_string(row.samples) + "," + number_text(row.jaccard) +
+                "," + number_text(row.jaccard_min) + "," + number_text(row.visible_jaccard) + "," +
                 number_text(row.coverage_change) + "," + number_text(row.coverage_spread) + "," +
                 (row.equal ? "1" : "0") + "," + std::to_string(row.not_finite) + "\n";
     return text;

@@ -15,7 +15,7 @@ namespace sightline {
 namespace {
 
 /// Where no speed is asked for.
-constexpr double path_frames_per_second = 25;
+constexpr double spec_frames_per_second = 25;
 
 /// FROM-TO FILE [4fps] | path [FROM-TO] FILE [25fps]
 template <int D>
@@ -30,7 +30,7 @@ void film(Workbench<D>& bench, Text text) {
     if (split_word(rest)[0] == "path") {
         take_word();
         spec.path = true;
-        spec.frames_per_second = path_frames_per_second;
+        spec.frames_per_second = spec_frames_per_second;
         spec.last = static_cast<std::uint32_t>(std::max<std::size_t>(1, bench.flight.path.frames.size()) - 1);
     }
     if (const auto range = parse_steps(split_word(rest)[0])) {

@@ -39,7 +39,7 @@ void front(Workbench<D>& bench, Text) {
 }
 
 template <int D>
-void inversions(Workbench<D>& bench, Text) {
+void list_inversions(Workbench<D>& bench, Text) {
     const auto found = bench.session.inversions();
     bench.say("Inversions: " + std::to_string(found.size()) + ", most wasted primitives first.");
     for (const Inversion& i : found)
@@ -78,7 +78,7 @@ std::span<const Command<D>> say_commands() {
         Command<D>{"explain", "[step N | cell ID | cell last]", "say why: this step, another, or where a cell stands",
                    "", explain<D>},
         Command<D>{"front", "", "list the front", "", front<D>},
-        Command<D>{"inversions", "", "list hidden cells projected before visible ones", "", inversions<D>},
+        Command<D>{"inversions", "", "list hidden cells projected before visible ones", "", list_inversions<D>},
         Command<D>{"markers", "", "list penalties, inversions, the first wrong pixel, budget ticks, pops and bookmarks",
                    "", markers<D>},
         Command<D>{"panels", "[FILE]", "what all panels of the window say, as text", "F12=panels.txt", panels<D>},

@@ -14,7 +14,7 @@ namespace {
 /// Enough of a solid to tell where it is.
 constexpr std::size_t enough = 20000;
 
-double covered(const SolidList& solid, const Rect& place, const Rect& box) {
+double covered_by_solid(const SolidList& solid, const Rect& place, const Rect& box) {
     const ImagePlane plane = image_plane(solid.camera);
     const auto length = [&](const Vec<3>& a, const Vec<3>& b) {
         Vec<3> p = plane.project(a), q = plane.project(b);
@@ -55,7 +55,7 @@ double covered(const Figure::Panel& content, const Layout::Panel& panel, const L
                const Rect& box) {
     const double line_weight = 3, mark_weight = 10, label_weight = 150, inset_weight = 1e6;
     const DrawList& list = content.list;
-    double sum = content.solid ? covered(*content.solid, world_on_page(list, panel, layout.scale), box) : 0;
+    double sum = content.solid ? covered_by_solid(*content.solid, world_on_page(list, panel, layout.scale), box) : 0;
     std::vector<Vec<2>> points;
     for (const Shape& s : list.shapes) {
         if (std::size_t{s.first_point} + s.point_count > list.points.size() || s.point_count == 0) continue;

@@ -56,7 +56,7 @@ struct Path {
     bool closed = false;
 
     void add(std::initializer_list<Vec<2>> run) {
-        points.insert(points.end(), run);
+        for (const Vec<2>& p : run) points.push_back(p);  // of insert() GCC 12 has a false alarm
         end_run();
     }
     /// Ends the run that was being appended to `points`.

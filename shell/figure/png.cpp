@@ -26,7 +26,7 @@ void append_big_endian(std::string& out, std::uint32_t value) {
     for (const int shift : {24, 16, 8, 0}) out += static_cast<char>(value >> shift & 255);
 }
 
-cairo_status_t append(void* text, const unsigned char* data, unsigned length) {
+cairo_status_t append_png(void* text, const unsigned char* data, unsigned length) {
     static_cast<std::string*>(text)->append(reinterpret_cast<const char*>(data), length);
     return CAIRO_STATUS_SUCCESS;
 }
@@ -35,7 +35,7 @@ cairo_status_t append(void* text, const unsigned char* data, unsigned length) {
 
 std::string encode_png(cairo_surface_t* surface, double dpi) {
     std::string file;
-    if (const cairo_status_t status = cairo_surface_write_to_png_stream(surface, append, &file);
+    if (const cairo_status_t status = cairo_surface_write_to_png_stream(surface, append_png, &file);
         status != CAIRO_STATUS_SUCCESS)
         throw WorkError(std::string("cannot encode the PNG: ") + cairo_status_to_string(status));
     const auto per_metre = static_cast<std::uint32_t>(std::lround(dpi / 0.0254));

@@ -24,7 +24,7 @@ void check_room(std::size_t triangles) {
 
 /// Fills the bound array buffer; add(t, all) appends what the three corners of triangle t have.
 template <typename T, typename Add>
-void upload(std::size_t triangles, const Add& add) {
+void upload_each(std::size_t triangles, const Add& add) {
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(triangles * 3 * sizeof(T)), nullptr, GL_STATIC_DRAW);
     std::vector<T> part;
     part.reserve(std::min(triangles, triangles_at_once) * 3);
@@ -56,7 +56,7 @@ SceneMesh::SceneMesh(const Scene<3>& scene) : triangles_(scene.primitives.size()
     glBindBuffer(GL_ARRAY_BUFFER, corners_.name());
     glEnableVertexAttribArray(0);
     glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(Corner), nullptr);
-    upload<Corner>(triangles_, [&](std::size_t t, std::vector<Corner>& all) {
+    upload_each<Corner>(triangles_, [&](std::size_t t, std::vector<Corner>& all) {
         for (const Vec<3>& p : scene.primitives[t])
             all.push_back({static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)});
     });
@@ -70,7 +70,7 @@ void SceneMesh::add_normals(const Scene<3>& scene) {
     glBindBuffer(GL_ARRAY_BUFFER, normals_.name());
     glEnableVertexAttribArray(1);
     glVertexAttribPointer(1, 3, GL_BYTE, GL_TRUE, sizeof(FaceNormal), nullptr);
-    upload<FaceNormal>(triangles_, [&](std::size_t t, std::vector<FaceNormal>& all) {
+    upload_each<FaceNormal>(triangles_, [&](std::size_t t, std::vector<FaceNormal>& all) {
         all.insert(all.end(), 3, normal_of(scene.primitives[t]));
     });
     glBindVertexArray(0);

@@ -8,13 +8,13 @@ namespace sightline {
 namespace {
 
 /// As in figures, no line is thinner.
-constexpr double thinnest_pt = 0.5;
+constexpr double thinnest_edge_pt = 0.5;
 /// Beyond this floats would overflow on their way to the screen.
-constexpr double absurd = 1e30;
+constexpr double too_far = 1e30;
 
 bool usable(std::span<const Vec<3>> points) {
     for (const Vec<3>& p : points)
-        if (!(std::abs(p.x) < absurd && std::abs(p.y) < absurd && std::abs(p.z) < absurd)) return false;
+        if (!(std::abs(p.x) < too_far && std::abs(p.y) < too_far && std::abs(p.z) < too_far)) return false;
     return true;
 }
 
@@ -46,7 +46,7 @@ void add_face(SolidMesh& mesh, std::span<const Vec<3>> points, const SolidStyle&
 
 void add_edge(SolidMesh& mesh, const Vec<3>& from, const Vec<3>& to, const SolidStyle& style) {
     const auto first = static_cast<std::uint32_t>(mesh.edges.size());
-    const double width = std::clamp(style.width_pt, thinnest_pt, 1000.0);
+    const double width = std::clamp(style.width_pt, thinnest_edge_pt, 1000.0);
     EdgeVertex v{static_cast<float>(from.x), static_cast<float>(from.y), static_cast<float>(from.z),
                  static_cast<float>(to.x),   static_cast<float>(to.y),   static_cast<float>(to.z)};
     v.colour = style.colour;

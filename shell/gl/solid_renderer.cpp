@@ -18,7 +18,8 @@ namespace {
 /// With 4 samples of colour and depth, 128 MiB.
 constexpr int largest_tile = 2048;
 
-void describe(GLuint location, GLint size, GLenum type, GLboolean normalised, std::size_t stride, std::size_t offset) {
+void describe_attribute(GLuint location, GLint size, GLenum type, GLboolean normalised, std::size_t stride,
+                        std::size_t offset) {
     glEnableVertexAttribArray(location);
     glVertexAttribPointer(location, size, type, normalised, static_cast<GLsizei>(stride),
                           reinterpret_cast<const void*>(offset));
@@ -26,7 +27,7 @@ void describe(GLuint location, GLint size, GLenum type, GLboolean normalised, st
 
 /// Through the array binding, which belongs to no vertex array; also for indices.
 template <typename T>
-void upload(const GlBuffer& buffer, const std::vector<T>& data, GLenum use) {
+void upload_to(const GlBuffer& buffer, const std::vector<T>& data, GLenum use) {
     glBindBuffer(GL_ARRAY_BUFFER, buffer.name());
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(data.size() * sizeof(T)), data.data(), use);
     glBindBuffer(GL_ARRAY_BUFFER, 0);
@@ -59,7 +60,7 @@ void choose_part(CameraMatrix& camera, int w, int h, double px, double py, doubl
     }
 }
 
-bool usable(const CameraMatrix& camera) {
+bool usable_camera(const CameraMatrix& camera) {
     for (int i = 0; i < 16; ++i)
         if (!std::isfinite(camera.clip[i / 4][i % 4])) return false;
     return true;
@@ -95,23 +96,23 @@ SolidRenderer::SolidRenderer()
     constexpr std::size_t face = sizeof(SolidVertex), edge = sizeof(EdgeVertex);
     glBindVertexArray(face_layout_.name());
     glBindBuffer(GL_ARRAY_BUFFER, vertices_.name());
-    describe(0, 3, GL_FLOAT, GL_FALSE, face, offsetof(SolidVertex, x));
-    describe(1, 3, GL_BYTE, GL_TRUE, face, offsetof(SolidVertex, normal));
-    describe(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, face, offsetof(SolidVertex, colour));
-    describe(3, 2, GL_UNSIGNED_BYTE, GL_FALSE, face, offsetof(SolidVertex, lit));
+    describe_attribute(0, 3, GL_FLOAT, GL_FALSE, face, offsetof(SolidVertex, x));
+    describe_attribute(1, 3, GL_BYTE, GL_TRUE, face, offsetof(SolidVertex, normal));
+    describe_attribute(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, face, offsetof(SolidVertex, colour));
+    describe_attribute(3, 2, GL_UNSIGNED_BYTE, GL_FALSE, face, offsetof(SolidVertex, lit));
     glBindVertexArray(edge_layout_.name());
     glBindBuffer(GL_ARRAY_BUFFER, edges_.name());
-    describe(0, 3, GL_FLOAT, GL_FALSE, edge, offsetof(EdgeVertex, from_x));
-    describe(1, 3, GL_FLOAT, GL_FALSE, edge, offsetof(EdgeVertex, to_x));
-    describe(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, edge, offsetof(EdgeVertex, colour));
-    describe(3, 1, GL_UNSIGNED_SHORT, GL_FALSE, edge, offsetof(EdgeVertex, half_width));
-    describe(4, 1, GL_UNSIGNED_BYTE, GL_FALSE, edge, offsetof(EdgeVertex, corner));
+    describe_attribute(0, 3, GL_FLOAT, GL_FALSE, edge, offsetof(EdgeVertex, from_x));
+    describe_attribute(1, 3, GL_FLOAT, GL_FALSE, edge, offsetof(EdgeVertex, to_x));
+    describe_attribute(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, edge, offsetof(EdgeVertex, colour));
+    describe_attribute(3, 1, GL_UNSIGNED_SHORT, GL_FALSE, edge, offsetof(EdgeVertex, half_width));
+    describe_attribute(4, 1, GL_UNSIGNED_BYTE, GL_FALSE, edge, offsetof(EdgeVertex, corner));
     glBindVertexArray(0);
     glBindBuffer(GL_ARRAY_BUFFER, 0);
 }
 
 void SolidRenderer::upload_faces() {
-    upload(vertices_, mesh_.vertices, GL_STATIC_DRAW);
+    upload_to(vertices_, mesh_.vertices, GL_STATIC_DRAW);
     sorted_for_.reset();
 }
 
@@ -129,10 +130,10 @@ void SolidRenderer::set(const SolidList& list) {
     list_sheets_ = mesh_.sheets.size();
     list_translucent_ = mesh_.translucent.size();
     upload_faces();
-    upload(opaque_, mesh_.opaque, GL_STATIC_DRAW);
-    upload(edges_, mesh_.edges, GL_STATIC_DRAW);
-    upload(edge_indices_, mesh_.edge_indices, GL_STATIC_DRAW);
-    upload(line_indices_, mesh_.line_indices, GL_STATIC_DRAW);
+    upload_to(opaque_, mesh_.opaque, GL_STATIC_DRAW);
+    upload_to(edges_, mesh_.edges, GL_STATIC_DRAW);
+    upload_to(edge_indices_, mesh_.edge_indices, GL_STATIC_DRAW);
+    upload_to(line_indices_, mesh_.line_indices, GL_STATIC_DRAW);
     set_triangles(list.runs, list.triangles);
 }
 
@@ -181,7 +182,7 @@ void SolidRenderer::sort_sheets(const Vec<3>& eye) {
         const auto first = mesh_.translucent.begin() + sheet.first;
         sorted_.insert(sorted_.end(), first, first + sheet.count);
     }
-    upload(translucent_, sorted_, GL_STREAM_DRAW);
+    upload_to(translucent_, sorted_, GL_STREAM_DRAW);
     sorted_for_ = eye;
 }
 
@@ -256,7 +257,7 @@ void SolidRenderer::draw_part(const View<3>& view, int w, int h, const Part& par
     }
     CameraMatrix camera = camera_matrix(view, all, depth.zero_to_one());
     choose_part(camera, w, h, part.x, part.y, part.w, part.h);
-    if (all.empty() || !usable(camera)) return;
+    if (all.empty() || !usable_camera(camera)) return;
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     sort_sheets(view.eye);
     if (!mesh_.edge_indices.empty()) {

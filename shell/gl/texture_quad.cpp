@@ -8,14 +8,14 @@ namespace sightline {
 namespace {
 
 // One triangle that covers the viewport.
-constexpr const char* vertex_shader = R"(#version 330 core
+constexpr const char* quad_vertex_shader = R"(#version 330 core
 void main() {
     gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0);
 }
 )";
 
 // Pixel by pixel: a software renderer takes far longer for filtered samples.
-constexpr const char* fragment_shader = R"(#version 330 core
+constexpr const char* quad_fragment_shader = R"(#version 330 core
 uniform sampler2D picture;
 uniform ivec2 corner;
 out vec4 result;
@@ -25,8 +25,8 @@ void main() { result = texelFetch(picture, ivec2(gl_FragCoord.xy) - corner, 0); 
 }  // namespace
 
 TextureQuad::TextureQuad()
-    : program_(make_program(vertex_shader, fragment_shader)), corner_(glGetUniformLocation(program_.name(), "corner")) {
-}
+    : program_(make_program(quad_vertex_shader, quad_fragment_shader)),
+      corner_(glGetUniformLocation(program_.name(), "corner")) {}
 
 void TextureQuad::draw(GLuint texture, int x, int y, int w, int h, bool blended) const {
     if (w <= 0 || h <= 0) return;

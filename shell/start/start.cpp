@@ -15,8 +15,8 @@
 #include "core/base/text.h"
 #include "core/session/condition.h"
 #include "core/session/report.h"
-#include "core/session/state_file.h"
 #include "core/session/settings_file.h"
+#include "core/session/state_file.h"
 #include "shell/commands/arguments.h"
 #include "shell/commands/command_table.h"
 #include "shell/desk/compare.h"
@@ -180,8 +180,8 @@ void print_summary(const Workbench<D>& bench) {
     bench.say(conditions(s));
     bench.say("Step " + std::to_string(s.position()) +
               " (stopped by: " + std::string(stop_words[static_cast<std::size_t>(bench.last_stop)]) +
-              "): " + std::to_string(s.counters().rendered_count) + " rendered, " + std::to_string(s.visible_rendered()) +
-              " of " + std::to_string(reference.count) + " visible; coverage " +
+              "): " + std::to_string(s.counters().rendered_count) + " rendered, " +
+              std::to_string(s.visible_rendered()) + " of " + std::to_string(reference.count) + " visible; coverage " +
               value(coverage(reference, s.visible_rendered())) +
               (D == 2 ? " (exact reference)" : " (" + reference.name + "), wrong pixels " + wrong_text(s)) +
               ", inversions " + std::to_string(so_far) + ", state " + hash_text(s.hash()));
@@ -198,7 +198,7 @@ void print_summary(const Workbench<D>& bench) {
 
 /// The path and the frame that were asked for.
 template <int D>
-void take_path(Workbench<D>& bench, const Options& o) {
+void start_path(Workbench<D>& bench, const Options& o) {
     if (o.path.empty()) return;
     const auto& paths = bench.session.scene().paths;
     const bool known = std::any_of(paths.begin(), paths.end(), [&](const FlightPath<D>& p) { return p.id == o.path; });
@@ -297,7 +297,7 @@ void obey(const Options& o, std::span<const Method<D>> methods, const Viewer<D>&
     if (!o.size.empty()) set_figure_size(bench, o.size);
     if (o.font_pt) bench.figure.font_pt = *o.font_pt;
     if (!o.panels.empty()) bench.figure.panels = split_panels(o.panels);
-    take_path(bench, o);
+    start_path(bench, o);
     if (o.frames) return write_text(o.stats, path_stats(bench, *o.frames));
     move(bench, o, asked.state.has_value(), in_window);
     if (!in_window || o.writes()) print_summary(bench);
@@ -307,7 +307,7 @@ void obey(const Options& o, std::span<const Method<D>> methods, const Viewer<D>&
     if (window && !bench.quit) window->run();
 }
 
-int report(const std::string& program, const char* what, int status) {
+int failed(const std::string& program, const char* what, int status) {
     std::cerr << program << ": " << one_line(what, 4096) << "\n";
     return status;
 }
@@ -328,11 +328,11 @@ int start(int argc, const char* const* argv, std::span<const Method<D>> methods,
         if (!std::cout) throw WorkError("standard output: cannot be written");
         return 0;
     } catch (const InputError& error) {
-        return report(viewer.name, error.what(), 2);
+        return failed(viewer.name, error.what(), 2);
     } catch (const std::bad_alloc&) {
-        return report(viewer.name, "out of memory", 1);
+        return failed(viewer.name, "out of memory", 1);
     } catch (const std::exception& error) {
-        return report(viewer.name, error.what(), 1);
+        return failed(viewer.name, error.what(), 1);
     }
 }
 

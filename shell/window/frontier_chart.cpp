@@ -24,7 +24,7 @@ constexpr Colour front_colour{200, 200, 200};
 ImU32 method_colour(std::size_t method) { return colour(method_colours[method % method_colours.size()]); }
 
 template <int D>
-void bar(Ui& ui, Workbench<D>& bench) {
+void progress_bar(Ui& ui, Workbench<D>& bench) {
     const Frontier<D>& frontier = bench.frontier;
     const bool wrong = frontier.shown == Measure::wrong;
     std::string wanted;
@@ -109,7 +109,7 @@ void draw_dots(ImDrawList& list, const Ui& ui, const Workbench<D>& bench, const 
 
 /// Dots of the chart under the mouse: what they are, and a click.
 template <int D>
-void mouse(Ui& ui, const Workbench<D>& bench, const FrontierPlot& plot) {
+void chart_mouse(Ui& ui, const Workbench<D>& bench, const FrontierPlot& plot) {
     if (!ImGui::IsItemHovered()) return;
     const FrontierPlot::Dot* const hit = dot_at(plot, ImGui::GetIO().MousePos, 9 * ui.unit);
     if (!hit) return;
@@ -157,7 +157,7 @@ void key(const Ui& ui, const Workbench<D>& bench) {
 template <int D>
 void frontier_chart(Ui& ui, Workbench<D>& bench) {
     if (!bench.frontier.study.task().scene) return;
-    bar(ui, bench);
+    progress_bar(ui, bench);
     const float text = ImGui::GetFontSize(), left = 2.6f * text, under = 2.5f * text;
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float w = std::max(ImGui::GetContentRegionAvail().x, 8 * text),
@@ -177,7 +177,7 @@ void frontier_chart(Ui& ui, Workbench<D>& bench) {
         small_text(list, ui, plot.area.x + plot.area.w / 2, plot.area.y + plot.area.h / 2, "nothing measured yet",
                    theme::faint, 0.5f);
     draw_dots(list, ui, bench, plot);
-    mouse(ui, bench, plot);
+    chart_mouse(ui, bench, plot);
     const float dot = 8 * ui.unit;
     for (const FrontierPlot::Dot& d : plot.dots)
         bench.places.push_back({"dot " + frontier_command(bench, bench.frontier.study.dots()[d.index]).substr(9),

@@ -192,7 +192,7 @@ void draw_veil(ImDrawList& list, const Ui& ui, const TimelineLayout& layout) {
 
 /// A step that is made outside the shown part brings it into view.
 template <int D>
-void follow(TimelineData& data, Workbench<D>& bench) {
+void follow_run(TimelineData& data, Workbench<D>& bench) {
     const std::uint32_t position = bench.session.position();
     if (position == data.position) return;
     data.position = position;
@@ -218,7 +218,7 @@ void timeline(Ui& ui, Workbench<D>& bench, const Area& area) {
         ImGui::End();
         return;
     }
-    follow(data, bench);
+    follow_run(data, bench);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const Colours& palette = colours(bench.session.settings().palette);
     draw_lanes(list, ui, layout, data, palette);

@@ -41,7 +41,7 @@ std::multimap<std::vector<Point>, Face> faces_of(const SolidList& list) {
 }
 
 /// Edges by their ends in any order, with their styles.
-std::multimap<std::vector<Point>, std::uint8_t> edges_of(const SolidList& list) {
+std::multimap<std::vector<Point>, std::uint8_t> edges_by_ends(const SolidList& list) {
     std::multimap<std::vector<Point>, std::uint8_t> edges;
     EXPECT_EQ(list.edge_points.size(), 2 * list.edge_style.size());
     for (std::size_t i = 0; i < list.edge_style.size(); ++i)
@@ -137,7 +137,7 @@ TEST(SolidCells, AnEdgeIsDrawnOnceAndWireGoesBeforeBorder) {
                 for (std::uint32_t k = 0; k < size; ++k)
                     all.insert(sorted({key(list.points[begin + k]), key(list.points[begin + (k + 1) % size])}));
             }
-        const auto edges = edges_of(list);
+        const auto edges = edges_by_ends(list);
         ASSERT_EQ(edges.size(), all.size());
         for (const auto& [ends, style] : edges) {
             ASSERT_TRUE(all.contains(ends));

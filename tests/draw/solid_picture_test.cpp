@@ -17,7 +17,7 @@ namespace {
 
 using namespace test;
 
-std::uint8_t style_of(SolidLook look) { return static_cast<std::uint8_t>(look); }
+std::uint8_t index_of_style(SolidLook look) { return static_cast<std::uint8_t>(look); }
 
 DrawnAs asked_for(const Settings& s, CellState state) {
     return std::array{s.clean_as, s.enqueued_as, s.projected_as, s.unseen_as}[static_cast<std::size_t>(state)];
@@ -78,7 +78,7 @@ TEST(SolidPicture, CellsAreDrawnAsTheSettingsSayOfTheirStates) {
                 static_cast<std::uint8_t>(std::array{SolidLook::clean, SolidLook::enqueued, SolidLook::projected,
                                                      SolidLook::unseen}[static_cast<std::size_t>(state)]);
             paint[cell] = {asked_for(settings, state), look, look,
-                           settings.show_tessellation == Switch::on ? style_of(SolidLook::border) : no_style};
+                           settings.show_tessellation == Switch::on ? index_of_style(SolidLook::border) : no_style};
         }
         SolidList expected;
         add_cells(session.cells(), paint, settings.shrink, expected);
@@ -88,9 +88,9 @@ TEST(SolidPicture, CellsAreDrawnAsTheSettingsSayOfTheirStates) {
         ASSERT_EQ(list.edge_points, expected.edge_points);
         ASSERT_EQ(list.edge_style, expected.edge_style);
         for (const CellState state : {CellState::clean, CellState::enqueued, CellState::projected, CellState::unseen}) {
-            const std::uint8_t style =
-                std::array{style_of(SolidLook::clean), style_of(SolidLook::enqueued), style_of(SolidLook::projected),
-                           style_of(SolidLook::unseen)}[static_cast<std::size_t>(state)];
+            const std::uint8_t style = std::array{index_of_style(SolidLook::clean), index_of_style(SolidLook::enqueued),
+                                                  index_of_style(SolidLook::projected),
+                                                  index_of_style(SolidLook::unseen)}[static_cast<std::size_t>(state)];
             ASSERT_EQ(list.styles[style].colour.a < 255, asked_for(settings, state) == DrawnAs::translucent);
         }
     }
@@ -183,8 +183,8 @@ TEST(SolidPicture, TrianglesAreApartByWhatIsKnownOfThem) {
             const bool shown = settings.triangles == Triangles::all ||
                                (settings.triangles == Triangles::rendered && rendered) ||
                                (settings.triangles == Triangles::visible && visible);
-            ASSERT_EQ(look[p], shown ? style_of(expected) : -1);
-            if (shown) ++seen[list.styles[style_of(expected)].name];
+            ASSERT_EQ(look[p], shown ? index_of_style(expected) : -1);
+            if (shown) ++seen[list.styles[index_of_style(expected)].name];
         }
     }
     EXPECT_EQ(seen.size(), 7u);  // each kind was there
@@ -203,7 +203,7 @@ TEST(SolidPicture, TheOwnImageAsksForNoReference) {
         EXPECT_EQ(list.triangles.size(), session.counters().rendered_count);
         ASSERT_LE(list.runs.size(), 1u);
         if (!list.runs.empty()) {
-            EXPECT_EQ(list.runs[0].style, style_of(SolidLook::plain));
+            EXPECT_EQ(list.runs[0].style, index_of_style(SolidLook::plain));
         }
         EXPECT_TRUE(list.face_style.empty());
     }
@@ -225,7 +225,7 @@ TEST(SolidPicture, TheHeatOfACellIsThatOfItsNumber) {
         const auto range = number_range(session, settings.heat);
         const SolidList list = make_solid(session, {.heat_range = range});
         std::size_t wires = 0, wires_of_state = 0;
-        for (const std::uint8_t style : list.edge_style) wires_of_state += style < style_of(SolidLook::border);
+        for (const std::uint8_t style : list.edge_style) wires_of_state += style < index_of_style(SolidLook::border);
         std::map<std::uint32_t, std::uint8_t> heat;
         for (std::size_t face = 0; face < list.face_style.size(); ++face)
             heat[list.face_cell[face]] = list.face_style[face];
@@ -262,9 +262,9 @@ TEST(SolidPicture, CellsOfTwoSessionsLookAsWhoProjectedThem) {
         for (std::size_t face = 0; face < list.face_style.size(); ++face) {
             const Side side = sides[list.face_cell[face]];
             ++faces[list.face_cell[face]];
-            ASSERT_EQ(list.face_style[face], style_of(side == Side::both   ? SolidLook::both
-                                                      : side == Side::left ? SolidLook::only_left
-                                                                           : SolidLook::only_right));
+            ASSERT_EQ(list.face_style[face], index_of_style(side == Side::both   ? SolidLook::both
+                                                            : side == Side::left ? SolidLook::only_left
+                                                                                 : SolidLook::only_right));
         }
         for (std::uint32_t cell = 0; cell < sides.size(); ++cell)
             ASSERT_EQ(faces[cell], sides[cell] == Side::neither                 ? 0

@@ -13,11 +13,11 @@ namespace {
 
 using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
 
-Exact::Point_2 exact(const Vec<2>& p) { return {p.x, p.y}; }
+Exact::Point_2 exact_point(const Vec<2>& p) { return {p.x, p.y}; }
 
-Exact::Point_2 exact(const Crossing& p) {
-    const auto meet =
-        CGAL::intersection(Exact::Line_2(exact(p.s[0]), exact(p.s[1])), Exact::Line_2(exact(p.t[0]), exact(p.t[1])));
+Exact::Point_2 exact_point(const Crossing& p) {
+    const auto meet = CGAL::intersection(Exact::Line_2(exact_point(p.s[0]), exact_point(p.s[1])),
+                                         Exact::Line_2(exact_point(p.t[0]), exact_point(p.t[1])));
     return *boost::get<Exact::Point_2>(&*meet);
 }
 
@@ -45,8 +45,8 @@ TEST(Crossing, OrientIsThatOfTheRealPoint) {
         const bool integers = i % 2 == 0;
         const Crossing p = random_crossing(random, integers), q = random_crossing(random, integers);
         const Vec<2> eye = random_crossing(random, integers).s[0], r = q.t[0];
-        const int with_point = CGAL::orientation(exact(eye), exact(p), exact(r));
-        const int with_crossing = CGAL::orientation(exact(eye), exact(p), exact(q));
+        const int with_point = CGAL::orientation(exact_point(eye), exact_point(p), exact_point(r));
+        const int with_crossing = CGAL::orientation(exact_point(eye), exact_point(p), exact_point(q));
         ASSERT_EQ(orient(eye, p, r), with_point);
         ASSERT_EQ(orient(eye, p, q), with_crossing);
         zeros += (with_point == 0) + (with_crossing == 0);
@@ -61,7 +61,7 @@ TEST(Crossing, OrientTellsThePointsBesideTheRoundedCrossingApart) {
         const Vec<2> eye(random.uniform(-1, 1), random.uniform(-1, 1));
         Vec<2> near = rounded(p);
         for (int step = 0; step < 4; ++step) {
-            ASSERT_EQ(orient(eye, p, near), CGAL::orientation(exact(eye), exact(p), exact(near)));
+            ASSERT_EQ(orient(eye, p, near), CGAL::orientation(exact_point(eye), exact_point(p), exact_point(near)));
             near.y = std::nextafter(near.y, 2);
         }
     }
@@ -84,8 +84,8 @@ TEST(Crossing, RoundedPointsAreWithinTheirBound) {
         const Vec<2> shift = Vec<2>(s[0].y - s[1].y, s[1].x - s[0].x) * tilt;
         const Segment t{s[0] + shift, s[1] - shift * random.unit()};
         if (!crosses_properly(s, t)) continue;
-        ASSERT_NO_FATAL_FAILURE(expect_near(rounded({s, t}), exact(Crossing{s, t}), s));
-        ASSERT_NO_FATAL_FAILURE(expect_near(hit(s, t[0], t[1]), exact(Crossing{s, t}), s));
+        ASSERT_NO_FATAL_FAILURE(expect_near(rounded({s, t}), exact_point(Crossing{s, t}), s));
+        ASSERT_NO_FATAL_FAILURE(expect_near(hit(s, t[0], t[1]), exact_point(Crossing{s, t}), s));
     }
 }
 

@@ -14,9 +14,10 @@
 #include "core/scene/make/catalogue.h"
 #include "core/scene/read/load.h"
 #include "core/session/condition.h"
+#include "core/session/settings_table.h"
 #include "core/session/start_settings.h"
 #include "core/session/state_file.h"
-#include "core/session/settings_table.h"
+#include "examples/added_heuristic/methods.h"
 #include "lab/command.h"
 #include "lab/gallery/gallery.h"
 #include "lab/gallery/gallery_measures.h"
@@ -210,6 +211,29 @@ TEST(LabGallery, TheManualShowsWhatItPrints) {
         }
     }
     EXPECT_GE(lines, 3);
+}
+
+TEST(LabGallery, HoldsAMethodOfOnesOwnToWhatIsAskedOfPublished) {
+    const auto methods = methods_of_ones_own<2>();
+    const std::array<std::string, 2> also{"crowd", "rings"};
+    std::size_t asked = 0;
+    for (const GalleryRow<2>& row : gallery<2>()) {
+        if (row.number > 4) continue;
+        const auto verdicts = measure_row<2>(row, {}, methods, also);
+        for (std::size_t v = 0; v < verdicts.size(); ++v) {
+            if (verdicts[v].subject != "published") continue;
+            ASSERT_LT(v + 2, verdicts.size());
+            for (std::size_t k = 0; k < also.size(); ++k) {
+                const Verdict& beside = verdicts[v + 1 + k];
+                EXPECT_EQ(beside.kind, Verdict::Kind::asked);
+                EXPECT_EQ(beside.subject, also[k]);
+                EXPECT_EQ(beside.passed, passes(*verdicts[v].expectation, beside.value));
+                EXPECT_FALSE(std::isnan(beside.value)) << row.id;
+                ++asked;
+            }
+        }
+    }
+    EXPECT_GT(asked, 4u);
 }
 
 // Known answers.

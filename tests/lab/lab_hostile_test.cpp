@@ -25,7 +25,7 @@ constexpr const char* mark = "hacked";
 const std::string name =
     "a`touch hacked`$(touch hacked)'\"%s%d\\\\@b<script>alert(1)<&amp;{}^x_|touch hacked;\n]]>\x1b[31m";
 /// As results may name something. A slash would leave the folder of the results.
-const std::string word =
+const std::string hostile =
     "../../#/*</code></td><script src=x>" + name + "' `touch hacked` \"`touch hacked`\" -->\r\t\x01\x7fρ";
 /// gnuplot takes file names that begin with these as programs to run.
 constexpr const char *to_program = "|touch hacked;: ", *from_program = "<touch hacked;: ";
@@ -139,10 +139,10 @@ protected:
 std::string doctored(const fs::path& results) {
     Json json = Json::parse(read_file(results));
     for (const char* member : {"build", "machine", "renderer", "date", "program"})
-        json["conditions"][member] = word + member;
+        json["conditions"][member] = hostile + member;
     for (Json& row : json["rows"]) {
-        for (const char* member : {"scene", "path", "reference"}) row[member] = word + member;
-        for (const char* member : {"method", "budget_text"}) row[member] = row[member].get<std::string>() + word;
+        for (const char* member : {"scene", "path", "reference"}) row[member] = hostile + member;
+        for (const char* member : {"method", "budget_text"}) row[member] = row[member].get<std::string>() + hostile;
     }
     return json.dump();
 }
@@ -206,7 +206,7 @@ TEST_F(LabHostile, Stages) {
         Json json = Json::parse(line);
         for (Json& row : json["piece"])
             for (const char* member : {"scene", "path", "method", "budget"})
-                row[member] = row[member].get<std::string>() + word;
+                row[member] = row[member].get<std::string>() + hostile;
         theirs += json.dump() + "\n";
     }
     write_file(stages, theirs);

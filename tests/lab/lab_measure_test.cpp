@@ -245,7 +245,7 @@ TEST_F(LabStudy, ReadsItsOwnFiles) {
         EXPECT_THROW(read_results(bad, "bad"), InputError) << bad;
 }
 
-Row row_of(std::initializer_list<double> wrong, std::initializer_list<double> times) {
+Row timed_row(std::initializer_list<double> wrong, std::initializer_list<double> times) {
     Row row;
     for (const double w : wrong) {
         row.values.emplace_back();
@@ -258,7 +258,7 @@ Row row_of(std::initializer_list<double> wrong, std::initializer_list<double> ti
 
 TEST(LabResults, SumUpAsTheTableSays) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    Row row = row_of({0.1, nan, 0.4, 0.1}, {5, 1, 100, 2});
+    Row row = timed_row({0.1, nan, 0.4, 0.1}, {5, 1, 100, 2});
     EXPECT_DOUBLE_EQ(summary(row, M::wrong), 0.2);
     EXPECT_DOUBLE_EQ(worst(row, M::wrong), 0.4);
     EXPECT_EQ(worst_frame(row, M::wrong), 2u);
@@ -304,9 +304,10 @@ Alone alone(const LabScene<D>& lab, std::size_t frame, const Row& row, const Dra
         make_truths<D>(*lab.scene, {&cells, 1}, lab.views[frame], lab.settings.reference_size, draw_ids, false).front();
     Settings settings = lab.settings_for(row.method);
     settings.budget = parse_budget(row.budget);
-    Alone result{truth.reference.visible, one_run<D>(lab.tables.template of<D>(), *lab.scene, *cells, lab.views[frame], settings).rendered, {}};
-    for (const std::uint32_t id : truth.reference.image.ids)
-        result.wrong.push_back(id != none && !result.rendered[id]);
+    Alone result{truth.reference.visible,
+                 one_run<D>(lab.tables.template of<D>(), *lab.scene, *cells, lab.views[frame], settings).rendered,
+                 {}};
+    for (const std::uint32_t id : truth.reference.image.ids) result.wrong.push_back(id != none && !result.rendered[id]);
     return result;
 }
 

@@ -23,8 +23,8 @@ namespace {
 namespace fs = std::filesystem;
 using M = Measure;
 
-Row row_of(const std::string& scene, const std::string& method, const std::string& budget, double ms, double wrong,
-           double coverage, std::size_t frames = 3) {
+Row report_row(const std::string& scene, const std::string& method, const std::string& budget, double ms, double wrong,
+               double coverage, std::size_t frames = 3) {
     Row row;
     row.scene = scene;
     row.path = "test";
@@ -69,8 +69,8 @@ TEST(LabFrontier, IsWhatNothingBeats) {
     for (int round = 0; round < 200; ++round) {
         std::vector<Row> rows;
         for (std::size_t i = random.below(12); i-- > 0;)
-            rows.push_back(row_of("city", "layers", "1%", static_cast<double>(1 + random.below(6)),
-                                  static_cast<double>(random.below(6)), static_cast<double>(random.below(6)), 1));
+            rows.push_back(report_row("city", "layers", "1%", static_cast<double>(1 + random.below(6)),
+                                      static_cast<double>(random.below(6)), static_cast<double>(random.below(6)), 1));
         for (const M measure : {M::wrong, M::coverage}) {
             const auto front = pareto_front(pointers(rows), measure);
             for (const Row& row : rows) {
@@ -89,7 +89,7 @@ TEST(LabFrontier, IsWhatNothingBeats) {
 }
 
 TEST(LabFrontier, SaysWhatItsTimesAre) {
-    Row row = row_of("2d:rooms", "layers", "5%", 1, 0.1, 0.9);
+    Row row = report_row("2d:rooms", "layers", "5%", 1, 0.1, 0.9);
     const auto axis = [&] { return frontier({row.scene, row.path, {&row}}, M::wrong).x; };
     EXPECT_NE(axis().find("drawing"), std::string::npos);
     for (Values& v : row.values) v[M::draw_ms] = v[M::upload_ms] = std::numeric_limits<double>::quiet_NaN();
@@ -97,8 +97,9 @@ TEST(LabFrontier, SaysWhatItsTimesAre) {
 }
 
 TEST(LabFrontier, NamesTheBestWithinATime) {
-    const std::vector<Row> rows{row_of("city", "published", "1%", 4, 0.3, 0), row_of("city", "layers", "1%", 6, 0.1, 0),
-                                row_of("city", "centroid", "1%", 5, 0.2, 0)};
+    const std::vector<Row> rows{report_row("city", "published", "1%", 4, 0.3, 0),
+                                report_row("city", "layers", "1%", 6, 0.1, 0),
+                                report_row("city", "centroid", "1%", 5, 0.2, 0)};
     const Group group{"city", "test", pointers(rows)};
     EXPECT_EQ(best_within(group, 3), nullptr);
     EXPECT_EQ(best_within(group, 4)->method.id(), "published");
@@ -148,8 +149,8 @@ TEST(FileStem, StaysInItsFolder) {
 
 TEST_F(LabFiles, TheReportNeedsNoOtherFile) {
     const Results results =
-        results_of({row_of("city", "published", "5%", 5, 0.2, 0.8), row_of("city", "layers", "5%", 4, 0.1, 0.9),
-                    row_of("city", "everything", "unlimited", 50, 0, 1)});
+        results_of({report_row("city", "published", "5%", 5, 0.2, 0.8), report_row("city", "layers", "5%", 4, 0.1, 0.9),
+                    report_row("city", "everything", "unlimited", 50, 0, 1)});
     write_report(results, judge_claims(results), {}, folder_);
     const std::string html = read_file(folder_ / "report.html");
     for (const char* outside : {"src='http", "href=", "url(", "<script", "src=\""})
@@ -178,7 +179,7 @@ TEST_F(LabFiles, TheDocumentationExplainsEveryMeasure) {
         const std::string row = "| " + std::string(m.id) + " | " + std::string(m.unit) + " | " + formula + " | ";
         EXPECT_NE(docs.find(row), std::string::npos) << row;
     }
-    write_markdown(results_of({row_of("city", "published", "5%", 5, 0.2, 0.8)}), "./run lab measure city",
+    write_markdown(results_of({report_row("city", "published", "5%", 5, 0.2, 0.8)}), "./run lab measure city",
                    folder_ / "results.md");
     const std::string page = read_file(folder_ / "results.md");
     EXPECT_NE(page.find("| published | 50 | 5% | 80 | 80 |"), std::string::npos) << page;
@@ -187,11 +188,13 @@ TEST_F(LabFiles, TheDocumentationExplainsEveryMeasure) {
 }
 
 TEST(LabClaims, HoldAndFail) {
-    std::vector<Row> rows{
-        row_of("city:50k", "published", "5%", 5, 0, 0.85),  row_of("city:50k", "everything", "unlimited", 25, 0, 1),
-        row_of("city:50k", "published", "10%", 9, 0, 0.95), row_of("city:50k", "published@tree", "10%", 9, 0, 0.6),
-        row_of("city:50k", "centroid", "10%", 9, 0, 0.7),   row_of("cars", "published", "1%", 5, 0, 0.5),
-        row_of("cars", "everything", "unlimited", 45, 0, 1)};
+    std::vector<Row> rows{report_row("city:50k", "published", "5%", 5, 0, 0.85),
+                          report_row("city:50k", "everything", "unlimited", 25, 0, 1),
+                          report_row("city:50k", "published", "10%", 9, 0, 0.95),
+                          report_row("city:50k", "published@tree", "10%", 9, 0, 0.6),
+                          report_row("city:50k", "centroid", "10%", 9, 0, 0.7),
+                          report_row("cars", "published", "1%", 5, 0, 0.5),
+                          report_row("cars", "everything", "unlimited", 45, 0, 1)};
     const Results results = results_of(rows);
     const auto all = judge_claims(results);
     const auto judged = [&](const std::string& words) {

@@ -35,7 +35,8 @@ FrontierTask<D> task_of(const Session<D>& session, std::size_t views, Random& ra
         for (int c = 0; c < D; ++c) spec.eye[c] += random.uniform(-0.2, 0.2);
     }
     for (const Method<D>& method : method_table<D>())
-        if (method.compared) task.variants.push_back(variant_of(method, session.settings().parameters, session.settings().parameters));
+        if (method.compared)
+            task.variants.push_back(variant_of(method, session.settings().parameters, session.settings().parameters));
     return task;
 }
 
@@ -45,8 +46,7 @@ void check_all(const FrontierStudy<D>& study) {
     const FrontierTask<D>& task = study.task();
     const CellComplex<D>* const cells = task.cells.get();
     for (std::size_t v = 0; v < task.views.size(); ++v) {
-        const auto truths =
-            make_truths<D>(*task.scene, {&cells, 1}, task.views[v], task.reference_size, task.draw_ids);
+        const auto truths = make_truths<D>(*task.scene, {&cells, 1}, task.views[v], task.reference_size, task.draw_ids);
         for (const FrontierDot& dot : study.dots()) {
             const Variant<D>& variant = task.variants[dot.variant];
             const Problem<D> problem{task.scene.get(), cells, task.views[v], none, variant.parameters, nullptr, {}};
@@ -198,7 +198,7 @@ TEST_F(FrontierOf, BeginsAnewWhereItMustAndSaysWhy) {
     }
     const std::array<std::pair<const char*, const char*>, 4> changes{
         std::pair{"set error_bound=0.2", "begun anew: another tessellation"},
-        {"set penalty=none", "begun anew: other settings"},
+        {"set reference_size=640", "begun anew: another reference size"},
         {"eye 30,30", "begun anew: the view moved"},
         {"segment add 1,1 2,2", "begun anew: another scene"}};
     for (const auto& [command, why] : changes) {
@@ -233,8 +233,8 @@ TEST_F(FrontierOf, SaysHowFarItIsAndHowLongItStillTakes) {
     while (study().done() < 5) {
         const FrontierDot* const next = study().next_dot();
         ASSERT_TRUE(next);
-        EXPECT_EQ(frontier_work_text(*bench), "measuring " + study().task().variants[next->variant].text +
-                                                  " " + budget_text(next->budget) + ", frame 1 of 1");
+        EXPECT_EQ(frontier_work_text(*bench), "measuring " + study().task().variants[next->variant].text + " " +
+                                                  budget_text(next->budget) + ", frame 1 of 1");
         const std::size_t frames = next->frames.size(), done = study().done();
         bench->frontier.study.advance();
         EXPECT_EQ(study().done() - done, next->frames.size() - frames) << "another dot was measured";
@@ -254,7 +254,7 @@ TEST_F(FrontierOf, SaysHowFarItIsAndHowLongItStillTakes) {
     run("frontier go");
     advance_frontier(*bench, 5);
     EXPECT_GT(bench->frontier.spent_ms, 5 * 13'000);
-    run("set penalty=none");
+    run("set reference_size=640");
     update_frontier(*bench);
     EXPECT_EQ(bench->frontier.spent_ms, 0) << "what was measured before takes no time of this";
     EXPECT_EQ(frontier_progress_text(*bench), "0" + total);
@@ -274,8 +274,7 @@ TEST_F(FrontierOf, ItsRowsSayWhatTheStudyHas) {
     finish();
     const auto rows = frontier_rows(*bench);
     for (const FrontierDot& dot : study().dots()) {
-        const std::string name =
-            study().task().variants[dot.variant].text + " " + budget_text(dot.budget) + ": ";
+        const std::string name = study().task().variants[dot.variant].text + " " + budget_text(dot.budget) + ": ";
         const auto row = std::find_if(rows.begin(), rows.end(), [&](const Row& r) { return r.text.starts_with(name); });
         ASSERT_NE(row, rows.end()) << name;
         const auto number = [&](M measure, double unit) { return short_number(unit * study().value(dot, measure)); };

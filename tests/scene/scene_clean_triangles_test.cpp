@@ -14,8 +14,8 @@ namespace {
 using test::expect_input_error;
 using Triangles = std::vector<Primitive<3>>;
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double no_end = std::numeric_limits<double>::infinity();
 
 TEST(CleanTriangles, DropsWhatCannotBeUsedAndKeepsTheOtherSide) {
     const Vec<3> a(0, 0, 0), b(1, 0, 0), c(0, 1, 0), d(2, 0, 0), e(0, 0, 1), f(0, 0, 2), minus(-0.0, 0, 0);
@@ -28,8 +28,8 @@ TEST(CleanTriangles, DropsWhatCannotBeUsedAndKeepsTheOtherSide) {
                         {a, a, b},
                         {a, b, e},
                         {b, c, minus},
-                        {a, b, Vec<3>(0, nan, 0)},
-                        {Vec<3>(infinity, 0, 0), b, c}};
+                        {a, b, Vec<3>(0, no_number, 0)},
+                        {Vec<3>(no_end, 0, 0), b, c}};
     clean(scene, Recentre::no, "x");
     EXPECT_EQ(scene.dropped, (Dropped{3, 2, 2}));
     EXPECT_EQ(scene.primitives, (Triangles{{a, b, c}, {b, a, c}, {a, b, e}}));

@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/methods/plp/plp_parameters.h"
 #include "core/geometry/predicates.h"
-#include "core/session/settings_table.h"
+#include "core/methods/plp/plp_parameters.h"
 #include "core/scene/make/catalogue.h"
 #include "core/session/condition.h"
 #include "core/session/explain.h"
 #include "core/session/session.h"
+#include "core/session/settings_table.h"
 #include "core/truth/item_buffer.h"
 
 namespace sightline {
@@ -50,11 +50,11 @@ std::vector<char> rendered(const Session<2>& s) {
     return drawn;
 }
 
-double wrong_pixels(const Session<2>& s) {
+double share_wrong(const Session<2>& s) {
     const ItemBuffer buffer = item_buffer(s.scene().primitives, make_view(s.culling_view()), 8192);
     const std::vector<char> drawn = rendered(s);
-    const auto wrong = std::count_if(buffer.ids.begin(), buffer.ids.end(),
-                                     [&](std::uint32_t id) { return id != none && !drawn[id]; });
+    const auto wrong =
+        std::count_if(buffer.ids.begin(), buffer.ids.end(), [&](std::uint32_t id) { return id != none && !drawn[id]; });
     return static_cast<double>(wrong) / static_cast<double>(buffer.ids.size());
 }
 
@@ -184,7 +184,7 @@ TEST(SceneLessons, StreetsShowAFewPercent) {
 TEST(SceneLessons, RoomsJudgeByCountAndByPixelsDifferently) {
     const Session<2> published = ran("rooms"), centroid = ran("rooms", {"method=centroid"});
     EXPECT_GT(covered(published), covered(centroid) + 0.02);
-    EXPECT_GT(wrong_pixels(published), 2 * wrong_pixels(centroid));
+    EXPECT_GT(share_wrong(published), 2 * share_wrong(centroid));
 }
 
 TEST(SceneLessons, CarsLoseAPartOfTheShellWhileTheInsideIsDrawn) {
@@ -212,7 +212,7 @@ TEST(SceneLessons, TerrainLeavesNothingToGain) {
         EXPECT_DOUBLE_EQ(oracle(published.reference(), k).value(), best);
         EXPECT_NEAR(covered(published), best, 0.02);
         EXPECT_NEAR(covered(centroid), best, 0.03);
-        EXPECT_LE(wrong_pixels(centroid), wrong_pixels(published));
+        EXPECT_LE(share_wrong(centroid), share_wrong(published));
     }
 }
 

@@ -8,9 +8,9 @@
 #include "core/draw/picture.h"
 #include "core/session/explain.h"
 #include "core/space/builders.h"
+#include "tests/run/run_support.h"
 #include "tests/scene/scene_support.h"
 #include "tests/session/session_3d_support.h"
-#include "tests/run/run_support.h"
 #include "tests/session/session_support.h"
 #include "tests/soak.h"
 
@@ -191,7 +191,7 @@ TEST(Session, WhatCannotBeLeavesItAsItWas) {
     settings.method = "nothing";
     test::expect_input_error(
         [&] { Session<2>(start.scene, start.view, settings); },
-        "method 'nothing' does not exist; there are published, layers, centroid, view, everything");
+        "method 'nothing' does not exist; there are published, layers, centroid, view, everything, formula, perfect");
 }
 
 TEST(Session, CellsThatCannotBeMadeLeaveItAsItWas) {

@@ -46,6 +46,7 @@ std::vector<std::string> good_values(const SettingRow& row, Random& random) {
         for (const Method<2>& method : method_table<2>()) ids.emplace_back(method.id);
         return ids;
     }
+    if (row.name == "key") return {"content", "content+hops", "min(angle, 1) * handed_on", "2"};
     if (row.name == "budget") return {"500", "0", "5%", "0.125%", "100%", "16ms", "0.5ms", "unlimited"};
     if (row.name == "reference_size") return {"auto", "1", "8192", "16777216", "1x1", "8192x8192", "640x480"};
     if (any_number.contains(row.name))
@@ -104,7 +105,8 @@ TEST(Settings, EveryFieldOfTheStructHasARow) {
     // As many names as the structs have fields, or this does not compile.
     const auto& [t1, t2, t3, t4, t5] = static_cast<const TessellationSettings&>(changed);
     static_cast<void>(t1);
-    const auto& [p1, p2, p3, p4, p5, p6, p7, p8, p9, p10, p11, p12, p13, p14, p15, p16, p17, p18, p19, p20, p21, p22, p23, p24, p25, p26, p27, p28, p29, p30] = static_cast<const PictureSettings&>(changed);
+    const auto& [p1, p2, p3, p4, p5, p6, p7, p8, p9, p10, p11, p12, p13, p14, p15, p16, p17, p18, p19, p20, p21, p22,
+                 p23, p24, p25, p26, p27, p28, p29, p30] = static_cast<const PictureSettings&>(changed);
     static_cast<void>(p1);
     constexpr std::size_t own = 4;  // two_sided, method, budget, reference_size
     EXPECT_EQ(settings_table().size(), 5u + 30u + own + all_parameters().size());
@@ -182,6 +184,7 @@ TEST(Settings, EachRowSaysWhatItInvalidates) {
 
 TEST(Settings, BadValuesNameFieldValueAndWhatIsAllowedAndChangeNothing) {
     const auto check = [](const SettingRow& row, const std::string& value) {
+        if (row.name == "key") return;  // an expression: tests/run/formula_method_test.cpp
         Settings settings;
         settings.jitter = 0.25;
         const Settings before = settings;

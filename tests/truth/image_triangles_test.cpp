@@ -10,7 +10,7 @@
 namespace sightline::test {
 namespace {
 
-constexpr ImageSize size{640, 480};
+constexpr ImageSize some_size{640, 480};
 
 View<3> view_of(const Vec<3>& eye) { return make_view({eye, {0, 0, 0}, 70}, 4.0 / 3); }
 
@@ -18,7 +18,7 @@ std::vector<ImageCorner> all_of(const Scene<3>& scene, const View<3>& view, std:
     std::vector<ImageCorner> all, part;
     for (std::size_t next = 0; next < scene.primitives.size();) {
         part.clear();
-        append_image_triangles(scene, view, size, next, limit, part);
+        append_image_triangles(scene, view, some_size, next, limit, part);
         EXPECT_LE(part.size(), limit + 15);
         all.insert(all.end(), part.begin(), part.end());
     }

@@ -13,7 +13,7 @@ namespace {
 
 using Ids = std::vector<std::uint32_t>;
 
-View<2> look_round(const Vec<2>& eye) { return {eye, eye + Vec<2>(1, 0), 360, true, {}}; }
+View<2> see_round(const Vec<2>& eye) { return {eye, eye + Vec<2>(1, 0), 360, true, {}}; }
 /// 90 degrees towards +x.
 View<2> look_ahead(const Vec<2>& eye) {
     return {eye, eye + Vec<2>(1, 0), 90, false, {eye + Vec<2>(1, -1), eye + Vec<2>(1, 1)}};
@@ -57,7 +57,7 @@ TEST(ItemBuffer, PixelsRunFromTheRightToTheLeft) {
 TEST(ItemBuffer, AnAllRoundViewHasFourLines) {
     const std::vector<Primitive<2>> box{{{{1, -1}, {1, 1}}},   {{{1, 1}, {-1, 1}}}, {{{-1, 1}, {-1, -1}}},
                                         {{{-1, -1}, {1, -1}}}, {{{2, 0}, {2, 5}}},  {{{-0.5, 0}, {-0.5, 0.5}}}};
-    EXPECT_EQ(item_buffer(box, look_round({0, 0}), 16).ids, (Ids{0, 0, 0, 0, 1, 1, 1, 1, 5, 5, 2, 2, 3, 3, 3, 3}));
+    EXPECT_EQ(item_buffer(box, see_round({0, 0}), 16).ids, (Ids{0, 0, 0, 0, 1, 1, 1, 1, 5, 5, 2, 2, 3, 3, 3, 3}));
 }
 
 TEST(ItemBuffer, AHiddenWallAndAGap) {
@@ -120,7 +120,7 @@ TEST(ItemBuffer, GrowsToTheExactVisibleSet) {
         auto scene = random_scene(random, 200, 1 << 16);
         for (auto& [a, b] : scene) b = a + glm::round((b - a) / 16.0);
         const Vec<2> eye(random.below(1 << 16), random.below(1 << 16));
-        const View<2> view = i % 2 == 0 ? look_round(eye) : look_ahead(eye);
+        const View<2> view = i % 2 == 0 ? see_round(eye) : look_ahead(eye);
         const VisibleSet set = exact_visible_set(scene, view);
         std::vector<std::uint8_t> visible;
         for (const int width : {64, 1024, 1 << 18}) {
@@ -162,8 +162,8 @@ TEST(ItemBuffer, DegenerateScenesAndScalesDoNoHarm) {
     for (int i = 0; i < test::soak_count(2000); ++i) {
         SCOPED_TRACE(i);
         auto scene = random_scene(random, 8, 5);
-        View<2> view = i % 2 == 0 ? look_round({random.below(5), random.below(5)})
-                                  : look_ahead({random.below(5), random.below(5)});
+        View<2> view =
+            i % 2 == 0 ? see_round({random.below(5), random.below(5)}) : look_ahead({random.below(5), random.below(5)});
         const Ids ids = item_buffer(scene, view, 256).ids;
         for (const std::uint32_t id : ids) ASSERT_TRUE(id < scene.size() || id == none);
         for (const int exponent : {-1000, -300, -3, 20, 200, 990}) {
@@ -182,7 +182,7 @@ TEST(ItemBuffer, DegenerateScenesAndScalesDoNoHarm) {
 TEST(ItemBuffer, RejectsWidthsItCannotServe) {
     EXPECT_THROW(item_buffer({}, look_ahead({0, 0}), 0), InputError);
     EXPECT_THROW(item_buffer({}, look_ahead({0, 0}), (1 << 24) + 1), InputError);
-    EXPECT_THROW(item_buffer({}, look_round({0, 0}), 6), InputError);
+    EXPECT_THROW(item_buffer({}, see_round({0, 0}), 6), InputError);
     EXPECT_EQ(item_buffer({}, look_ahead({0, 0}), 3).ids, Ids(3, none));
 }
 

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 
+#include "core/methods/method_table.h"
 #include "core/scene/make/catalogue.h"
 #include "core/session/condition.h"
 #include "core/session/settings_table.h"
-#include "core/methods/method_table.h"
 #include "shell/commands/command_table.h"
 #include "tests/scene/scene_support.h"
 #include "tests/viewer2d/viewer2d_support.h"
@@ -94,7 +94,12 @@ TEST_F(Viewer2d, StatsHaveEveryFieldOfTheContract) {
     EXPECT_EQ(stats["rendered"], stats["budget"]);
     EXPECT_EQ(stats["coverage"].get<double>(),
               stats["visible_rendered"].get<double>() / stats["visible"].get<double>());
-    EXPECT_EQ(this->stats({"bottleneck", "--method", "view"})["approximate"], false);
+    const auto cut = this->stats({"bottleneck", "--method", "view"});
+    EXPECT_EQ(cut["approximate"], true);
+    EXPECT_EQ(cut["guarantee"], "conservative, cut short by the budget");
+    const auto whole = this->stats({"bottleneck", "--method", "view", "--budget", "unlimited"});
+    EXPECT_EQ(whole["approximate"], false);
+    EXPECT_EQ(whole["guarantee"], "conservative");
     EXPECT_EQ(this->stats({"bottleneck", "--budget", "unlimited"})["stop"], "front empty");
     EXPECT_EQ(this->stats({"bottleneck", "--budget", "unlimited"})["coverage"], 1.0);
 }

@@ -34,8 +34,7 @@ double size_of(const CellComplex<3>& cells, const HalfFacet& half) {
 bool turns_a_seen_side(const Problem<2>&, std::uint32_t) { return true; }
 bool turns_a_seen_side(const Problem<3>& problem, std::uint32_t primitive) {
     const Scene<3>& scene = *problem.scene;
-    return (!scene.two_sided.empty() && scene.two_sided[primitive]) ||
-           faces(problem.view, scene.primitives[primitive]);
+    return (!scene.two_sided.empty() && scene.two_sided[primitive]) || faces(problem.view, scene.primitives[primitive]);
 }
 
 /// Breadth first from the seeds.
@@ -81,9 +80,10 @@ std::span<const std::string_view> formula_term_help() {
 
 const ParameterRow& formula_key_row() {
     static const ParameterRow row =
-        text_row("key", "content + angle * handed_on",
-                 "an expression of content, angle, handed_on, star, own_content, facing, depth, distance, hops, area",
-                 "docs/extending.md", "the key of a cell: the lowest comes first", check_key);
+        text_row("key", "content + angle * handed_on", "an expression", "docs/command-line.md, methods",
+                 "the key of a cell, the lowest first: an expression of content, angle, handed_on, star, own_content, "
+                 "facing, depth, distance, hops, area",
+                 check_key);
     return row;
 }
 
@@ -179,8 +179,8 @@ void FormulaHeuristic<D>::add_key_lines(std::vector<CodeLine>& lines, const KeyE
                                         int digits) const {
     lines.push_back({"key(n, c): the expression that was typed", 0, false, {}, {}});
     for (const std::size_t term : formula_.used()) {
-        lines.push_back({std::string(formula_term_words[term]) + " = " + std::string(formula_term_help()[term]), 1,
-                         false, {}, {}});
+        lines.push_back(
+            {std::string(formula_term_words[term]) + " = " + std::string(formula_term_help()[term]), 1, false, {}, {}});
         if (!explained) continue;
         for (const Term& value : explained->terms)
             if (value.name == formula_term_words[term]) lines.back().values = short_number(value.value, digits);

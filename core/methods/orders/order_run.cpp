@@ -20,14 +20,14 @@ Stop OrderRun<D>::batch(Recorder* recorder) {
     std::uint32_t& offset = this->counters_.offset;
     if (offset >= primitives_.size()) return Stop::front_empty;
     if (this->counters_.spent >= this->problem_.budget) return Stop::budget;
-    if (offset % primitive_batch == 0) {
+    if (offset % order_.batch == 0) {
         ++this->steps_;
-        if (recorder) recorder->popped({}, {});
+        if (recorder) recorder->popped(order_.batch == 1 ? primitive_item(primitives_[offset]) : Item{}, {});
     }
     do {
         if (!this->meet(primitives_[offset], order_.culls)) break;
         ++offset;
-    } while (offset < primitives_.size() && offset % primitive_batch != 0);
+    } while (offset < primitives_.size() && offset % order_.batch != 0);
     if (recorder) recorder->finished(this->counters_);
     return Stop::none;
 }
@@ -96,14 +96,23 @@ std::vector<CodeLine> OrderRun<D>::code(const CodePlace& at) const {
     std::vector<CodeLine> lines;
     lines.push_back({std::string(order_.code), 0, false, {}, std::string(order_.source)});
     lines.back().values = std::to_string(primitives_.size()) + " primitives";
-    lines.push_back(
-        {"while some are left:", 0, !in_step && counters.spent < this->problem_.budget, {}, {}});
+    lines.push_back({"while some are left:", 0, !in_step && counters.spent < this->problem_.budget, {}, {}});
     if (!in_step) lines.back().values = std::to_string(primitives_.size() - counters.offset) + " left";
-    lines.push_back({"take the next " + std::to_string(primitive_batch), 1, popping, {}, {}});
+    lines.push_back({order_.batch == 1 ? "take the next one" : "take the next " + std::to_string(order_.batch),
+                     1,
+                     popping,
+                     {},
+                     {}});
     if (in_step)
-        lines.back().values =
-            "from number " + std::to_string(std::size_t{at.number - 1} * primitive_batch + 1) + " of the order";
-    lines.push_back({order_.culls ? "render those in view" : "render them", 1, rendering, {}, {}});
+        lines.back().values = (order_.batch == 1 ? "number " : "from number ") +
+                              std::to_string(std::size_t{at.number - 1} * order_.batch + 1) + " of the order";
+    lines.push_back({order_.batch == 1 ? "render it"
+                     : order_.culls    ? "render those in view"
+                                       : "render them",
+                     1,
+                     rendering,
+                     {},
+                     {}});
     if (rendering)
         lines.back().values = std::to_string(at.rendered) + (at.rendered == 1 ? " primitive" : " primitives");
     lines.push_back(budget_line(*this, 1, "", popping, in_step));

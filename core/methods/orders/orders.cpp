@@ -69,14 +69,18 @@ PrimitiveOrder<D> centroid_order() {
 
 template <int D>
 PrimitiveOrder<D> perfect_order() {
-    return {visible_by_centroid<D>, false, D == 2 ? Misses::none : Misses::none_at_this_resolution,
-            "order the visible primitives, nearest centroid first", {}};
+    return {visible_by_centroid<D>,
+            false,
+            D == 2 ? Misses::none : Misses::none_at_this_resolution,
+            "order the visible primitives, nearest centroid first",
+            {},
+            1};
 }
 
-#define SIGHTLINE_INSTANTIATE(D)                          \
-    template PrimitiveOrder<D> scene_order<D>();          \
-    template PrimitiveOrder<D> scene_order_in_view<D>();  \
-    template PrimitiveOrder<D> centroid_order<D>();       \
+#define SIGHTLINE_INSTANTIATE(D)                         \
+    template PrimitiveOrder<D> scene_order<D>();         \
+    template PrimitiveOrder<D> scene_order_in_view<D>(); \
+    template PrimitiveOrder<D> centroid_order<D>();      \
     template PrimitiveOrder<D> perfect_order<D>();
 SIGHTLINE_INSTANTIATE(2)
 SIGHTLINE_INSTANTIATE(3)

@@ -7,14 +7,14 @@ namespace sightline {
 
 namespace {
 
-struct CarPark {
+struct CarField {
     Model model;
     std::vector<CarPart> parts;
 };
 
-CarPark car_park(std::uint64_t seed, std::size_t triangles) {
+CarField car_field(std::uint64_t seed, std::size_t triangles) {
     Random random(seed);
-    CarPark park;
+    CarField park;
     Model& model = park.model;
     model.triangles.reserve(triangles + 500);
     model.box({-8, -5, -0.1}, {8, 5, 0}, top_side);
@@ -36,11 +36,11 @@ CarPark car_park(std::uint64_t seed, std::size_t triangles) {
 
 }  // namespace
 
-std::vector<CarPart> car_parts(std::uint64_t seed, std::size_t triangles) { return car_park(seed, triangles).parts; }
+std::vector<CarPart> car_parts(std::uint64_t seed, std::size_t triangles) { return car_field(seed, triangles).parts; }
 
 Generated generate::cars(std::uint64_t seed, std::size_t triangles) {
     Generated made;
-    made.triangles = car_park(seed, triangles).model.triangles;
+    made.triangles = car_field(seed, triangles).model.triangles;
     FlightPath<3> round{"round", {}};
     for (int i = 0; i < 200; ++i) {
         const SinCos turn = sincos_degrees(-120 + 1.8 * i), rise = sincos_degrees(5.4 * i);

@@ -11,13 +11,13 @@ namespace sightline::generate {
 namespace {
 
 // A bay of steel frames stands in the middle of its plot; what is left on all sides is half a lane.
-constexpr double plot_side = 9, lane = 2.4, bay = plot_side - lane, level = 3.4;
-constexpr unsigned upright = left_side | right_side | front_side | back_side;
+constexpr double hall_side = 9, lane = 2.4, bay = hall_side - lane, level = 3.4;
+constexpr unsigned side_faces = left_side | right_side | front_side | back_side;
 
 /// A post of H section, its length from z0 to z1.
 void post(Model& m, double x, double y, double z0, double z1) {
-    m.box({x - 0.12, y - 0.14, z0}, {x + 0.12, y - 0.11, z1}, upright);
-    m.box({x - 0.12, y + 0.11, z0}, {x + 0.12, y + 0.14, z1}, upright);
+    m.box({x - 0.12, y - 0.14, z0}, {x + 0.12, y - 0.11, z1}, side_faces);
+    m.box({x - 0.12, y + 0.11, z0}, {x + 0.12, y + 0.14, z1}, side_faces);
     m.box({x - 0.015, y - 0.11, z0}, {x + 0.015, y + 0.11, z1}, left_side | right_side);
 }
 
@@ -26,7 +26,7 @@ void railing(Model& m, double length) {
     for (const double z : {0.5, 1.0}) m.rod({0, 0, z}, {length, 0, z}, 0.02, 4);
     for (int i = 0; i <= 4; ++i) {
         const double x = length * i / 4;
-        m.box({x - 0.02, -0.02, 0}, {x + 0.02, 0.02, 1.02}, upright | top_side);
+        m.box({x - 0.02, -0.02, 0}, {x + 0.02, 0.02, 1.02}, side_faces | top_side);
     }
 }
 
@@ -66,7 +66,7 @@ void stairs(Model& m) {
 }
 
 void ladder(Model& m, double height) {
-    for (const double x : {-0.22, 0.22}) m.box({x - 0.02, -0.02, 0}, {x + 0.02, 0.02, height}, upright | top_side);
+    for (const double x : {-0.22, 0.22}) m.box({x - 0.02, -0.02, 0}, {x + 0.02, 0.02, height}, side_faces | top_side);
     for (double z = 0.3; z < height; z += 0.4)
         m.box({-0.2, -0.015, z}, {0.2, 0.015, z + 0.03}, front_side | back_side | top_side | bottom_side);
 }
@@ -109,7 +109,7 @@ void vessel(Model& m, double z, double r, double half) {
                     {0, 2 * half + .3 * r}},
                    14);
     for (const double x : {-0.6 * half, 0.6 * half})
-        m.box({x - 0.12, -0.7 * r, 0}, {x + 0.12, 0.7 * r, z - 0.6 * r}, upright);
+        m.box({x - 0.12, -0.7 * r, 0}, {x + 0.12, 0.7 * r, z - 0.6 * r}, side_faces);
     m.turned_solid({0, 0, z + 0.9 * r}, {0, 0, 1}, {{0.12, 0}, {0.12, 0.25}, {0.2, 0.25}, {0.2, 0.3}, {0, 0.3}}, 8);
 }
 
@@ -120,7 +120,7 @@ void boiler(Model& m, Random& random) {
         m.turned_solid({-half - 0.2, 0, z}, {1, 0, 0},
                        {{0, 0}, {.3, .05}, {.45, .2}, {.45, 2 * half + .2}, {.3, 2 * half + .35}, {0, 2 * half + .4}},
                        14);
-    for (const double x : {-half, half}) m.box({x - 0.1, -0.3, 0}, {x + 0.1, 0.3, 0.5}, upright);
+    for (const double x : {-half, half}) m.box({x - 0.1, -0.3, 0}, {x + 0.1, 0.3, 0.5}, side_faces);
     for (const double side : {-1.0, 1.0})
         for (int i = 0; i < 16 && !m.full(); ++i) {
             const double x = -half + 0.1 + (2 * half - 0.2) * i / 15;
@@ -168,8 +168,8 @@ void pipes(Model& m, Random& random, int count, double low) {
 
 void add_bay(Model& m, std::uint64_t seed, const Plot& plot) {
     Random random = plot.random(seed);
-    const Inside frame(m, {plot_side * plot.x, plot_side * plot.y, 0});
-    m.box({0, 0, -0.1}, {plot_side, plot_side, 0}, top_side);
+    const Inside frame(m, {hall_side * plot.x, hall_side * plot.y, 0});
+    m.box({0, 0, -0.1}, {hall_side, hall_side, 0}, top_side);
     const Inside place(m, {lane / 2, lane / 2, 0});
     const int levels = 2 + static_cast<int>(random.below(2));
     frame_of_bay(m, levels);
@@ -230,7 +230,7 @@ Generated plant(std::uint64_t seed, std::size_t triangles) {
     Generated made;
     made.triangles = std::move(model.triangles);
     // Along the lanes round some bays when there are enough, else along one.
-    const double x = 2 * plot_side, y = 2 * plot_side, z = 1.7;
+    const double x = 2 * hall_side, y = 2 * hall_side, z = 1.7;
     const std::vector<Vec<3>> loop = {{4, 0, z}, {-x, 0, z}, {-x, y, z}, {x, y, z}, {x, 0, z}, {4, 0, z}};
     const std::vector<Vec<3>> there = {{7, 0, z}, {-7, 0, z}};
     made.paths.push_back(along("round", bays >= 60 ? loop : there, 200, 5, 60));

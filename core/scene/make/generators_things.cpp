@@ -7,7 +7,7 @@ namespace sightline {
 
 namespace {
 
-void wheel(Sketch& s, double x, double y) {
+void tyre(Sketch& s, double x, double y) {
     s.box(x - 0.32, y - 0.1, x + 0.32, y + 0.1);
     for (int i = -2; i <= 2; ++i) s.line({x + 0.1 * i, y - 0.07}, {x + 0.1 * i, y + 0.07});
 }
@@ -24,7 +24,7 @@ void seat(Sketch& s, double x, double y) {
     s.box(x - 0.45, y - 0.1, x - 0.36, y + 0.1);
 }
 
-void engine(Sketch& s, Random& random) {
+void engine_block(Sketch& s, Random& random) {
     s.box(1.0, -0.42, 1.85, 0.42);  // block
     const int cylinders = random.below(2) == 0 ? 2 : 3;
     for (int i = 0; i < cylinders; ++i)
@@ -48,7 +48,7 @@ void engine(Sketch& s, Random& random) {
 }
 
 /// Seen from above, 4.4 by 1.8, its nose toward +x. `parts` is kept in step with the segments.
-void car(Sketch& s, Random& random, std::vector<CarPart>& parts) {
+void put_car(Sketch& s, Random& random, std::vector<CarPart>& parts) {
     static constexpr Vec<2> half[] = {{2.2, 0.0},  {2.18, 0.4},  {2.08, 0.68}, {1.85, 0.85}, {1.3, 0.9}, {0.0, 0.88},
                                       {-1.4, 0.9}, {-1.9, 0.84}, {-2.12, 0.7}, {-2.2, 0.42}, {-2.2, 0.0}};
     std::vector<Vec<2>> shell(std::begin(half), std::end(half));
@@ -62,10 +62,10 @@ void car(Sketch& s, Random& random, std::vector<CarPart>& parts) {
     for (const double side : {-1.0, 1.0}) {
         s.path({{0.55, side * 0.92}, {0.5, side * 1.08}, {0.42, side * 1.08}, {0.4, side * 0.92}}, true);  // mirror
         parts.resize(s.segments.size(), CarPart::front);
-        for (const double x : {-1.35, 1.4}) wheel(s, x, side * 0.74);
+        for (const double x : {-1.35, 1.4}) tyre(s, x, side * 0.74);
         parts.resize(s.segments.size(), CarPart::other);
     }
-    engine(s, random);
+    engine_block(s, random);
     parts.resize(s.segments.size(), CarPart::engine);
     s.path({{0.78, -0.66}, {0.9, -0.3}, {0.92, 0.0}, {0.9, 0.3}, {0.78, 0.66}}, false);  // windscreen
     s.path({{0.35, -0.66}, {0.5, -0.3}, {0.5, 0.3}, {0.35, 0.66}}, false);               // dashboard
@@ -96,7 +96,7 @@ CarPark car_park(std::uint64_t seed) {
             if (row == 0 && space == 3) continue;
             const Vec<2> centre(3.2 + 4.6 * space + random.uniform(-0.2, 0.2), row == 0 ? 3.5 : 13.5);
             sketch.frame = turned(centre, (row == 0 ? 62 : -62) + random.uniform(-3, 3));
-            car(sketch, random, park.parts);
+            put_car(sketch, random, park.parts);
         }
     // A ticket machine and lamp posts.
     sketch.frame = {};

@@ -7,7 +7,7 @@ namespace sightline {
 namespace {
 
 /// Houses along two opposite sides of a block, their fronts on the streets, yards with trees between them.
-void block(Sketch& sketch, Random& random, const Room& lot, const HouseStyle& style, bool yards) {
+void houses(Sketch& sketch, Random& random, const Room& lot, const HouseStyle& style, bool yards) {
     for (const bool upper : {false, true}) {
         double x = lot.x0;
         while (lot.x1 - x >= 8) {
@@ -61,7 +61,7 @@ std::vector<Primitive<2>> streets(std::uint64_t seed) {
                          random.uniform(1, 2));
                 }
             } else {
-                block(sketch, random, {x, y, x + width, y + depth}, {}, true);
+                houses(sketch, random, {x, y, x + width, y + depth}, {}, true);
             }
             if (row == 0)
                 for (int i = 0; i < 6; ++i)
@@ -83,7 +83,7 @@ std::vector<Primitive<2>> city_blocks(std::size_t segments, std::uint64_t seed) 
     for (double row = 0; sketch.segments.size() < segments; ++row)
         for (double column = 0; column < columns && sketch.segments.size() < segments; ++column) {
             const double x = column * (width + street), y = row * (depth + street);
-            block(sketch, random, {x, y, x + width, y + depth}, style, false);
+            houses(sketch, random, {x, y, x + width, y + depth}, style, false);
         }
     sketch.segments.resize(segments);
     return sketch.segments;

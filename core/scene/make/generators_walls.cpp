@@ -115,7 +115,7 @@ std::vector<Primitive<2>> forget(std::uint64_t seed) {
 namespace {
 
 /// A valley: a parabola with gentle waves, low enough that no slope turns away from a viewer above the middle.
-double ground(double x) {
+double slope(double x) {
     const double from_middle = x - 100;
     return 0.0042 * from_middle * from_middle + 1.1 * sincos_degrees(9 * x).sin + 0.5 * sincos_degrees(23 * x).sin;
 }
@@ -125,7 +125,7 @@ double ground(double x) {
 std::vector<Primitive<2>> terrain(std::uint64_t seed) {
     Random random(seed);
     Sketch sketch;
-    const auto on_ground = [](double x) { return Vec<2>(x, ground(x)); };
+    const auto on_ground = [](double x) { return Vec<2>(x, slope(x)); };
     double x = 0;
     while (x < 200) {
         const bool left = x < 100;

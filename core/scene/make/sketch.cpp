@@ -55,30 +55,30 @@ private:
     Placement outer_;
 };
 
-void chair(Sketch& s, const Vec<2>& at, double degrees) {
+void put_chair(Sketch& s, const Vec<2>& at, double degrees) {
     const Place place(s, at, degrees);
     s.box(-0.22, -0.22, 0.22, 0.18);
     s.line({-0.2, 0.24}, {0.2, 0.24});
 }
 
-void table(Sketch& s, Random& random, const Vec<2>& at, double degrees) {
+void put_table(Sketch& s, Random& random, const Vec<2>& at, double degrees) {
     const Place place(s, at, degrees);
     if (random.below(3) == 0) {
         s.ring({0, 0}, 0.5, 10);
         for (int i = 0; i < 4; ++i) {
             const SinCos turn = sincos_degrees(90.0 * i);
-            chair(s, {0.85 * turn.cos, 0.85 * turn.sin}, 90.0 * i - 90);
+            put_chair(s, {0.85 * turn.cos, 0.85 * turn.sin}, 90.0 * i - 90);
         }
         return;
     }
     s.box(-0.75, -0.42, 0.75, 0.42);
     for (const double x : {-0.38, 0.38}) {
-        chair(s, {x, 0.75}, 0);
-        chair(s, {x, -0.75}, 180);
+        put_chair(s, {x, 0.75}, 0);
+        put_chair(s, {x, -0.75}, 180);
     }
 }
 
-void bed(Sketch& s, const Vec<2>& at, double degrees) {
+void put_bed(Sketch& s, const Vec<2>& at, double degrees) {
     const Place place(s, at, degrees);
     s.box(-0.8, -1, 0.8, 1);
     s.box(-0.65, 0.5, -0.08, 0.85);
@@ -86,22 +86,22 @@ void bed(Sketch& s, const Vec<2>& at, double degrees) {
     s.line({-0.75, 0.3}, {0.75, 0.3});
 }
 
-void sofa(Sketch& s, const Vec<2>& at, double degrees) {
+void put_sofa(Sketch& s, const Vec<2>& at, double degrees) {
     const Place place(s, at, degrees);
     s.path({{-1, -0.4}, {-0.8, -0.4}, {-0.8, 0.1}, {0.8, 0.1}, {0.8, -0.4}, {1, -0.4}, {1, 0.4}, {-1, 0.4}}, true);
     s.line({0, 0.05}, {0, -0.38});
     s.box(-0.5, -1.15, 0.5, -0.7);
 }
 
-void desk(Sketch& s, const Vec<2>& at, double degrees) {
+void put_desk(Sketch& s, const Vec<2>& at, double degrees) {
     const Place place(s, at, degrees);
     s.box(-0.7, 0, 0.7, 0.7);
     s.box(-0.25, 0.42, 0.25, 0.5);      // screen
     s.line({-0.2, 0.22}, {0.2, 0.22});  // keyboard
-    chair(s, {0, -0.35}, 180);
+    put_chair(s, {0, -0.35}, 180);
 }
 
-void shelf(Sketch& s, const Vec<2>& at, double degrees, double length) {
+void put_shelf(Sketch& s, const Vec<2>& at, double degrees, double length) {
     const Place place(s, at, degrees);
     s.box(-length / 2, -0.2, length / 2, 0.2);
     const int boards = static_cast<int>(length / 0.5);
@@ -116,13 +116,13 @@ void furnish_living(Sketch& s, Random& random, const Room& room) {
     const double turn = 90.0 * static_cast<double>(random.below(4));
     switch (random.below(4)) {
         case 0:
-            return table(s, random, centre, turn);
+            return put_table(s, random, centre, turn);
         case 1:
-            return bed(s, centre, turn);
+            return put_bed(s, centre, turn);
         case 2:
-            return sofa(s, centre, turn);
+            return put_sofa(s, centre, turn);
         default:
-            return desk(s, centre, turn);
+            return put_desk(s, centre, turn);
     }
 }
 
@@ -139,8 +139,8 @@ void furnish_office(Sketch& s, Random& random, const Room& room) {
                 {centre.x - 1, centre.y}},
                true);
         for (double y = centre.y - half + 0.5; y < centre.y + half; y += 0.9) {
-            chair(s, {centre.x - 1.3, y}, 90);
-            chair(s, {centre.x + 1.3, y}, -90);
+            put_chair(s, {centre.x - 1.3, y}, 90);
+            put_chair(s, {centre.x + 1.3, y}, -90);
         }
         return;
     }
@@ -152,14 +152,14 @@ void furnish_office(Sketch& s, Random& random, const Room& room) {
             if (random.below(6) == 0) continue;
             const double x = room.x0 + room.width() * (column + 0.5) / columns;
             const double y = room.y0 + room.depth() * (row + 0.5) / rows;
-            desk(s, {x, y - 0.2}, row % 2 == 0 ? 0 : 180);
+            put_desk(s, {x, y - 0.2}, row % 2 == 0 ? 0 : 180);
         }
 }
 
 void furnish_storage(Sketch& s, const Room& room) {
     const int rows = static_cast<int>((room.depth() - 1) / 1.8);
     for (int row = 0; row < rows; ++row)
-        shelf(s, {(room.x0 + room.x1) / 2, room.y0 + room.depth() * (row + 0.5) / rows}, 0, room.width() - 1.8);
+        put_shelf(s, {(room.x0 + room.x1) / 2, room.y0 + room.depth() * (row + 0.5) / rows}, 0, room.width() - 1.8);
 }
 
 }  // namespace

@@ -12,7 +12,7 @@
 namespace sightline {
 namespace {
 
-FigureSize pixels(int width, int height, double font = 8) {
+FigureSize in_pixels(int width, int height, double font = 8) {
     FigureSize size;
     size.width_px = width;
     size.height_px = height;
@@ -97,9 +97,9 @@ TEST(FigureLayout, NothingOverlapsOrLeavesThePageOfRandomFigures) {
     int inside = 0, refused = 0;
     for (int i = 0; i < 600; ++i) {
         const Figure figure = random_figure(random);
-        const FigureSize size =
-            i % 2 == 0 ? millimetres(random.uniform(40, 200))
-                       : pixels(200 + static_cast<int>(random.below(1500)), 200 + static_cast<int>(random.below(1000)));
+        const FigureSize size = i % 2 == 0 ? millimetres(random.uniform(40, 200))
+                                           : in_pixels(200 + static_cast<int>(random.below(1500)),
+                                                       200 + static_cast<int>(random.below(1000)));
         try {
             const Layout layout = lay_out_one(figure, size);
             SCOPED_TRACE("figure " + std::to_string(i));
@@ -118,7 +118,7 @@ TEST(FigureLayout, NothingOverlapsOrLeavesThePageOfRandomFigures) {
 TEST(FigureLayout, ThePageHasTheAskedSize) {
     const Layout mm = lay_out_one(sample_figure(1, LegendPlace::outside), millimetres(84));
     EXPECT_NEAR(mm.width, 84 * 72 / 25.4, 1e-9);
-    const Layout px = lay_out_one(sample_figure(3, LegendPlace::outside), pixels(1280, 720, 14));
+    const Layout px = lay_out_one(sample_figure(3, LegendPlace::outside), in_pixels(1280, 720, 14));
     EXPECT_DOUBLE_EQ(px.width, 960);
     EXPECT_DOUBLE_EQ(px.height, 540);
     EXPECT_DOUBLE_EQ(px.font_pt, 14);
@@ -126,7 +126,7 @@ TEST(FigureLayout, ThePageHasTheAskedSize) {
 
 TEST(FigureLayout, ContentStandsInTheMiddleOfAPageInPixels) {
     Figure figure = sample_figure(1, LegendPlace::off);
-    const Layout layout = lay_out_one(figure, pixels(900, 300));
+    const Layout layout = lay_out_one(figure, in_pixels(900, 300));
     const Rect& frame = layout.panels[0].frame;
     EXPECT_NEAR(frame.x, layout.width - frame.right(), 1e-9);
     EXPECT_NEAR(layout.panels[0].title_box.y, layout.height - layout.caption_box.bottom(), 1e-6);
@@ -148,7 +148,7 @@ TEST(FigureLayout, PixelsGetTheLargestPanelsOfAnyArrangement) {
         Figure figure = sample_figure(4, LegendPlace::off);
         figure.caption.clear();
         for (Figure::Panel& panel : figure.panels) panel.title.clear();
-        const FigureSize size = pixels(w, h);
+        const FigureSize size = in_pixels(w, h);
         const Layout layout = lay_out_one(figure, size);
         const double side = layout.panels[0].frame.w, gap = 1.2 * size.font_pt;
         double best = 0;
@@ -193,7 +193,7 @@ TEST(FigureLayout, WorldsWithoutAreaGiveFiniteFrames) {
           Box<2>{{1e300, 0}, {1e300, 0}}, Box<2>{{0, 0}, {1, 1e9}}}) {
         Figure figure = sample_figure(1, LegendPlace::outside);
         figure.panels[0].list.world = world;
-        for (const FigureSize& size : {millimetres(84), pixels(640, 480)}) {
+        for (const FigureSize& size : {millimetres(84), in_pixels(640, 480)}) {
             const Layout layout = lay_out_one(figure, size);
             const Rect& frame = layout.panels[0].frame;
             for (const double value : {frame.x, frame.y, frame.w, frame.h, layout.scale, layout.height})
@@ -238,15 +238,15 @@ TEST(FigureLayout, ImpossibleSizesAreRefused) {
     for (const double mm : {0.0, -84.0, 2000.1, nan, std::numeric_limits<double>::infinity()})
         EXPECT_THROW(lay_out_one(figure, millimetres(mm)), InputError) << mm;
     for (const auto& [w, h] : {std::pair(0, 100), std::pair(100, 0), std::pair(-1, -1), std::pair(20001, 10)})
-        EXPECT_THROW(lay_out_one(figure, pixels(w, h)), InputError) << w << "x" << h;
+        EXPECT_THROW(lay_out_one(figure, in_pixels(w, h)), InputError) << w << "x" << h;
     for (const double font : {0.0, -8.0, nan, 1e9})
-        EXPECT_THROW(lay_out_one(figure, pixels(640, 480, font)), InputError);
+        EXPECT_THROW(lay_out_one(figure, in_pixels(640, 480, font)), InputError);
     FigureSize size;
     size.dpi = nan;
     EXPECT_THROW(lay_out_one(figure, size), InputError);
     // Valid, but there is no room for the texts.
-    EXPECT_THROW(lay_out_one(figure, pixels(8, 8)), InputError);
-    EXPECT_NO_THROW(lay_out_one(figure, pixels(320, 240)));
+    EXPECT_THROW(lay_out_one(figure, in_pixels(8, 8)), InputError);
+    EXPECT_NO_THROW(lay_out_one(figure, in_pixels(320, 240)));
 }
 
 TEST(FigureText, WrapsAtSpacesAndInsideLongWords) {

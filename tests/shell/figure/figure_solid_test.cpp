@@ -67,7 +67,7 @@ Figure solid_figure(double aspect = 1.5) {
     return figure;
 }
 
-FigureSize pixels(int width, int height) {
+FigureSize solid_pixels(int width, int height) {
     FigureSize size;
     size.width_px = width;
     size.height_px = height;
@@ -108,7 +108,7 @@ protected:
     FakeRenderer renderer;
 };
 
-std::size_t count(const std::string& text, const std::string& part) {
+std::size_t occurrences(const std::string& text, const std::string& part) {
     std::size_t n = 0;
     for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
     return n;
@@ -119,7 +119,8 @@ Layout layout_of(const Figure& figure, const FigureSize& size) {
 }
 
 TEST_F(FigureSolids, APngHasTheVeryPixelsWhereNothingLiesOnThem) {
-    for (const FigureSize& size : {pixels(300, 217), pixels(640, 480), FigureSize{}, FigureSize{61, 0, 0, 8, 250}}) {
+    for (const FigureSize& size :
+         {solid_pixels(300, 217), solid_pixels(640, 480), FigureSize{}, FigureSize{61, 0, 0, 8, 250}}) {
         renderer.asked.clear();
         const Figure figure = solid_figure();
         written(figure, size, "a.png");
@@ -169,11 +170,11 @@ std::string decoded(const std::string& text, std::size_t bytes) {
 }
 
 TEST_F(FigureSolids, AnSvgHoldsOneImageUnderItsLabels) {
-    for (const FigureSize& size : {FigureSize{}, pixels(400, 300)}) {
+    for (const FigureSize& size : {FigureSize{}, solid_pixels(400, 300)}) {
         renderer.asked.clear();
         const Figure figure = solid_figure();
         const std::string svg = written(figure, size, "a.svg");
-        EXPECT_EQ(count(svg, "<image"), 1u);
+        EXPECT_EQ(occurrences(svg, "<image"), 1u);
         const std::size_t image = svg.find("<image"), label = svg.find(">cell 12</text>"),
                           line = svg.find("<path", image);
         ASSERT_NE(image, std::string::npos);
@@ -209,7 +210,7 @@ TEST_F(FigureSolids, AnSvgHoldsOneImageUnderItsLabels) {
     Figure flat = solid_figure();
     flat.panels[0].solid = nullptr;
     const std::string svg = written(flat, {}, "b.svg");
-    EXPECT_EQ(count(svg, "<image") + count(svg, "xlink"), 0u);
+    EXPECT_EQ(occurrences(svg, "<image") + occurrences(svg, "xlink"), 0u);
 }
 
 TEST_F(FigureSolids, OtherProgramsSeeTheImageInAnSvg) {
@@ -221,7 +222,7 @@ TEST_F(FigureSolids, OtherProgramsSeeTheImageInAnSvg) {
                 p.colours.push_back(2 * y < height ? Colour{200, 30, 10} : Colour{0, 90, 200});
         return p;
     };
-    write_figure(solid_figure(), pixels(300, 200), folder / "a.svg", draw);
+    write_figure(solid_figure(), solid_pixels(300, 200), folder / "a.svg", draw);
     output("rsvg-convert a.svg -o b.png");
     const Pixels p = load("b.png");
     EXPECT_EQ(p.at(60, 60), (Colour{200, 30, 10}));
@@ -241,7 +242,7 @@ TEST_F(FigureSolids, APdfHoldsAnOpaqueImageAndText) {
     for (const auto& [file, images] : {std::pair("a.pdf", "1"), std::pair("b.pdf", "2")}) {
         const std::string name = file;
         EXPECT_EQ(output("pdfimages -list " + name + " | grep -cE ' image" + size + "'"), std::string(images) + "\n");
-        EXPECT_EQ(count(output("pdfimages -list " + name), "mask"), 0u);
+        EXPECT_EQ(occurrences(output("pdfimages -list " + name), "mask"), 0u);
         EXPECT_NE(output("pdftotext " + name + " -").find("cell 12"), std::string::npos);
     }
 }
@@ -254,7 +255,7 @@ TEST_F(FigureSolids, TheSameFigureIsTheSameBytes) {
 TEST_F(FigureSolids, FilmsAskForEachFrame) {
     const std::array<Figure, 3> pages{solid_figure(), solid_figure(), solid_figure()};
     write_figure_frames(
-        pages, [&](std::size_t i) { return pages[i]; }, pixels(100, 80),
+        pages, [&](std::size_t i) { return pages[i]; }, solid_pixels(100, 80),
         [&](std::size_t i) { return folder / (std::to_string(i) + ".png"); }, renderer.draw());
     EXPECT_EQ(renderer.asked.size(), 3u);
     EXPECT_EQ(read_file(folder / "0.png"), read_file(folder / "2.png"));
@@ -267,13 +268,13 @@ TEST_F(FigureSolids, TheImageFillsTheListsWorldOnly) {
     thin.list.world = {{0, 0}, {1.5, 0.01}};
     thin.solid = figure.panels[0].solid;
     figure.panels.push_back(thin);
-    written(figure, pixels(500, 500), "a.png");
+    written(figure, solid_pixels(500, 500), "a.png");
     ASSERT_EQ(renderer.asked.size(), 2u);
     EXPECT_EQ(renderer.asked[0].width, renderer.asked[1].width);
     EXPECT_NEAR(renderer.asked[1].height, renderer.asked[1].width / 150.0, 1);
     // A world without area takes the frame.
     figure.panels[1].list.world = {{3, 3}, {3, 3}};
-    written(figure, pixels(500, 500), "a.png");
+    written(figure, solid_pixels(500, 500), "a.png");
     EXPECT_GT(renderer.asked[3].height, 3);
 }
 
@@ -291,7 +292,7 @@ TEST_F(FigureSolids, LargeFiguresAskForNoMoreThanCanBeDrawn) {
 TEST_F(FigureSolids, TinyFiguresHaveTinyImages) {
     Figure figure = solid_figure();
     figure.panels[0].title.clear();
-    written(figure, pixels(1, 1), "a.png");
+    written(figure, solid_pixels(1, 1), "a.png");
     ASSERT_EQ(renderer.asked.size(), 1u);
     EXPECT_GE(renderer.asked[0].width, 1);
     EXPECT_LE(renderer.asked[0].width, 2);

@@ -12,7 +12,7 @@
 namespace sightline::test {
 namespace {
 
-constexpr ImageSize size{320, 240};
+constexpr ImageSize asked_size{320, 240};
 
 struct Comparison {
     int covered = 0;  ///< pixels that show a triangle by the rays
@@ -21,7 +21,7 @@ struct Comparison {
 };
 
 Vec<3> through(const View<3>& view, int x, int y) {
-    const double right = (x + 0.5) / size.width, down = (y + 0.5) / size.height;
+    const double right = (x + 0.5) / asked_size.width, down = (y + 0.5) / asked_size.height;
     return view.corners[3] + (view.corners[2] - view.corners[3]) * right + (view.corners[0] - view.corners[3]) * down;
 }
 
@@ -29,8 +29,8 @@ Vec<3> through(const View<3>& view, int x, int y) {
 template <typename Ray>
 Comparison compare(const IdImage& image, const ImageJudge& judge, const Ray& ray) {
     Comparison found;
-    for (int y = 0; y < size.height; ++y)
-        for (int x = 0; x < size.width; ++x) {
+    for (int y = 0; y < asked_size.height; ++y)
+        for (int x = 0; x < asked_size.width; ++x) {
             const std::uint32_t seen = image.at(x, y), met = ray(x, y);
             found.covered += met != none;
             if (seen == met) continue;
@@ -55,21 +55,21 @@ protected:
     }
     /// At least this share of the pixels shows something, and at most that share is undecided.
     void check(const Scene<3>& scene, const View<3>& view, double covered, double undecided) {
-        const auto images = renderer->draw(scene, view, size, 1);
+        const auto images = renderer->draw(scene, view, asked_size, 1);
         ASSERT_EQ(images.size(), 1u);
         const EmbreeCaster rays(scene, view.eye);
-        expect(compare(images[0], ImageJudge(scene, view, size),
+        expect(compare(images[0], ImageJudge(scene, view, asked_size),
                        [&](int x, int y) { return rays.first(through(view, x, y)); }),
                covered, undecided);
     }
     static void expect(const Comparison& found, double covered, double undecided) {
-        constexpr double pixels = size.width * size.height;
+        constexpr double pixels = asked_size.width * asked_size.height;
         EXPECT_EQ(found.wrong, 0) << "of " << found.differ;
         EXPECT_GE(found.covered / pixels, covered);
         EXPECT_LE(found.differ / pixels, undecided);
     }
     View<3> view_of(const Vec<3>& eye, const Vec<3>& look_at, double fov) {
-        return make_view({as_float(eye), look_at, fov}, static_cast<double>(size.width) / size.height);
+        return make_view({as_float(eye), look_at, fov}, static_cast<double>(asked_size.width) / asked_size.height);
     }
 
     std::optional<IdRenderer> renderer;
@@ -106,8 +106,8 @@ TEST_F(GlIdRenderer, NothingVanishesHoweverNearTheEye) {
         check(boxes_around_the_eye(0.05, 10, seed), view, 0.1, 0.0005);
         // Too much for Embree's floats: triangles of 1000 that pass at 1e-5.
         const Scene<3> scene = boxes_around_the_eye(1e-5, 1000, seed);
-        const ImageJudge judge(scene, view, size);
-        expect(compare(renderer->draw(scene, view, size, 1)[0], judge,
+        const ImageJudge judge(scene, view, asked_size);
+        expect(compare(renderer->draw(scene, view, asked_size, 1)[0], judge,
                        [&](int x, int y) {
                            const auto hits = judge.along(x, y);
                            return hits.empty() ? none : hits[0];

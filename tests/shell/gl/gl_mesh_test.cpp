@@ -17,20 +17,20 @@ namespace {
 
 constexpr Colour red{255, 0, 0}, blue{0, 0, 255};
 
-DrawList list_of(const std::vector<Style>& styles) {
+DrawList mesh_list(const std::vector<Style>& styles) {
     DrawList list;
     list.world = {{0, 0}, {100, 50}};
     list.styles = styles;
     return list;
 }
 
-Style filled(Colour colour) {
+Style filled_style(Colour colour) {
     Style style;
     style.fill = colour;
     return style;
 }
 
-Style stroked(Colour colour, double width, Dash dash = Dash::solid) {
+Style stroked_style(Colour colour, double width, Dash dash = Dash::solid) {
     Style style;
     style.stroke = colour;
     style.width_pt = width;
@@ -45,7 +45,7 @@ ListMesh mesh_of(const DrawList& list) {
 }
 
 TEST(ListMesh, PlacesAreRelativeToTheMiddleOfWhatIsShown) {
-    DrawList list = list_of({filled(red)});
+    DrawList list = mesh_list({filled_style(red)});
     list.world = {{1e9, 1e9}, {1e9 + 2, 1e9 + 2}};
     list.add(ShapeKind::polygon, 0, {{1e9, 1e9}, {1e9 + 1.25, 1e9}, {1e9, 1e9 + 2}});
     const ListMesh mesh = mesh_of(list);
@@ -58,7 +58,7 @@ TEST(ListMesh, PlacesAreRelativeToTheMiddleOfWhatIsShown) {
 }
 
 TEST(ListMesh, ALineIsAQuadThatKnowsItsWidthAndLength) {
-    DrawList list = list_of({stroked(blue, 3, Dash::dashed)});
+    DrawList list = mesh_list({stroked_style(blue, 3, Dash::dashed)});
     list.add(ShapeKind::polyline, 0, {{10, 20}, {13, 24}, {13, 30}});
     const ListMesh mesh = mesh_of(list);
     ASSERT_EQ(mesh.vertices.size(), 8u);
@@ -79,15 +79,15 @@ TEST(ListMesh, ALineIsAQuadThatKnowsItsWidthAndLength) {
 }
 
 TEST(ListMesh, LinesAreAtLeastAsThickAsInFigures) {
-    DrawList list = list_of({stroked(blue, 0.1)});
+    DrawList list = mesh_list({stroked_style(blue, 0.1)});
     list.add(ShapeKind::polyline, 0, {{1, 1}, {2, 2}});
     EXPECT_EQ(mesh_of(list).vertices[0].half_width, 0.25 * mesh_units_per_pt);
 }
 
 TEST(ListMesh, RunsKeepTheOrderOfShapesAndStayFew) {
-    Style both = filled(red);
+    Style both = filled_style(red);
     both.stroke = blue;
-    DrawList list = list_of({filled(red), stroked(blue, 1), both});
+    DrawList list = mesh_list({filled_style(red), stroked_style(blue, 1), both});
     const auto cell = [&](std::uint16_t style) { list.add(ShapeKind::polygon, style, {{0, 0}, {1, 0}, {0, 1}}); };
     for (int i = 0; i < 1000; ++i) cell(0);
     for (int i = 0; i < 1000; ++i) list.add(ShapeKind::polyline, 1, {{0, 0}, {1, 1}});
@@ -124,7 +124,7 @@ TEST(ListMesh, RunsKeepTheOrderOfShapesAndStayFew) {
 }
 
 TEST(ListMesh, WhatCannotBeDrawnIsLeftOut) {
-    DrawList list = list_of({filled(red), stroked(blue, 1)});
+    DrawList list = mesh_list({filled_style(red), stroked_style(blue, 1)});
     const double nan = std::numeric_limits<double>::quiet_NaN();
     list.add(ShapeKind::polygon, 7, {{0, 0}, {1, 0}, {0, 1}});      // no such style
     list.add(ShapeKind::polygon, 0, {{0, 0}, {1, 0}});              // too few points

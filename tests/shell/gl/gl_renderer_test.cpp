@@ -12,22 +12,22 @@ using namespace test;
 
 class GlRenderer : public GlTest {};
 
-DrawList list_of(const std::vector<Style>& styles) {
+DrawList styled_list(const std::vector<Style>& styles) {
     DrawList list;
     list.world = {{0, 0}, {100, 100}};
     list.styles = styles;
     return list;
 }
 
-void square(DrawList& list, std::uint16_t style, double from, double to) {
+void flat_square(DrawList& list, std::uint16_t style, double from, double to) {
     list.add(ShapeKind::polygon, style, {{from, from}, {to, from}, {to, to}, {from, to}});
 }
 
 TEST_F(GlRenderer, FillsLieInTheirOrderAndNowhereElse) {
-    DrawList list = list_of({filled(red), filled(blue)});
-    square(list, 0, 10, 50);
-    square(list, 1, 40, 80);
-    square(list, 0, 60, 70);
+    DrawList list = styled_list({filled(red), filled(blue)});
+    flat_square(list, 0, 10, 50);
+    flat_square(list, 1, 40, 80);
+    flat_square(list, 0, 60, 70);
     const Pixels p = drawn(list, plain_view(100, 100), 100, 100);
     EXPECT_EQ(p.at(20, 79), red);  // rows from the top
     EXPECT_EQ(p.at(45, 54), blue);
@@ -42,10 +42,10 @@ TEST_F(GlRenderer, LaterShapesCoverEarlierOnesAcrossKindsAndRuns) {
     Style both = filled(blue);
     both.stroke = black;
     both.width_pt = 4;
-    DrawList list = list_of({filled(red), stroked(black, 6), both});
-    for (int i = 0; i < 600; ++i) square(list, 0, 10, 90);
+    DrawList list = styled_list({filled(red), stroked(black, 6), both});
+    for (int i = 0; i < 600; ++i) flat_square(list, 0, 10, 90);
     for (int i = 0; i < 600; ++i) list.add(ShapeKind::polyline, 1, {{0, 50}, {100, 50}});
-    square(list, 2, 40, 60);
+    flat_square(list, 2, 40, 60);
     list.add(ShapeKind::disc, 0, {{50, 50}}, 5);
     const Pixels p = drawn(list, plain_view(100, 100), 100, 100);
     EXPECT_EQ(p.at(20, 20), red);
@@ -56,8 +56,8 @@ TEST_F(GlRenderer, LaterShapesCoverEarlierOnesAcrossKindsAndRuns) {
 }
 
 TEST_F(GlRenderer, NothingIsDrawnOutsideTheViewsRectangle) {
-    DrawList list = list_of({filled(red), stroked(black, 9)});
-    square(list, 0, -1000, 1000);
+    DrawList list = styled_list({filled(red), stroked(black, 9)});
+    flat_square(list, 0, -1000, 1000);
     list.add(ShapeKind::polyline, 1, {{-500, 50}, {500, 50}});
     ListView view = plain_view(40, 30);
     view.x = 20;
@@ -81,7 +81,7 @@ TEST_F(GlRenderer, LinesAreAsWideAsTheirPointsSayAtEveryZoom) {
     for (const double width : {0.5, 0.7, 1.0, 1.6, 3.0, 7.5})
         for (const double zoom : {1.0, 37.0, 1e4, 1e6})
             for (const double px_per_pt : {1.0, 2.0}) {
-                DrawList list = list_of({stroked(black, width)});
+                DrawList list = styled_list({stroked(black, width)});
                 list.add(ShapeKind::polyline, 0, {{-300, 50.3}, {400, 50.3}});
                 list.add(ShapeKind::polyline, 0, {{50, 50}, {250, 250}});
                 const Vec<2> half(50 / zoom, 50 / zoom), middle(50, 50.3);
@@ -96,7 +96,7 @@ TEST_F(GlRenderer, LinesAreAsWideAsTheirPointsSayAtEveryZoom) {
 }
 
 TEST_F(GlRenderer, AProjectorsLinesAreWider) {
-    DrawList list = list_of({stroked(black, 2)});
+    DrawList list = styled_list({stroked(black, 2)});
     list.add(ShapeKind::polyline, 0, {{0, 50}, {100, 50}});
     ListView view = plain_view(100, 100);
     view.line_scale = 2;
@@ -104,7 +104,7 @@ TEST_F(GlRenderer, AProjectorsLinesAreWider) {
 }
 
 TEST_F(GlRenderer, DashesAndDotsAreThoseOfFigures) {
-    DrawList list = list_of({stroked(black, 4, Dash::dashed), stroked(black, 4, Dash::dotted)});
+    DrawList list = styled_list({stroked(black, 4, Dash::dashed), stroked(black, 4, Dash::dotted)});
     list.add(ShapeKind::polyline, 0, {{2, 70}, {30, 70}, {98, 70}});  // dashes of 14, gaps of 10
     list.add(ShapeKind::polyline, 1, {{10, 30}, {90, 30}});           // dots 10 apart
     const Pixels p = drawn(list, plain_view(100, 100), 100, 100);
@@ -133,8 +133,8 @@ TEST_F(GlRenderer, AHatchHasBothColoursInItsShare) {
         Style style = filled(white);
         style.hatch = hatch;
         style.hatch_colour = black;
-        DrawList list = list_of({style});
-        square(list, 0, 0, 200);
+        DrawList list = styled_list({style});
+        flat_square(list, 0, 0, 200);
         ListView view = plain_view(200, 200);
         view.px_per_pt = 4;
         const Pixels p = drawn(list, view, 200, 200);
@@ -157,8 +157,8 @@ TEST_F(GlRenderer, AHatchMovesWithTheScene) {
     Style style = filled(white);
     style.hatch = Hatch::dots;
     style.hatch_colour = black;
-    DrawList list = list_of({style});
-    square(list, 0, -500, 500);
+    DrawList list = styled_list({style});
+    flat_square(list, 0, -500, 500);
     ListView view = plain_view(100, 100);
     const Pixels before = drawn(list, view, 100, 100);
     view.world = {{7, 4}, {107, 104}};
@@ -171,7 +171,7 @@ TEST_F(GlRenderer, MarksHaveTheirSizes) {
     Style mark = filled(red);
     mark.stroke = black;
     mark.width_pt = 2;
-    DrawList list = list_of({mark});
+    DrawList list = styled_list({mark});
     list.add(ShapeKind::disc, 0, {{20, 20}}, 10);
     list.add(ShapeKind::ring, 0, {{60, 20}}, 10);
     list.add(ShapeKind::cross, 0, {{20, 60}}, 10);
@@ -197,16 +197,16 @@ TEST_F(GlRenderer, MarksHaveTheirSizes) {
 }
 
 TEST_F(GlRenderer, TransparencyLetsWhatLiesBelowThrough) {
-    DrawList list = list_of({filled(black), filled({255, 255, 255, 128})});
-    square(list, 0, 0, 100);
-    square(list, 1, 0, 50);
+    DrawList list = styled_list({filled(black), filled({255, 255, 255, 128})});
+    flat_square(list, 0, 0, 100);
+    flat_square(list, 1, 0, 50);
     const Pixels p = drawn(list, plain_view(100, 100), 100, 100);
     EXPECT_NEAR(p.at(20, 80).r, 128, 2);
     EXPECT_EQ(p.at(20, 80).a, 255);
 }
 
 TEST_F(GlRenderer, SeveralSamplesSmoothTheEdgesOfFills) {
-    DrawList list = list_of({filled(black)});
+    DrawList list = styled_list({filled(black)});
     list.add(ShapeKind::polygon, 0, {{10, 10}, {90, 30}, {20, 90}});
     const auto greys = [&](int samples) {
         const Pixels p = drawn(list, plain_view(100, 100), 100, 100, samples);
@@ -217,8 +217,8 @@ TEST_F(GlRenderer, SeveralSamplesSmoothTheEdgesOfFills) {
 }
 
 TEST_F(GlRenderer, LeavesTheStateThatItSays) {
-    DrawList list = list_of({filled(red), stroked(black, 2, Dash::dotted)});
-    square(list, 0, 10, 60);
+    DrawList list = styled_list({filled(red), stroked(black, 2, Dash::dotted)});
+    flat_square(list, 0, 10, 60);
     list.add(ShapeKind::polyline, 1, {{0, 0}, {100, 100}});
     ListRenderer renderer;
     renderer.set(list);
@@ -240,8 +240,8 @@ TEST_F(GlRenderer, LeavesTheStateThatItSays) {
 }
 
 TEST_F(GlRenderer, AnotherListReplacesTheOldOneAndAnEmptyOneDrawsNothing) {
-    DrawList list = list_of({filled(red)});
-    square(list, 0, 0, 100);
+    DrawList list = styled_list({filled(red)});
+    flat_square(list, 0, 0, 100);
     ListRenderer renderer;
     const GlTarget target(100, 100);
     const auto middle = [&] {

@@ -86,7 +86,7 @@ std::uint32_t nearest(const Scene<3>& scene, const View<3>& view, int x, int y) 
 }
 
 /// Triangles about a point far from the origin, of coordinates that are floats.
-Scene<3> soup(std::size_t count, const Vec<3>& centre, double size, std::uint64_t seed) {
+Scene<3> random_soup(std::size_t count, const Vec<3>& centre, double size, std::uint64_t seed) {
     Random random(seed);
     Scene<3> scene;
     const auto around = [&](const Vec<3>& p, double reach) {
@@ -114,7 +114,7 @@ TEST_F(GlSceneMesh, ThePictureIsWhatRaysThroughThePixelsMeet) {
                           {{5000, -3000, 800}, 0.05},
                           {{0, 0, 0}, 1e-6},
                           {{0, 0, 0}, 1e7}}) {
-        const Scene<3> scene = soup(60, c.centre, c.size, 7);
+        const Scene<3> scene = random_soup(60, c.centre, c.size, 7);
         const SceneMesh mesh(scene);
         View<3> view = make_view({c.centre + Vec<3>(-2.5, 0.3, 0.4) * c.size, c.centre, 50}, 4.0 / 3);
         for (const double aside : {0.0, 0.4}) {  // straight ahead; off the axis
@@ -135,7 +135,7 @@ TEST_F(GlSceneMesh, ThePictureIsWhatRaysThroughThePixelsMeet) {
 }
 
 TEST_F(GlSceneMesh, ADrawnChoiceKeepsTheIdsAndLeavesTheOthersOut) {
-    const Scene<3> scene = soup(200, {0, 0, 0}, 1, 3);
+    const Scene<3> scene = random_soup(200, {0, 0, 0}, 1, 3);
     const SceneMesh mesh(scene);
     EXPECT_EQ(mesh.triangles(), 200u);
     TriangleChoice choice;

@@ -1,0 +1,26 @@
+// The cells that the settings ask for, from any of the builders.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/space/builders.h"
+
+namespace sightline {
+
+template <int D>
+CellComplex<D> tessellation(const Scene<D>& scene, const TessellationSettings& settings) {
+    Tree<D> tree = build_tree<D>(scene.primitives, settings.error_bound);
+    return settings.tessellation == Tessellation::delaunay ? delaunay_cells(std::move(tree), settings)
+                                                           : tree_cells(std::move(tree));
+}
+
+template <int D>
+CellComplex<D> build_cells(const Scene<D>& scene, const TessellationSettings& settings) {
+    CellComplex<D> cells = tessellation(scene, settings);
+    assign_primitives(cells, scene.primitives);
+    return cells;
+}
+
+template CellComplex<2> tessellation<2>(const Scene<2>&, const TessellationSettings&);
+template CellComplex<3> tessellation<3>(const Scene<3>&, const TessellationSettings&);
+template CellComplex<2> build_cells<2>(const Scene<2>&, const TessellationSettings&);
+template CellComplex<3> build_cells<3>(const Scene<3>&, const TessellationSettings&);
+
+}  // namespace sightline
