@@ -12,7 +12,7 @@ Problem<D> problem_of(std::span<const Method<D>> methods, const Scene<D>& scene,
                       const View<D>& view, const Settings& settings, Method<D>& method) {
     Variant<D> variant = make_variant<D>(methods, settings.method, settings.parameters);
     method = std::move(variant.method);
-    return {&scene, &cells, view, settings.budget.primitives(scene.primitives.size()), std::move(variant.parameters),
+    return {&scene,  &cells, view, settings.budget.primitives(scene.primitives.size()), std::move(variant.parameters),
             nullptr, {}};
 }
 
@@ -32,9 +32,9 @@ OneRun one_run(std::span<const Method<D>> methods, const Scene<D>& scene, const 
     return run;
 }
 
-#define SIGHTLINE_INSTANTIATE(D) \
-    template Problem<D> problem_of<D>(std::span<const Method<D>>, const Scene<D>&, const CellComplex<D>&,             \
-                                      const View<D>&, const Settings&, Method<D>&);                                   \
+#define SIGHTLINE_INSTANTIATE(D)                                                                                   \
+    template Problem<D> problem_of<D>(std::span<const Method<D>>, const Scene<D>&, const CellComplex<D>&,          \
+                                      const View<D>&, const Settings&, Method<D>&);                                \
     template OneRun one_run<D>(std::span<const Method<D>>, const Scene<D>&, const CellComplex<D>&, const View<D>&, \
                                const Settings&);
 SIGHTLINE_INSTANTIATE(2)

@@ -36,7 +36,8 @@ std::vector<std::optional<double>> cell_numbers(const Session<D>& session, CellN
     }
     if (what == CellNumber::order)
         for (std::uint32_t step = 1; step <= std::min(session.position(), session.recorded()); ++step)
-            if (const std::uint32_t cell = id_of(session.timeline().steps[step - 1].item, Kind::cell); cell != none) numbers[cell] = step;
+            if (const std::uint32_t cell = id_of(session.timeline().steps[step - 1].item, Kind::cell); cell != none)
+                numbers[cell] = step;
     return numbers;
 }
 

@@ -24,9 +24,7 @@ SolidList seen_by_culling_eye(const Session<3>& session, std::vector<std::uint32
 
 }  // namespace
 
-SolidList image_so_far(const Session<3>& session) {
-    return seen_by_culling_eye(session, rendered_ids(session.met()));
-}
+SolidList image_so_far(const Session<3>& session) { return seen_by_culling_eye(session, rendered_ids(session.met())); }
 
 SolidList exact_image(const Session<3>& session) {
     // At the size of the reference nothing can be seen but what shows at the centre of one of its pixels.

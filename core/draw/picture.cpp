@@ -10,8 +10,8 @@
 #include "core/draw/notes.h"
 #include "core/draw/palette.h"
 #include "core/draw/shown_world.h"
-#include "core/session/explain.h"
 #include "core/methods/cells/facet_geometry.h"
+#include "core/session/explain.h"
 
 namespace sightline {
 

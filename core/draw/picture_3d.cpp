@@ -12,9 +12,9 @@
 #include "core/draw/projection.h"
 #include "core/draw/shown_cells.h"
 #include "core/draw/solid_cells.h"
-#include "core/session/explain.h"
 #include "core/methods/cells/facet_geometry.h"
 #include "core/methods/cells/star_shape.h"
+#include "core/session/explain.h"
 
 namespace sightline {
 

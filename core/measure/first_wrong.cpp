@@ -7,8 +7,8 @@
 
 namespace sightline {
 
-std::optional<FirstWrong> first_wrong(const Reference& reference, std::span<const Met> met,
-                                      const Recording& recording, std::uint32_t budget) {
+std::optional<FirstWrong> first_wrong(const Reference& reference, std::span<const Met> met, const Recording& recording,
+                                      std::uint32_t budget) {
     const auto stays_missing = [](std::size_t missing, std::uint32_t left) {
         return missing > left ? missing - left : 0;
     };
@@ -16,8 +16,8 @@ std::optional<FirstWrong> first_wrong(const Reference& reference, std::span<cons
     std::size_t missing = reference.count;
     for (std::uint32_t step = 1; step <= recording.size(); ++step) {
         const Counters &before = recording.before(step), &after = recording.after(step);
-        missing -= visible_rendered(
-            reference, met.subspan(before.touched_count, after.touched_count - before.touched_count));
+        missing -=
+            visible_rendered(reference, met.subspan(before.touched_count, after.touched_count - before.touched_count));
         const std::uint32_t left = budget - std::min(budget, after.spent);
         if (stays_missing(missing, left) > unavoidable)
             return FirstWrong{step, static_cast<std::uint32_t>(missing), left};

@@ -23,7 +23,7 @@ struct FirstWrong {
 /// missing whatever comes. The first recorded step that makes this number larger than max(0, |V| - budget), which no
 /// order avoids: from there on the frame ends below the oracle. Nothing when no step does, e.g. without a budget.
 /// `met` is that of the whole recording.
-std::optional<FirstWrong> first_wrong(const Reference& reference, std::span<const Met> met,
-                                      const Recording& recording, std::uint32_t budget);
+std::optional<FirstWrong> first_wrong(const Reference& reference, std::span<const Met> met, const Recording& recording,
+                                      std::uint32_t budget);
 
 }  // namespace sightline

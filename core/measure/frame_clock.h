@@ -9,8 +9,8 @@
 
 #include "core/base/stopwatch.h"
 #include "core/measure/summary.h"
-#include "core/scene/scene.h"
 #include "core/run/method.h"
+#include "core/scene/scene.h"
 
 namespace sightline {
 

@@ -24,8 +24,7 @@ WholeRunner<D>::WholeRunner(const Method<D>& method, Problem<D> problem) {
     run_ = method.start(problem);
     recording_.start = run_->counters();
     largest_front_ = run_->counters().front_size;
-    whole_.culled_costs =
-        problem.parameters.template choice<CulledCost>(culled_cost_row()) == CulledCost::charged;
+    whole_.culled_costs = problem.parameters.template choice<CulledCost>(culled_cost_row()) == CulledCost::charged;
 }
 
 template <int D>
@@ -74,8 +73,7 @@ WholeRun whole_run(const Method<D>& method, Problem<D> problem, const Reference&
 Cut cut_at(const WholeRun& run, std::uint32_t budget) {
     std::uint32_t spent = 0;
     std::size_t end = 0;
-    for (; spent < budget && end < run.met.size(); ++end)
-        spent += run.culled_costs || !run.met[end].culled();
+    for (; spent < budget && end < run.met.size(); ++end) spent += run.culled_costs || !run.met[end].culled();
     if (spent < budget) return {end, run.touched_after.size()};
     if (budget == 0) return {};
     const auto last = std::lower_bound(run.touched_after.begin(), run.touched_after.end(), end);

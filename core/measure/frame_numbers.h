@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "core/measure/measure_table.h"
 #include "core/measure/inversion.h"
+#include "core/measure/measure_table.h"
 #include "core/measure/metrics.h"
 #include "core/run/method.h"
 #include "core/truth/truth.h"
@@ -44,12 +44,13 @@ private:
 
 /// A WholeRunner from its start to its end.
 template <int D>
-WholeRun whole_run(const Method<D>& method, Problem<D> problem, const Reference& reference, bool with_inversions = true);
+WholeRun whole_run(const Method<D>& method, Problem<D> problem, const Reference& reference,
+                   bool with_inversions = true);
 
 /// Where a budget ends a run.
 struct Cut {
-    std::size_t met = 0;      ///< so many of WholeRun::met, culled ones behind the last rendered left out
-    std::size_t steps = 0;    ///< steps taken, the one that the budget cuts included
+    std::size_t met = 0;    ///< so many of WholeRun::met, culled ones behind the last rendered left out
+    std::size_t steps = 0;  ///< steps taken, the one that the budget cuts included
 };
 Cut cut_at(const WholeRun& run, std::uint32_t budget);
 

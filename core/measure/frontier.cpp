@@ -123,9 +123,9 @@ void FrontierStudy<D>::make_truth(std::size_t view) {
     work_.reset();  // its run is judged by the truth of its view
     truth_view_.reset();
     const CellComplex<D>* const cells = task_.cells.get();
-    truth_ = std::move(make_truths<D>(*task_.scene, {&cells, 1}, task_.views[view], task_.reference_size,
-                                      task_.draw_ids, false)
-                           .front());
+    truth_ = std::move(
+        make_truths<D>(*task_.scene, {&cells, 1}, task_.views[view], task_.reference_size, task_.draw_ids, false)
+            .front());
     truth_view_ = view;
 }
 

@@ -42,8 +42,8 @@ public:
     FrontierStudy() = default;  ///< nothing to measure
     explicit FrontierStudy(FrontierTask<D> task);
 
-    /// Measures this variant too, and it at this budget, where that is none of the usual ones; the budget that was asked
-    /// for before is dropped. One in milliseconds, and one of a method that has no use for it, is not measured.
+    /// Measures this variant too, and it at this budget, where that is none of the usual ones; the budget that was
+    /// asked for before is dropped. One in milliseconds, and one of a method that has no use for it, is not measured.
     void ask(const Variant<D>& variant, const Budget& budget);
 
     /// One slice: the exact image of a view, a piece of a run, the numbers of one budget, or one timed traversal or

@@ -48,8 +48,7 @@ const Inversion* Inversions::at(std::uint32_t step) const {
 template <int D>
 std::vector<Inversion> inversions(const Reference& reference, const Run<D>& run, const Recording& recording) {
     Inversions all(reference.cell_share, reference.visible, run.seeds());
-    all.follow(recording, run.drawn().all(),
-               [&](std::uint32_t cell) { return run.problem().cells->count(cell); });
+    all.follow(recording, run.drawn().all(), [&](std::uint32_t cell) { return run.problem().cells->count(cell); });
     std::vector<Inversion> found = all.found();
     std::stable_sort(found.begin(), found.end(),
                      [](const Inversion& a, const Inversion& b) { return a.wasted > b.wasted; });

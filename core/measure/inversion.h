@@ -23,11 +23,10 @@ struct Inversion {
 class Inversions {
 public:
     /// `cell_share` and `visible` outlive it; `seeds` are in the front at the start.
-    Inversions(std::span<const double> cell_share, std::span<const std::uint8_t> visible,
-               std::span<const Item> seeds);
+    Inversions(std::span<const double> cell_share, std::span<const std::uint8_t> visible, std::span<const Item> seeds);
 
-    /// Looks at the steps of the recording that it has not seen. `met`: all that the recorded run met. `count` gives |A|
-    /// of a cell.
+    /// Looks at the steps of the recording that it has not seen. `met`: all that the recorded run met. `count` gives
+    /// |A| of a cell.
     template <typename Count>
     void follow(const Recording& recording, std::span<const Met> met, Count count) {
         while (followed_ < recording.size()) follow_step(recording, met, count);

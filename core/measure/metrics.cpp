@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <numeric>
 
-
 namespace sightline {
 
 std::size_t visible_rendered(const Reference& reference, std::span<const Met> met) {

@@ -27,9 +27,9 @@ struct KeyExplanation {
     double key = 0;
     bool tested = false;     ///< whether a penalty is due
     bool penalised = false;  ///< it is
-    std::string sum;      ///< "ρ = 0.143 + 0.87 · 0.25 = 0.36"
-    std::string penalty;  ///< of a penalised key: "× 2 (not star-shaped) = 0.72"
-    std::string tip;      ///< what the numbers of the sum are, in one line
+    std::string sum;         ///< "ρ = 0.143 + 0.87 · 0.25 = 0.36"
+    std::string penalty;     ///< of a penalised key: "× 2 (not star-shaped) = 0.72"
+    std::string tip;         ///< what the numbers of the sum are, in one line
     std::string weightiest;  ///< what makes the key as high as it is: "the penalty (+0.36): …"
     std::vector<Term> terms;
 
@@ -65,8 +65,8 @@ struct CodePlace {
     const Step* step = nullptr;  ///< the last one; nullptr at the start
     std::uint32_t number = 0;    ///< of the step
     std::span<const Change> changes{};
-    std::uint32_t rendered = 0;               ///< primitives that the step rendered
-    std::optional<std::uint32_t> substep{};   ///< none: between two steps
+    std::uint32_t rendered = 0;              ///< primitives that the step rendered
+    std::optional<std::uint32_t> substep{};  ///< none: between two steps
 
     bool in_step() const { return step && substep; }
 };

@@ -47,8 +47,8 @@ std::vector<std::string> split(std::string_view text, char at) {
 }
 
 std::string without_quotes(std::string value) {
-    const bool quoted = value.size() >= 2 && (value.front() == '"' || value.front() == '\'') &&
-                        value.back() == value.front();
+    const bool quoted =
+        value.size() >= 2 && (value.front() == '"' || value.front() == '\'') && value.back() == value.front();
     return quoted ? value.substr(1, value.size() - 2) : value;
 }
 
@@ -141,10 +141,10 @@ std::string guarantee_words(const Method<D>& method, const Run<D>& run) {
     return run.finished() ? "conservative, cut short by the budget" : "conservative, not finished";
 }
 
-#define SIGHTLINE_INSTANTIATE(D)                                                                               \
-    template const Method<D>& find_method<D>(std::span<const Method<D>>, std::string_view);                    \
-    template const Method<D>& find_variant<D>(std::span<const Method<D>>, const VariantText&, Parameters&);    \
-    template Variant<D> variant_of<D>(const Method<D>&, const Parameters&, const Parameters&);                 \
+#define SIGHTLINE_INSTANTIATE(D)                                                                            \
+    template const Method<D>& find_method<D>(std::span<const Method<D>>, std::string_view);                 \
+    template const Method<D>& find_variant<D>(std::span<const Method<D>>, const VariantText&, Parameters&); \
+    template Variant<D> variant_of<D>(const Method<D>&, const Parameters&, const Parameters&);              \
     template std::string guarantee_words<D>(const Method<D>&, const Run<D>&);
 SIGHTLINE_INSTANTIATE(2)
 SIGHTLINE_INSTANTIATE(3)

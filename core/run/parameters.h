@@ -15,10 +15,10 @@ namespace sightline {
 /// One parameter. A name means the same row in every method that has it. Rows are static data: all views outlive them.
 struct ParameterRow {
     std::string_view name;
-    std::string_view help;      ///< one line
-    std::string_view source;    ///< where the question comes from, e.g. "TVCG fig. 5, line 1"
-    std::string_view values;    ///< the words or the range
-    std::string_view otherwise; ///< the default
+    std::string_view help;                         ///< one line
+    std::string_view source;                       ///< where the question comes from, e.g. "TVCG fig. 5, line 1"
+    std::string_view values;                       ///< the words or the range
+    std::string_view otherwise;                    ///< the default
     std::span<const std::string_view> words = {};  ///< of a choice
     /// The text in its one form; throws InputError that says what is allowed.
     std::string (*read)(const ParameterRow&, std::string_view);

@@ -12,8 +12,7 @@ CodeLine budget_line(const Run<D>& run, int indent, std::string_view more, bool 
     CodeLine line{"stop when the budget is used up" + std::string(more), indent, false, {}, "TVCG fig. 4, lines 4-5"};
     if (popping) return line;
     const std::uint32_t budget = run.problem().budget, spent = run.counters().spent;
-    line.values =
-        budget == none ? "no budget" : std::to_string(spent) + " of " + std::to_string(budget) + " spent";
+    line.values = budget == none ? "no budget" : std::to_string(spent) + " of " + std::to_string(budget) + " spent";
     line.lit = !in_step && spent >= budget;
     return line;
 }

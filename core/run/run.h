@@ -34,8 +34,8 @@ template <int D>
 class Run {
 public:
     explicit Run(const Problem<D>& problem)
-        : problem_(problem), culled_costs_(problem.parameters.template choice<CulledCost>(culled_cost_row()) ==
-                                           CulledCost::charged) {
+        : problem_(problem),
+          culled_costs_(problem.parameters.template choice<CulledCost>(culled_cost_row()) == CulledCost::charged) {
         drawn_.begin(problem.primitives().size());
     }
     virtual ~Run() = default;
@@ -110,8 +110,7 @@ protected:
     /// Empties all for another problem.
     void begin(const Problem<D>& problem) {
         problem_ = problem;
-        culled_costs_ =
-            problem.parameters.template choice<CulledCost>(culled_cost_row()) == CulledCost::charged;
+        culled_costs_ = problem.parameters.template choice<CulledCost>(culled_cost_row()) == CulledCost::charged;
         drawn_.begin(problem.primitives().size());
         counters_ = {};
         steps_ = 0;

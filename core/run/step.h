@@ -66,7 +66,9 @@ struct Mark {
 };
 
 /// The order of a front: lowest key first, among equal ones the older stamp.
-inline bool comes_before(const Mark& a, const Mark& b) { return a.key < b.key || (a.key == b.key && a.stamp < b.stamp); }
+inline bool comes_before(const Mark& a, const Mark& b) {
+    return a.key < b.key || (a.key == b.key && a.stamp < b.stamp);
+}
 
 /// Why a run or a step ended.
 enum class Stop : std::uint8_t { none, front_empty, budget, breakpoint, steps };
@@ -109,11 +111,11 @@ static_assert(sizeof(Change) == 24);
 
 /// One pop.
 struct Step {
-    Item item;                 ///< popped; of kind none for a batch of primitives
-    Item runner_up;            ///< next in the front when the item was popped; of kind none: it was alone
-    double key = 0;            ///< of the item
+    Item item;       ///< popped; of kind none for a batch of primitives
+    Item runner_up;  ///< next in the front when the item was popped; of kind none: it was alone
+    double key = 0;  ///< of the item
     double runner_up_key = 0;
-    std::uint32_t stamp = 0;   ///< of the item
+    std::uint32_t stamp = 0;  ///< of the item
     std::uint32_t first_change = 0;
     std::uint32_t first_note = 0;
     Counters after;
@@ -154,7 +156,6 @@ public:
     std::size_t memory_bytes() const {
         return steps.capacity() * sizeof(Step) + changes.capacity() * sizeof(Change) + notes.capacity();
     }
-
 };
 
 }  // namespace sightline

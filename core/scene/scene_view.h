@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/scene/view.h"
 #include "core/base/image_size.h"
+#include "core/scene/view.h"
 
 namespace sightline {
 

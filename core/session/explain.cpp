@@ -99,7 +99,8 @@ std::string key_before(const Considered& c, int digits) {
     const bool stays = c.effect == Effect::kept;
     const double now = stays ? c.before.key : c.key->key;
     const int apart = std::max(digits, separating_digits(c.before.key, now));
-    return "key before " + short_number(c.before.key, apart) + (stays ? ", stays" : ", now " + short_number(now, apart));
+    return "key before " + short_number(c.before.key, apart) +
+           (stays ? ", stays" : ", now " + short_number(now, apart));
 }
 
 template <int D>
@@ -119,8 +120,8 @@ StepExplanation explain_step(const Session<D>& session, std::uint32_t step) {
     const Counters &before = timeline.before(step), &after = timeline.after(step);
     e.rendered = after.rendered_count - before.rendered_count;
     e.visible = static_cast<std::uint32_t>(visible_rendered(
-        session.reference(), session.traversal().drawn().all().subspan(before.touched_count,
-                                                                       after.touched_count - before.touched_count)));
+        session.reference(),
+        session.traversal().drawn().all().subspan(before.touched_count, after.touched_count - before.touched_count)));
     if (e.cell != none) e.visible_share = session.reference().cell_share[e.cell];
     e.looked_at = session.traversal().considered(record, timeline.changes_of(step), e.digits);
     return e;
@@ -208,8 +209,7 @@ std::vector<std::string> rows(const CellExplanation& cell) {
     for (const ChainLink& link : cell.chain) add(link, "  ", "");
     if (cell.reached.size() > 1) {  // the chain ends with one of them
         text.push_back("  reached through " + std::to_string(cell.reached.size()) + " facets:");
-        for (const ChainLink& link : cell.reached)
-            add(link, "    ", std::string(link.update.words) + ", ");
+        for (const ChainLink& link : cell.reached) add(link, "    ", std::string(link.update.words) + ", ");
     }
     return text;
 }

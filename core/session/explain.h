@@ -22,7 +22,7 @@ struct StepExplanation {
     std::uint32_t rendered = 0, visible = 0;  ///< in this step; visible: of those the ones in V
     double visible_share = 0;                 ///< of the cell
     std::vector<Considered> looked_at;        ///< in order; of a cell: a row per facet
-    int digits = 3;  ///< significant digits that tell the popped key from the runner-up's
+    int digits = 3;                           ///< significant digits that tell the popped key from the runner-up's
 };
 
 /// `step` in [1, position()].

@@ -93,8 +93,12 @@ void Session<D>::resolve_method(Settings& settings, Method<D>& method) const {
 
 template <int D>
 void Session<D>::restart() {
-    Problem<D> problem{scene_.get(), cells_.get(), view_, settings_.budget.primitives(scene_->primitives.size()),
-                       settings_.parameters, method_.needs.history ? history_ : nullptr};
+    Problem<D> problem{scene_.get(),
+                       cells_.get(),
+                       view_,
+                       settings_.budget.primitives(scene_->primitives.size()),
+                       settings_.parameters,
+                       method_.needs.history ? history_ : nullptr};
     if (method_.needs.visible_set) {
         reference();
         const std::shared_ptr<const std::vector<std::uint8_t>> visible(reference_, &reference_->visible);
@@ -134,8 +138,7 @@ template <typename Holds>
 Stop Session<D>::advance(std::uint32_t steps, Holds holds) {
     // A budget in milliseconds ends a run once; from then on the step at which it did is the end.
     const Stop stop = drive(
-        time_stop_ == none ? settings_.budget : Budget{}, steps, [&] { return step(); },
-        [&] { return holds(*this); });
+        time_stop_ == none ? settings_.budget : Budget{}, steps, [&] { return step(); }, [&] { return holds(*this); });
     if (stop == Stop::budget && time_stop_ == none && settings_.budget.kind == Budget::Kind::milliseconds)
         time_stop_ = run_->steps();
     return stop;

@@ -15,11 +15,11 @@
 #include "core/base/progress.h"
 #include "core/measure/inversion.h"
 #include "core/measure/metrics.h"
-#include "core/session/note.h"
-#include "core/session/settings_table.h"
 #include "core/methods/method_table.h"
 #include "core/run/timeline.h"
 #include "core/scene/scene_view.h"
+#include "core/session/note.h"
+#include "core/session/settings_table.h"
 
 namespace sightline {
 
@@ -208,8 +208,9 @@ extern template class Session<3>;
 /// The cell that the last step projected; none at step 0, for orders of primitives, and when flying.
 template <int D>
 std::uint32_t last_cell(const Session<D>& session) {
-    return session.position() > 0 && !session.flying() ? id_of(session.timeline().steps[session.position() - 1].item, Kind::cell)
-                                                       : none;
+    return session.position() > 0 && !session.flying()
+               ? id_of(session.timeline().steps[session.position() - 1].item, Kind::cell)
+               : none;
 }
 
 /// The first of the cells that a run starts from; none for other methods.

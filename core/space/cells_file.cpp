@@ -190,7 +190,8 @@ void write_cells(const CellComplex<D>& cells, const Scene<D>& scene, const Tesse
 }
 
 template <int D>
-CellComplex<D> read_cells(const std::filesystem::path& path, const Scene<D>& scene, const TessellationSettings& settings) {
+CellComplex<D> read_cells(const std::filesystem::path& path, const Scene<D>& scene,
+                          const TessellationSettings& settings) {
     const std::string file = read_file(path, largest_file);
     Reader reader(path, file);
     const Header header = read_header(reader, file, D);
@@ -214,8 +215,10 @@ CellComplex<D> read_cells(const std::filesystem::path& path, const Scene<D>& sce
     return cells;
 }
 
-template void write_cells<2>(const CellComplex<2>&, const Scene<2>&, const TessellationSettings&, const std::filesystem::path&);
-template void write_cells<3>(const CellComplex<3>&, const Scene<3>&, const TessellationSettings&, const std::filesystem::path&);
+template void write_cells<2>(const CellComplex<2>&, const Scene<2>&, const TessellationSettings&,
+                             const std::filesystem::path&);
+template void write_cells<3>(const CellComplex<3>&, const Scene<3>&, const TessellationSettings&,
+                             const std::filesystem::path&);
 template CellComplex<2> read_cells<2>(const std::filesystem::path&, const Scene<2>&, const TessellationSettings&);
 template CellComplex<3> read_cells<3>(const std::filesystem::path&, const Scene<3>&, const TessellationSettings&);
 

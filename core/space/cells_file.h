@@ -17,6 +17,7 @@ void write_cells(const CellComplex<D>& cells, const Scene<D>& scene, const Tesse
 /// dimension, truncated or damaged, of another scene, or made with other settings of the tessellation. Whatever the
 /// file holds, the indices of the result are in range and its links agree with each other.
 template <int D>
-CellComplex<D> read_cells(const std::filesystem::path& path, const Scene<D>& scene, const TessellationSettings& settings);
+CellComplex<D> read_cells(const std::filesystem::path& path, const Scene<D>& scene,
+                          const TessellationSettings& settings);
 
 }  // namespace sightline

@@ -10,7 +10,6 @@
 
 namespace sightline {
 
-
 /// Nodes in a flat array, root first, the 2^D children of a node side by side. Interior nodes are kept. Child c of a
 /// node covers the upper half of axis i when bit i of c is set.
 template <int D>

@@ -8,9 +8,9 @@
 #include <span>
 #include <vector>
 
+#include "core/base/index.h"
 #include "core/geometry/crossing.h"
 #include "core/geometry/predicates.h"
-#include "core/base/index.h"
 #include "core/scene/scene.h"
 #include "core/scene/view.h"
 
@@ -37,7 +37,6 @@ struct Sector {
 
 /// The view in counter-clockwise order: its cone, or the upper and the lower half plane.
 std::vector<Sector> sectors(const View<2>& view);
-
 
 /// A direction from the eye: towards `point`, or when `second` is set towards the crossing of two facing segments.
 struct Direction {

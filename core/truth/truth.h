@@ -22,8 +22,8 @@ std::vector<std::uint8_t> visible_set(const Scene<D>& scene, const View<D>& view
 
 /// The set, what of it lies in which cell, and in 3D the image.
 template <int D>
-Reference make_reference(const Scene<D>& scene, const CellComplex<D>& cells, const View<D>& view,
-                         const ImageSize& size, const DrawIds& draw_ids);
+Reference make_reference(const Scene<D>& scene, const CellComplex<D>& cells, const View<D>& view, const ImageSize& size,
+                         const DrawIds& draw_ids);
 
 /// Layering numbers ζ; 0: unknown or hit by no ray.
 template <int D>

@@ -12,7 +12,6 @@
 
 namespace sightline {
 
-
 /// A maximal stretch of one primitive that the eye sees, counter-clockwise about the eye, clipped to the view cone.
 /// Which primitive is seen is exact; the end points are rounded, to within 1e-14 of the primitive's largest coordinate.
 struct VisiblePiece {

@@ -70,7 +70,8 @@ int cells_command(int argc, const char* const* argv, const MethodTables& tables)
     app.add_option("--out", out, "folder of the results")->capture_default_str();
     if (!parse(app, argc, argv)) return 0;
     const Measure measure = measure_named(measure_id);
-    const Study asked = study_of(options, tables), study = sweep_study(asked, bounds), cell_free = cell_free_study(asked);
+    const Study asked = study_of(options, tables), study = sweep_study(asked, bounds),
+                cell_free = cell_free_study(asked);
     if (study.methods.empty()) throw InputError("lab cells: none of these methods orders cells");
     LabGraphics graphics;
     note_interrupts();

@@ -37,7 +37,8 @@ int compare_command(int argc, const char* const* argv, const MethodTables& table
         if (!options.scenes.empty()) throw InputError("compare: two studies have their scenes already");
         results_a = load_results(a);
         results_b = load_results(b);
-        comparison = {side(a, results_a, tables), side(b, results_b, tables), true, compare_results(results_a, results_b)};
+        comparison = {side(a, results_a, tables), side(b, results_b, tables), true,
+                      compare_results(results_a, results_b)};
     } else {
         options.methods = {a, b};
         note_interrupts();

@@ -71,8 +71,8 @@ bool passes(const Expectation& expectation, double value);
 /// surprise, so that somebody writes down what is expected of it, and so is one that has gone.
 Verdict judge(const Expectation& expectation, bool known, double value);
 
-/// Measures one row; `also` are variants held to what is asked of `published`. Numbers only, no clock. Throws InputError
-/// for a row that names what does not exist.
+/// Measures one row; `also` are variants held to what is asked of `published`. Numbers only, no clock. Throws
+/// InputError for a row that names what does not exist.
 template <int D>
 std::vector<Verdict> measure_row(const GalleryRow<D>& row, const DrawIds& draw_ids,
                                  std::span<const Method<D>> methods = method_table<D>(),

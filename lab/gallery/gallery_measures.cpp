@@ -7,12 +7,12 @@
 
 #include "core/base/error.h"
 #include "core/measure/wrong_region.h"
+#include "core/methods/plp/plp_parameters.h"
 #include "core/scene/scene_view.h"
 #include "core/session/condition.h"
 #include "core/session/settings_table.h"
 #include "core/space/cell_complex.h"
 #include "lab/gallery/gallery_functions.h"
-#include "core/methods/plp/plp_parameters.h"
 #include "lab/one_run.h"
 
 namespace sightline::lab {
@@ -191,7 +191,10 @@ double cell_count(const Probe<D>& p) {
 template <int D>
 double nearly_empty(const Probe<D>& p) {
     const CellComplex<D>& cells = p.at.cells(p.settings);
-    const double scale = p.settings.parameters.template choice<SolidityScale>(solidity_scale_row()) == SolidityScale::max ? cells.rho_max : cells.rho_p95;
+    const double scale =
+        p.settings.parameters.template choice<SolidityScale>(solidity_scale_row()) == SolidityScale::max
+            ? cells.rho_max
+            : cells.rho_p95;
     double held = 0, few = 0;
     for (std::uint32_t cell = 0; cell < cells.cell_count(); ++cell) {
         held += cells.count(cell) > 0;

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "core/measure/frame_numbers.h"
+#include "core/run/method.h"
 #include "core/scene/make/car_parts.h"
 #include "core/scene/scene.h"
-#include "core/run/method.h"
 #include "core/session/settings.h"
 
 namespace sightline::lab {

@@ -11,8 +11,8 @@
 #include "core/base/trig.h"
 #include "core/scene/read/load.h"
 #include "core/scene/scene_view.h"
-#include "core/session/start_settings.h"
 #include "core/session/settings_table.h"
+#include "core/session/start_settings.h"
 #include "core/space/builders.h"
 
 namespace sightline::lab {

@@ -7,10 +7,10 @@
 
 #include "core/base/error.h"
 #include "core/base/number.h"
+#include "core/methods/method_table.h"
 #include "core/scene/make/catalogue.h"
 #include "core/scene/read/load.h"
 #include "core/session/settings_table.h"
-#include "core/methods/method_table.h"
 
 namespace sightline::lab {
 
@@ -123,7 +123,8 @@ Study read_study(std::string_view text, const MethodTables& tables) {
         study.size = settings.reference_size;
         study.methods.clear();
         study.budgets.clear();
-        for (const auto& method : json.at("methods")) study.methods.push_back(parse_method(method.get<std::string>(), tables));
+        for (const auto& method : json.at("methods"))
+            study.methods.push_back(parse_method(method.get<std::string>(), tables));
         for (const auto& budget : json.at("budgets")) study.budgets.push_back(parse_budget(budget.get<std::string>()));
     } catch (const nlohmann::json::exception& error) {
         throw InputError(std::string("not a study: ") + error.what());

@@ -44,8 +44,8 @@ struct Outcome {
 };
 
 template <int D>
-Outcome outcome(std::span<const Method<D>> methods, const Scene<D>& scene, const CellComplex<D>& cells, const Settings& settings, const View<D>& view,
-                std::span<const std::uint32_t> original) {
+Outcome outcome(std::span<const Method<D>> methods, const Scene<D>& scene, const CellComplex<D>& cells,
+                const Settings& settings, const View<D>& view, std::span<const std::uint32_t> original) {
     OneRun run = one_run<D>(methods, scene, cells, view, settings);
     Outcome result{std::move(run.order), std::move(run.rendered), 0, run.not_finite};
     if (original.empty()) return result;
@@ -160,7 +160,8 @@ private:
         std::vector<Outcome> all(methods_.size());
         tbb::parallel_for(std::size_t{0}, methods_.size(), [&](std::size_t m) {
             const auto& on = *cells[static_cast<std::size_t>(methods_[m].method.tessellation)];
-            all[m] = outcome<D>(lab_.tables.template of<D>(), scene, on, settings_of(methods_[m], settings), view, original);
+            all[m] =
+                outcome<D>(lab_.tables.template of<D>(), scene, on, settings_of(methods_[m], settings), view, original);
             all[m].coverage = coverage_of(visible, all[m].rendered);
         });
         return all;

@@ -60,8 +60,9 @@ template <int D>
 std::span<const Command<D>> frontier_commands() {
     static constexpr std::array table{
         Command<D>{"frontier", "METHOD BUDGET | add METHOD | stop | go | anew | finish | wrong | coverage",
-                   "set method and budget of a dot; measure one more method or variant; stop, go on, restart, finish; choose the vertical axis", "",
-                   frontier<D>},
+                   "set method and budget of a dot; measure one more method or variant; stop, go on, restart, finish; "
+                   "choose the vertical axis",
+                   "", frontier<D>},
     };
     return table;
 }

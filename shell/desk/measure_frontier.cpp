@@ -54,7 +54,8 @@ void update_frontier(Workbench<D>& bench) {
             task.views.push_back(scene_view(view, session.scene(), session.settings().reference_size));
         for (const Method<D>& method : bench.methods)
             if (method.compared)
-                task.variants.push_back(variant_of(method, session.settings().parameters, session.settings().parameters));
+                task.variants.push_back(
+                    variant_of(method, session.settings().parameters, session.settings().parameters));
         task.draw_ids = bench.graphics.draw_ids;
         if (D == 3 && bench.graphics.time_drawing)
             task.time_drawing = bench.graphics.time_drawing(session.settings().reference_size);
@@ -115,8 +116,8 @@ std::string frontier_work_text(const Workbench<D>& bench) {
     const FrontierStudy<D>& study = bench.frontier.study;
     const FrontierDot* const dot = study.next_dot();
     if (!dot || bench.frontier.stopped || !stands_still(bench)) return "";
-    return "measuring " + study.task().variants[dot->variant].text + " " + budget_text(dot->budget) +
-           ", frame " + std::to_string(dot->frames.size() + 1) + " of " + std::to_string(study.task().views.size());
+    return "measuring " + study.task().variants[dot->variant].text + " " + budget_text(dot->budget) + ", frame " +
+           std::to_string(dot->frames.size() + 1) + " of " + std::to_string(study.task().views.size());
 }
 
 template <int D>

@@ -35,9 +35,9 @@ std::vector<Row> front_rows(const Workbench<D>& bench) {
     const std::vector<Waiting> front = shown->traversal().front();
     const std::vector<int> digits = key_digits(front);
     const Kind kind = front.empty() ? Kind::cell : front.front().first.kind;
-    std::vector<Row> rows{{std::to_string(front.size()) + " " + std::string(kind_word(kind)) +
-                               "s in the front, first to last",
-                           Tone::heading}};
+    std::vector<Row> rows{
+        {std::to_string(front.size()) + " " + std::string(kind_word(kind)) + "s in the front, first to last",
+         Tone::heading}};
     for (std::size_t i = 0; i < front.size(); ++i) {
         const auto& [item, mark] = front[i];
         Row row{std::to_string(i + 1) + ". " + item_name(item) + "  key " + short_number(mark.key, digits[i]) +

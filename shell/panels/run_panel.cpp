@@ -27,8 +27,7 @@ std::vector<Row> run_rows(const Workbench<D>& bench) {
                              std::to_string(substep_count(bench.session, s.position())) + ", "
                        : "") +
         std::string(transport_words[static_cast<std::size_t>(transport_state(bench))]));
-    add(std::string(s.method().title) + " (" + std::string(s.method().id) + "), " +
-        s.guarantee());
+    add(std::string(s.method().title) + " (" + std::string(s.method().id) + "), " + s.guarantee());
     add(std::to_string(s.counters().rendered_count) + " rendered of " + std::to_string(s.scene().primitives.size()));
     add("state " + hash_text(s.hash()), Tone::faint);
     if (s.flying() && !s.has_reference()) return rows;  // a frame of a flight does not wait for it

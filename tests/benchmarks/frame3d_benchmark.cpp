@@ -7,9 +7,9 @@
 #include <numeric>
 
 #include "core/base/stopwatch.h"
+#include "core/methods/method_table.h"
 #include "core/scene/make/generators_3d.h"
 #include "core/space/builders.h"
-#include "core/methods/method_table.h"
 #include "shell/gl/context.h"
 #include "shell/gl/solid_renderer.h"
 #include "shell/gl/target.h"

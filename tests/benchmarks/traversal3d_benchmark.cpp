@@ -9,9 +9,9 @@
 #include <map>
 #include <tuple>
 
+#include "core/methods/method_table.h"
 #include "core/scene/make/generators_3d.h"
 #include "core/space/builders.h"
-#include "core/methods/method_table.h"
 
 namespace sightline {
 namespace {

@@ -13,8 +13,8 @@
 #include "core/measure/metrics.h"
 #include "shell/figure/cover.h"
 #include "shell/figure/figure.h"
-#include "shell/figure/lay_out.h"
 #include "shell/figure/inset.h"
+#include "shell/figure/lay_out.h"
 #include "tests/session/session_3d_support.h"
 
 namespace sightline {

@@ -151,8 +151,7 @@ TEST(LabGalleryPictures, AreRedWhereSomethingIsMissed) {
         const auto count = std::count(pixels.colours.begin(), pixels.colours.end(), Colour{220, 30, 30});
         return static_cast<double>(count) / static_cast<double>(pixels.colours.size());
     };
-    const double wrong =
-        wrong_pixels(reference, session.met());
+    const double wrong = wrong_pixels(reference, session.met());
     EXPECT_GT(wrong, 0);
     EXPECT_DOUBLE_EQ(red(image_so_far(session)), wrong);
     EXPECT_EQ(red(exact_image(session)), 0);

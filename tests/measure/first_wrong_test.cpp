@@ -64,8 +64,7 @@ TEST(FirstWrong, IsNeverThereWithoutABudget) {
         start.settings.budget = {};
         Session<2> session = start.session();
         session.run();
-        EXPECT_FALSE(
-            first_wrong(session.reference(), session.met(), session.timeline(), session.problem().budget));
+        EXPECT_FALSE(first_wrong(session.reference(), session.met(), session.timeline(), session.problem().budget));
     }
 }
 
@@ -80,8 +79,7 @@ TEST(Pops, CountWhatTheMeasureOfPoppingCounts) {
         Session<2> now = start.session();
         // The truth by another way: prefixes of whole runs.
         const auto set_of = [&](const ViewSpec<2>& view, std::vector<std::uint8_t>& visible) {
-            const Problem<2> problem =
-                test::problem_of(*start.scene, now.cells(), make_view(view), start.settings);
+            const Problem<2> problem = test::problem_of(*start.scene, now.cells(), make_view(view), start.settings);
             const Reference reference = exact_reference(start.scene->primitives, now.cells(), problem.view);
             const WholeRun run = whole_run<2>(now.method(), problem, reference, false);
             visible = reference.visible;

@@ -16,7 +16,9 @@ namespace {
 template <int D>
 class WithoutMarks final : public Run<D> {
 public:
-    explicit WithoutMarks(std::unique_ptr<Run<D>> inner) : Run<D>(inner->problem()), inner_(std::move(inner)) { take(); }
+    explicit WithoutMarks(std::unique_ptr<Run<D>> inner) : Run<D>(inner->problem()), inner_(std::move(inner)) {
+        take();
+    }
     Stop run(std::uint32_t steps, Recorder* recorder) override {
         inner_->set_budget(this->problem_.budget);
         const Stop stop = inner_->run(steps, recorder);
@@ -147,7 +149,8 @@ void test_method(const Method<D>& method, std::uint64_t seed) {
         const test::Recorded<D> recorded = test::record_all(method, problem);
         reused.start(problem, method.start);
         reused->run(none);
-        ASSERT_EQ(recorded.run->hash(), reused->hash()) << method.id << ": recording, or memory of another run, matters";
+        ASSERT_EQ(recorded.run->hash(), reused->hash())
+            << method.id << ": recording, or memory of another run, matters";
 
         // A budget selects a prefix of the same order, and a larger one goes on where it ended.
         Problem<D> unlimited = problem;

@@ -34,8 +34,8 @@ TEST(FormulaMethod, TakesTheStepsOfSolidityWithoutAPenalty) {
         const Recorded<2> compiled = run_of<2>("published penalty=none", scene, cells, view, settings);
         ASSERT_EQ(typed.run->hash(), compiled.run->hash()) << "scene " << i;
         ASSERT_EQ(test::popped_cells(typed.timeline), test::popped_cells(compiled.timeline));
-        const Recorded<2> whole = run_of<2>(
-            "formula key=\"(content + angle * handed_on) * (star ? 1 : 2)\"", scene, cells, view, settings);
+        const Recorded<2> whole =
+            run_of<2>("formula key=\"(content + angle * handed_on) * (star ? 1 : 2)\"", scene, cells, view, settings);
         const Recorded<2> doubled =
             run_of<2>("published penalty=multiply penalty_amount=2 star_shaped=on", scene, cells, view, settings);
         ASSERT_EQ(whole.run->hash(), doubled.run->hash()) << "scene " << i;
@@ -63,9 +63,9 @@ TEST(FormulaMethod, HopsAreLayersAndEveryTermIsANumber) {
         const View<2> view = make_view(test::random_view(random));
         ASSERT_EQ(test::popped_cells(run_of<2>("formula key=hops", scene, cells, view, settings).timeline),
                   test::popped_cells(run_of<2>("layers", scene, cells, view, settings).timeline));
-        const Recorded<2> all = run_of<2>(
-            "formula key=content+angle+handed_on+star+own_content+facing+depth+distance+hops+area", scene, cells, view,
-            settings);
+        const Recorded<2> all =
+            run_of<2>("formula key=content+angle+handed_on+star+own_content+facing+depth+distance+hops+area", scene,
+                      cells, view, settings);
         for (const auto& [item, mark] : all.run->front()) ASSERT_TRUE(std::isfinite(mark.key));
         for (const Step& step : all.timeline.steps) ASSERT_TRUE(std::isfinite(step.key));
     }

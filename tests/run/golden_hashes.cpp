@@ -5,12 +5,12 @@
 #include <map>
 #include <sstream>
 
+#include "core/methods/method_table.h"
 #include "core/scene/make/catalogue.h"
 #include "core/scene/scene_view.h"
 #include "core/session/settings_table.h"
 #include "core/session/start_settings.h"
 #include "core/space/builders.h"
-#include "core/methods/method_table.h"
 
 namespace sightline::test {
 

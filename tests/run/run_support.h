@@ -15,13 +15,8 @@ namespace sightline::test {
 template <int D>
 Problem<D> problem_of(const Scene<D>& scene, const CellComplex<D>& cells, const View<D>& view,
                       const Settings& settings) {
-    Problem<D> problem{&scene,
-                       &cells,
-                       view,
-                       settings.budget.primitives(scene.primitives.size()),
-                       settings.parameters,
-                       nullptr,
-                       {}};
+    Problem<D> problem{&scene,  &cells, view, settings.budget.primitives(scene.primitives.size()), settings.parameters,
+                       nullptr, {}};
     if constexpr (D == 2)
         problem.services.visible_set = [&scene, view] {
             return std::make_shared<const std::vector<std::uint8_t>>(visible_set<2>(scene, view, {}, {}));

@@ -2,10 +2,10 @@
 #include <gtest/gtest.h>
 
 #include "core/base/trig.h"
+#include "core/methods/cells/seed_cells.h"
 #include "core/session/settings_table.h"
 #include "core/space/builders.h"
 #include "core/space/cell_in_view.h"
-#include "core/methods/cells/seed_cells.h"
 #include "tests/run/reference_traversal.h"
 #include "tests/run/run_support.h"
 #include "tests/scene/random_scene.h"
@@ -31,7 +31,8 @@ TEST(Traversal, OrderIsThatOfThePapersStructure) {
 
         std::vector<std::uint32_t> projected, rendered;
         if (problem.budget > 0)
-            test::PaperTraversal(scene, cells).run(view, seed_cells(problem).front(), problem.budget, projected, rendered);
+            test::PaperTraversal(scene, cells)
+                .run(view, seed_cells(problem).front(), problem.budget, projected, rendered);
         ASSERT_EQ(popped_cells(recorded.timeline), projected) << "scene " << i;
         ASSERT_EQ(rendered_ids(recorded.run->met()), rendered) << "scene " << i;
     }
@@ -134,8 +135,7 @@ TEST(Traversal, ScalingByPowersOfTwoKeepsTheOrderBitForBit) {
             for (Primitive<2>& p : scaled.primitives)
                 for (Vec<2>& v : p) v *= scale;
             const CellComplex<2> cells = build_cells(scaled, settings);
-            const View<2> scaled_view =
-                make_view(ViewSpec<2>{view.eye * scale, view.look_at * scale, view.fov});
+            const View<2> scaled_view = make_view(ViewSpec<2>{view.eye * scale, view.look_at * scale, view.fov});
             const auto order = popped_cells(record_all(find_method<2>(method_table<2>(), settings.method),
                                                        problem_of(scaled, cells, scaled_view, settings))
                                                 .timeline);

@@ -7,9 +7,9 @@
 #include "core/base/number.h"
 #include "core/base/random.h"
 #include "core/methods/plp/plp_parameters.h"
-#include "core/session/settings.h"
 #include "core/scene/scene.h"
 #include "core/scene/view.h"
+#include "core/session/settings.h"
 
 namespace sightline::test {
 

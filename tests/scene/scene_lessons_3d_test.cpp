@@ -7,9 +7,9 @@
 
 #include "core/methods/plp/plp_parameters.h"
 #include "core/scene/make/catalogue.h"
-#include "core/session/settings_table.h"
 #include "core/session/condition.h"
 #include "core/session/session.h"
+#include "core/session/settings_table.h"
 #include "tests/shell/gl/embree_caster.h"
 
 namespace sightline {
@@ -48,9 +48,7 @@ double visible_part(const Session<3>& s) {
     return static_cast<double>(s.reference().count) / static_cast<double>(s.scene().primitives.size());
 }
 
-double wrong(const Session<3>& s) {
-    return wrong_pixels(s.reference(), s.met());
-}
+double wrong(const Session<3>& s) { return wrong_pixels(s.reference(), s.met()); }
 
 std::size_t hidden_rendered(const Session<3>& s) { return s.counters().rendered_count - s.visible_rendered(); }
 

@@ -85,7 +85,8 @@ TEST(Condition, FieldsAreThoseOfTheStep) {
         Session<2> session = start.session();
         for (;;) {
             const auto before = test::marks(session);
-            const std::uint32_t rendered = session.counters().rendered_count, touched = session.counters().touched_count;
+            const std::uint32_t rendered = session.counters().rendered_count,
+                                touched = session.counters().touched_count;
             if (session.step() != Stop::none) break;
             const bool redone = random.below(3) == 0;  // a step that was undone and redone tells the same
             if (redone) {

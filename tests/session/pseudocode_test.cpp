@@ -7,9 +7,9 @@
 #include <map>
 
 #include "core/base/number.h"
+#include "core/methods/cells/cell_method.h"
 #include "core/session/explain.h"
 #include "core/session/substep.h"
-#include "core/methods/cells/cell_method.h"
 #include "tests/session/session_support.h"
 
 namespace sightline {
@@ -99,7 +99,8 @@ TEST(Pseudocode, LightsTheLineOfEachRuleAndFillsInItsNumbers) {
                 }
                 const Considered& facet = step.looked_at[substep - 2];
                 ++seen[{Rule{facet.rule}, updates}];
-                ASSERT_TRUE(now.text.starts_with(line_of(Rule{facet.rule}, updates, test::choice<OnReenqueue>(start.settings, on_reenqueue_row()))))
+                ASSERT_TRUE(now.text.starts_with(
+                    line_of(Rule{facet.rule}, updates, test::choice<OnReenqueue>(start.settings, on_reenqueue_row()))))
                     << facet.words << "\n"
                     << all_of(lines);
                 ASSERT_EQ(each.values.find("facet " + std::to_string(substep - 1) + " of " +
@@ -195,8 +196,9 @@ TEST(Pseudocode, OrdersOfPrimitives) {
                 ASSERT_TRUE(starting_with(popped, "render").values.empty());
                 ASSERT_TRUE(lit(rendered).text.starts_with("render"));
                 ASSERT_EQ(lit(rendered).text == "render them", method == "everything");
-                ASSERT_EQ(lit(rendered).values.find(std::to_string(session.counters().rendered_count - before) + " prim"),
-                          0u);
+                ASSERT_EQ(
+                    lit(rendered).values.find(std::to_string(session.counters().rendered_count - before) + " prim"),
+                    0u);
                 const auto between = pseudocode(session, std::nullopt);
                 const bool over = session.counters().spent >= session.problem().budget;
                 ASSERT_TRUE(lit(between).text.starts_with(over ? "stop when" : "while")) << all_of(between);

@@ -9,8 +9,8 @@
 
 #include "core/base/error.h"
 #include "core/base/file.h"
-#include "core/session/settings_table.h"
 #include "core/methods/method_table.h"
+#include "core/session/settings_table.h"
 #include "tests/run/run_support.h"
 #include "tests/scene/random_scene.h"
 #include "tests/soak.h"

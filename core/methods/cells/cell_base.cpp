@@ -149,7 +149,8 @@ std::vector<std::pair<Item, Mark>> CellBase<D>::front() const {
     for (std::uint32_t cell = 0; cell < marks_.size(); ++cell)
         if (const Mark mark = marks_[cell]; mark.state == CellState::enqueued)
             waiting.emplace_back(cell_item(cell), mark);
-    std::sort(waiting.begin(), waiting.end(), [](const auto& a, const auto& b) { return comes_before(a.second, b.second); });
+    std::sort(waiting.begin(), waiting.end(),
+              [](const auto& a, const auto& b) { return comes_before(a.second, b.second); });
     return waiting;
 }
 

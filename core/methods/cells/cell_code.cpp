@@ -89,20 +89,29 @@ std::vector<CodeLine> CellBase<D>::code(const CodePlace& at) const {
     const bool neighbours_first = parameters_.neighbours_before_break == YesNo::yes;
     const Counters& counters = this->counters();
     std::vector<CodeLine> lines;
-    lines.push_back({"while the front is not empty:", 0, !place.in_step() && counters.spent < this->problem_.budget, {},
+    lines.push_back({"while the front is not empty:",
+                     0,
+                     !place.in_step() && counters.spent < this->problem_.budget,
+                     {},
                      "TVCG fig. 4, line 1"});
     if (!place.in_step())
-        lines.back().values = std::to_string(counters.front_size) +
-                              (counters.front_size == 1 ? " cell in it" : " cells in it");
-    lines.push_back({"take the cell c with the lowest key out of the front", 1, place.at == CellPlace::At::pop, {},
+        lines.back().values =
+            std::to_string(counters.front_size) + (counters.front_size == 1 ? " cell in it" : " cells in it");
+    lines.push_back({"take the cell c with the lowest key out of the front",
+                     1,
+                     place.at == CellPlace::At::pop,
+                     {},
                      "TVCG fig. 4, line 2"});
     if (place.in_step()) {
         lines.back().values = cell_and_key(at.step->item.id, at.step->key, digits);
         if (at.step->runner_up)
             lines.back().values += "; next: " + cell_and_key(at.step->runner_up.id, at.step->runner_up_key, digits);
     }
-    lines.push_back({"project c: render its primitives in view that are not rendered yet", 1,
-                     place.at == CellPlace::At::render, {}, "TVCG fig. 4, line 3"});
+    lines.push_back({"project c: render its primitives in view that are not rendered yet",
+                     1,
+                     place.at == CellPlace::At::render,
+                     {},
+                     "TVCG fig. 4, line 3"});
     if (place.rendered())
         lines.back().values = std::to_string(at.rendered) + (at.rendered == 1 ? " primitive" : " primitives");
     const bool popping = place.at == CellPlace::At::pop;

@@ -10,9 +10,8 @@ const ParameterRow& outside_view_row() {
 }
 
 const ParameterRow& neighbours_before_break_row() {
-    static const ParameterRow row =
-        choice_row("neighbours_before_break", YesNo::yes, "TVCG fig. 4, lines 4-6",
-                   "when the budget ends inside a cell, its neighbours are still enqueued");
+    static const ParameterRow row = choice_row("neighbours_before_break", YesNo::yes, "TVCG fig. 4, lines 4-6",
+                                               "when the budget ends inside a cell, its neighbours are still enqueued");
     return row;
 }
 

@@ -68,18 +68,19 @@ public:
     std::unique_ptr<Run<D>> clone() const override { return std::make_unique<CellRun>(*this); }
 
     std::span<const Field<D>> fields() const override {
-        static const auto table = std::to_array<Field<D>>(
-            {{"rho", key_title(), "the key of the cell",
-              [](const Run<D>& run, const Item& item) -> std::optional<double> {
-                  const Mark mark = run.mark(item);
-                  if (mark.state != CellState::enqueued && mark.state != CellState::projected) return std::nullopt;
-                  return mark.key;
-              }},
-             {"count", "primitives in the cell |A|", "|A|, the primitives in the cell",
-              [](const Run<D>& run, const Item& item) -> std::optional<double> {
-                  if (item.kind != Kind::cell) return std::nullopt;
-                  return run.problem().cells->count(item.id);
-              }}});
+        static const auto table =
+            std::to_array<Field<D>>({{"rho", key_title(), "the key of the cell",
+                                      [](const Run<D>& run, const Item& item) -> std::optional<double> {
+                                          const Mark mark = run.mark(item);
+                                          if (mark.state != CellState::enqueued && mark.state != CellState::projected)
+                                              return std::nullopt;
+                                          return mark.key;
+                                      }},
+                                     {"count", "primitives in the cell |A|", "|A|, the primitives in the cell",
+                                      [](const Run<D>& run, const Item& item) -> std::optional<double> {
+                                          if (item.kind != Kind::cell) return std::nullopt;
+                                          return run.problem().cells->count(item.id);
+                                      }}});
         return table;
     }
 

@@ -53,8 +53,7 @@ PlpParameters::PlpParameters(const Parameters& parameters)
       penalty(parameters.choice<Penalty>(penalty_row())),
       penalty_amount(parameters.number(penalty_amount_row())),
       solidity_scale(parameters.choice<SolidityScale>(solidity_scale_row())) {
-    tests_star_shape =
-        parameters.choice<Switch>(star_shaped_row()) == Switch::on && penalty != Penalty::none;
+    tests_star_shape = parameters.choice<Switch>(star_shaped_row()) == Switch::on && penalty != Penalty::none;
 }
 
 }  // namespace sightline

@@ -14,8 +14,7 @@ std::string weightiest(const SolidityTerms& t) {
         return "the penalty (+" + short_number(penalty) + "): the ray from the eye to its centre misses the facet";
     if (transferred > t.content)
         return "the solidity handed on by the cell it was reached from (" + short_number(transferred) + ")";
-    if (t.content > 0)
-        return "the content of the cell it was reached from (|A| = " + std::to_string(t.count) + ")";
+    if (t.content > 0) return "the content of the cell it was reached from (|A| = " + std::to_string(t.count) + ")";
     return "nothing but its stamp: its key is 0";
 }
 
@@ -50,7 +49,10 @@ KeyExplanation explain_solidity(const SolidityTerms& t, const PlpParameters& par
                {"density", t.content, {}},
                {"alignment", t.alignment, {}},
                {"weight", t.angle, {}},
-               {"star_shaped", t.star_shaped ? 1.0 : 0.0, !t.star_tested ? "null" : t.star_shaped ? "true" : "false"},
+               {"star_shaped", t.star_shaped ? 1.0 : 0.0,
+                !t.star_tested  ? "null"
+                : t.star_shaped ? "true"
+                                : "false"},
                {"unpenalised", t.unpenalised, {}},
                {"key", t.key, {}}};
     return e;
@@ -82,18 +84,21 @@ void add_solidity_lines(std::vector<CodeLine>& lines, const KeyExplanation* e, c
             return number(alignment) + (angle == alignment ? "" : ", taken as " + number(angle));
         },
         "TVCG fig. 5, line 1");
-    add("ρ = content + angle · ρ of c", [&] { return e->sum.substr(e->sum.find('=') + 2); }, "TVCG fig. 5, line 1");
+    add(
+        "ρ = content + angle · ρ of c", [&] { return e->sum.substr(e->sum.find('=') + 2); }, "TVCG fig. 5, line 1");
     if (parameters.tests_star_shape) {
         add(
             "the ray from the eye to the centre of n misses the facet?",
             [&] { return std::string(e->penalised ? "yes: not star-shaped" : "no: star-shaped"); },
             "TVCG fig. 5, line 2");
-        add("then ρ = ρ " + penalty_sign(parameters) + number(parameters.penalty_amount),
+        add(
+            "then ρ = ρ " + penalty_sign(parameters) + number(parameters.penalty_amount),
             [&] { return e->penalised ? number(value("unpenalised")) + " " + e->penalty : std::string(); },
             "TVCG fig. 5, line 3");
         lines.back().indent = 2;
     }
-    add("the key is ρ", [&] { return number(e->key); }, "TVCG fig. 5, line 4");
+    add(
+        "the key is ρ", [&] { return number(e->key); }, "TVCG fig. 5, line 4");
 }
 
 }  // namespace sightline

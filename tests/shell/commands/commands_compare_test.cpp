@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/methods/plp/plp_parameters.h"
 #include "core/base/file.h"
+#include "core/methods/plp/plp_parameters.h"
 #include "core/session/state_file.h"
 #include "shell/desk/moves.h"
 #include "shell/panels/panel.h"

@@ -41,8 +41,7 @@ TEST_F(EachCommand, delete) {
     run("undo; undo; undo; select 4");
     EXPECT_EQ(session().scene().primitives.size(), segments);
     EXPECT_EQ(session().selected_primitive, none);
-    test::expect_input_error([&] { run("delete"); },
-                             "command 'delete': no primitive is selected");
+    test::expect_input_error([&] { run("delete"); }, "command 'delete': no primitive is selected");
 }
 
 TEST_F(EachCommand, scene) {

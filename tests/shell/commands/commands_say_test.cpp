@@ -25,7 +25,8 @@ TEST_F(EachCommand, front) {
     // The first of the list is what the next step takes.
     const std::string first = said.at(1);
     run("step; explain");
-    EXPECT_EQ(first.find("  1. cell " + std::to_string(session().timeline().steps[10].item.id) + "  key "), 0u) << first;
+    EXPECT_EQ(first.find("  1. cell " + std::to_string(session().timeline().steps[10].item.id) + "  key "), 0u)
+        << first;
 }
 
 TEST_F(EachCommand, inversions) {
