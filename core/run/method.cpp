@@ -67,8 +67,7 @@ template <int D>
 const Method<D>& find_method(std::span<const Method<D>> table, std::string_view id) {
     std::string known;
     for (const Method<D>& method : table) {
-        if (method.id == id || std::find(method.aliases.begin(), method.aliases.end(), id) != method.aliases.end())
-            return method;
+        if (method.is_called(id)) return method;
         known += (known.empty() ? "" : ", ") + std::string(method.id);
     }
     throw InputError("method '" + std::string(id) + "' does not exist; there are " + known);

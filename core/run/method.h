@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <span>
@@ -37,6 +38,9 @@ struct Method {
     std::vector<std::string_view> aliases{};
 
     bool orders_cells() const { return pops == Kind::cell; }
+    bool is_called(std::string_view name) const {
+        return name == id || std::find(aliases.begin(), aliases.end(), name) != aliases.end();
+    }
     /// nullptr when it has none of that name.
     const ParameterRow* parameter(std::string_view name) const {
         for (const ParameterRow* row : parameters)

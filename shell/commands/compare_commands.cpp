@@ -19,7 +19,7 @@ void compare(Workbench<D>& bench, Text text) {
     if (text.empty()) throw InputError("write a method, FIELD=VALUE, preset:ID, a file, same or off");
     if (text == "off") return compare_off(bench);
     Settings settings = bench.session.settings();
-    const auto is_method = [&](const Method<D>& method) { return method.id == text.substr(0, text.find(' ')); };
+    const auto is_method = [&](const Method<D>& method) { return method.is_called(text.substr(0, text.find(' '))); };
     std::error_code error;
     if (text.starts_with("preset:")) {
         apply_preset(settings, text.substr(7));

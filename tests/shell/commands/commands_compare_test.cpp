@@ -16,6 +16,11 @@ TEST_F(EachCommand, compare) {
     EXPECT_EQ(other().session.method().id, "centroid");
     EXPECT_EQ(other().session.position(), 10u);
     EXPECT_EQ(session().method().id, "published");
+    run("compare distance");
+    EXPECT_EQ(other().session.method().id, "centroid") << "an alias";
+    run("compare published on_reenqueue=min");
+    EXPECT_EQ(other().session.settings().parameters.text(on_reenqueue_row()), "min");
+    EXPECT_EQ(session().settings().parameters.text(on_reenqueue_row()), "replace");
     run("compare jitter=0.25,penalty=none");
     EXPECT_EQ(other().session.settings().jitter, 0.25);
     EXPECT_EQ(other().session.settings().parameters.text(penalty_row()), "none");

@@ -10,6 +10,7 @@
 #include "shell/commands/command_table.h"
 #include "shell/desk/open_scene.h"
 #include "shell/panels/panel.h"
+#include "shell/panels/panel_table.h"
 #include "tests/shell/desk/bench_support.h"
 
 namespace sightline {
@@ -73,6 +74,22 @@ TEST(Panels, WhySaysTheKeyOfTheSelectedCellAndItsWayThere) {
         }
         EXPECT_EQ(text.find("not in the front: ") != std::string::npos, !keyed);
     }
+}
+
+TEST(Panels, SettingsAreThoseThatTheMethodHasAUseFor) {
+    Workbench<2> bench = bench_of("bottleneck");
+    const auto names = [&](const std::string& method) {
+        run_commands(bench, "method " + method);
+        std::string text;
+        for (const Row& row : settings_rows(bench)) text += row.text + "\n";
+        return text;
+    };
+    EXPECT_NE(names("published").find("penalty = "), std::string::npos);
+    EXPECT_EQ(names("layers").find("penalty = "), std::string::npos);
+    EXPECT_NE(names("layers").find("outside_view = "), std::string::npos);
+    EXPECT_EQ(names("everything").find("outside_view = "), std::string::npos);
+    EXPECT_NE(names("everything").find("budget = "), std::string::npos);
+    EXPECT_NE(names("formula").find("key = content"), std::string::npos);
 }
 
 TEST(Panels, APrimitiveIsFoundWhereTheRunMeetsIt) {
