@@ -57,13 +57,13 @@ void Pane2d::update(const Ui& ui, const Session<2>& session, const PictureOption
 
 void Pane2d::add_legend(const Ui& ui, const Session<2>& session, const PictureOptions& options) {
     const std::array<const DrawList*, 2> lists{&below_, &above_};
-    auto rows = legend_rows(lists, session.settings(), current_notes(session));
+    auto rows = legend_rows(lists, session.settings(), key_title(session), current_notes(session));
     // Half a window has room for what is new about two sides only.
     if (!options.sides.empty()) std::erase_if(rows, [](const LegendRow& row) { return !tells_sides(row); });
     const std::array<ImVec2, 2> eyes{camera_.to_window(session.display_view().eye),
                                      camera_.to_window(session.culling_view().eye)};
     const Settings& settings = session.settings();
-    texts_.add_legend(ui, rows, colour_bar(settings, options.heat_range), colours(settings.palette), eyes);
+    texts_.add_legend(ui, rows, colour_bar(session, options.heat_range), colours(settings.palette), eyes);
 }
 
 void Pane2d::draw_borders(const Session<2>& session, const PictureOptions& options, const ListView& view) {

@@ -65,7 +65,7 @@ void Pane3d::add_legend(const Ui& ui, const Session<3>& session, const PictureOp
                         std::span<const Area> insets) {
     const std::array<const DrawList*, 1> lists{&over_};
     const std::array<const SolidList*, 1> solids{&solid_};
-    const auto rows = legend_rows(lists, solids, session.settings(), current_notes(session));
+    const auto rows = legend_rows(lists, solids, session.settings(), key_title(session), current_notes(session));
     std::vector<ImVec2> busy;
     for (const Area& inset : insets) busy.push_back({inset.x + inset.w / 2, inset.y + inset.h / 2});
     const auto add = [&](const Vec<3>& point) {
@@ -77,7 +77,7 @@ void Pane3d::add_legend(const Ui& ui, const Session<3>& session, const PictureOp
         add(session.culling_view().look_at);
     }
     const Settings& settings = session.settings();
-    texts_.add_legend(ui, rows, colour_bar(settings, options.heat_range), colours(settings.palette), busy);
+    texts_.add_legend(ui, rows, colour_bar(session, options.heat_range), colours(settings.palette), busy);
 }
 
 void Pane3d::render(bool moving) {

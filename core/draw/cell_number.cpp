@@ -63,10 +63,10 @@ std::optional<std::array<double, 2>> number_range(const Session<D>& session, Cel
     return range;
 }
 
-std::string_view number_title(CellNumber what) {
+std::string_view number_title(CellNumber what, std::string_view key_title) {
     switch (what) {
         case CellNumber::solidity:
-            return "accumulated solidity ρ";
+            return key_title;
         case CellNumber::count:
             return "primitives in the cell |A|";
         case CellNumber::order:

@@ -19,7 +19,7 @@ std::vector<std::optional<double>> cell_numbers(const Session<D>& session, CellN
 template <int D>
 std::optional<std::array<double, 2>> number_range(const Session<D>& session, CellNumber what);
 
-/// What the number is called on scales and in legends.
-std::string_view number_title(CellNumber what);
+/// What the number is called on scales and in legends; a key has the name that its method gives it.
+std::string_view number_title(CellNumber what, std::string_view key_title);
 
 }  // namespace sightline

@@ -69,6 +69,7 @@ struct Common {
 /// Each source is met before the first one is drawn.
 template <int D>
 void meet_at(const PanelSource<D>& source, Common<D>& common) {
+    if (common.used.key_title.empty()) common.used.key_title = key_title(source.session);
     if (common.settings.heat == CellNumber::none) return;
     const HeatRange own = number_range(source.session, common.settings.heat);
     HeatRange& range = common.range;
@@ -120,8 +121,9 @@ Figure empty_figure(const Common<D>& common) {
                                                                : LegendPlace::off;
     figure.legend = legend_rows(common.used, settings, common.notes);
     if (common.range)
-        figure.bar = ColourBar{std::string(number_title(settings.heat)), short_number((*common.range)[0]),
-                               short_number((*common.range)[1]), colours(settings.palette).heat};
+        figure.bar =
+            ColourBar{std::string(number_title(settings.heat, common.used.key_title)), short_number((*common.range)[0]),
+                      short_number((*common.range)[1]), colours(settings.palette).heat};
     figure.background = colours(settings.palette).background;
     figure.ink = colours(settings.palette).ink;
     return figure;

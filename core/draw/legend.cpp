@@ -136,7 +136,8 @@ LegendRow solid_row(const SolidStyle& look, const UsedStyles::Solid& use, const 
 
 /// What the texts of a picture stand for.
 template <int D>
-void add_texts(const Settings& settings, std::span<const Note<D>> notes, std::vector<LegendRow>& rows) {
+void add_texts(const Settings& settings, std::string_view key_title, std::span<const Note<D>> notes,
+               std::vector<LegendRow>& rows) {
     const auto add = [&](std::string text) {
         // Panels may carry the same note.
         if (std::any_of(rows.begin(), rows.end(), [&](const LegendRow& row) { return row.text == text; })) return;
@@ -144,7 +145,7 @@ void add_texts(const Settings& settings, std::span<const Note<D>> notes, std::ve
         row.text = std::move(text);
         rows.push_back(std::move(row));
     };
-    if (settings.label != CellNumber::none) add("number: " + std::string(number_title(settings.label)));
+    if (settings.label != CellNumber::none) add("number: " + std::string(number_title(settings.label, key_title)));
     for (const Note<D>& note : notes)
         if (note.kind == Note<D>::Kind::callout) add(std::to_string(note.number) + ": " + note.text);
 }
@@ -200,7 +201,7 @@ std::vector<LegendRow> legend_rows(const UsedStyles& styles, const Settings& set
                 style.stroke = looks[style_index(Look::tessellation)].stroke;
             rows.push_back({entry.swatch, style, text_of(entry, beside, settings)});
         }
-    add_texts(settings, notes, rows);
+    add_texts(settings, styles.key_title, notes, rows);
     return rows;
 }
 
@@ -219,20 +220,23 @@ std::vector<LegendRow> legend_rows(const UsedStyles& used, const Settings& setti
     for (const StarEntry& entry : star_entries)
         for (const Style& style : used.others)
             if (style.name == entry.name) rows.push_back({entry.swatch, style, entry.text});
-    add_texts(settings, notes, rows);
+    add_texts(settings, used.key_title, notes, rows);
     return rows;
 }
 
 std::vector<LegendRow> legend_rows(std::span<const DrawList* const> lists, const Settings& settings,
-                                   std::span<const Note<2>> notes) {
+                                   std::string_view key_title, std::span<const Note<2>> notes) {
     UsedStyles used;
+    used.key_title = key_title;
     for (const DrawList* list : lists) add_used(*list, used);
     return legend_rows(used, settings, notes);
 }
 
 std::vector<LegendRow> legend_rows(std::span<const DrawList* const> lists, std::span<const SolidList* const> solids,
-                                   const Settings& settings, std::span<const Note<3>> notes) {
+                                   const Settings& settings, std::string_view key_title,
+                                   std::span<const Note<3>> notes) {
     UsedStyles used;
+    used.key_title = key_title;
     for (const DrawList* list : lists) add_used(*list, used);
     for (const SolidList* solid : solids) add_used(*solid, used);
     return legend_rows(used, settings, notes);

@@ -20,6 +20,7 @@ struct UsedStyles {
     std::vector<std::uint8_t> looks;  ///< per Look
     std::vector<Solid> solids;        ///< per SolidLook
     std::vector<Style> others;        ///< those beyond the looks that a legend names
+    std::string_view key_title{};     ///< what the method calls the key of a cell
 };
 /// Takes time in proportion to the shapes.
 void add_used(const DrawList& list, UsedStyles& used);
@@ -29,11 +30,12 @@ void add_used(const SolidList& solid, UsedStyles& used);
 std::vector<LegendRow> legend_rows(const UsedStyles& used, const Settings& settings, std::span<const Note<2>> notes);
 std::vector<LegendRow> legend_rows(const UsedStyles& used, const Settings& settings, std::span<const Note<3>> notes);
 
-/// The same for pictures that stand beside each other.
+/// The same for pictures that stand beside each other; `key_title` as in UsedStyles.
 std::vector<LegendRow> legend_rows(std::span<const DrawList* const> lists, const Settings& settings,
-                                   std::span<const Note<2>> notes);
+                                   std::string_view key_title, std::span<const Note<2>> notes);
 /// `solids` are what lies under the lists.
 std::vector<LegendRow> legend_rows(std::span<const DrawList* const> lists, std::span<const SolidList* const> solids,
-                                   const Settings& settings, std::span<const Note<3>> notes);
+                                   const Settings& settings, std::string_view key_title,
+                                   std::span<const Note<3>> notes);
 
 }  // namespace sightline

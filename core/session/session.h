@@ -213,6 +213,13 @@ std::uint32_t last_cell(const Session<D>& session) {
                : none;
 }
 
+/// What the method calls the key of a cell: the first of its fields.
+template <int D>
+std::string_view key_title(const Session<D>& session) {
+    const auto fields = session.traversal().fields();
+    return fields.empty() ? "key" : fields.front().title;
+}
+
 /// The first of the cells that a run starts from; none for other methods.
 template <int D>
 std::uint32_t seed_cell(const Session<D>& session) {

@@ -31,12 +31,16 @@ std::optional<std::uint32_t> SideBySide<D>::facet() const {
     return shown_in_substep(bench_.session, bench_.session.position(), *bench_.substep);
 }
 
-std::optional<ColourBar> colour_bar(const Settings& settings, const std::optional<std::array<double, 2>>& range) {
+template <int D>
+std::optional<ColourBar> colour_bar(const Session<D>& session, const std::optional<std::array<double, 2>>& range) {
+    const Settings& settings = session.settings();
     if (settings.heat == CellNumber::none || !range) return std::nullopt;
-    return ColourBar{std::string(number_title(settings.heat)), short_number((*range)[0]), short_number((*range)[1]),
-                     colours(settings.palette).heat};
+    return ColourBar{std::string(number_title(settings.heat, key_title(session))), short_number((*range)[0]),
+                     short_number((*range)[1]), colours(settings.palette).heat};
 }
 
+template std::optional<ColourBar> colour_bar<2>(const Session<2>&, const std::optional<std::array<double, 2>>&);
+template std::optional<ColourBar> colour_bar<3>(const Session<3>&, const std::optional<std::array<double, 2>>&);
 template class SideBySide<2>;
 template class SideBySide<3>;
 

@@ -54,6 +54,7 @@ private:
 };
 
 /// What the colours of the cells mean; nothing without a range.
-std::optional<ColourBar> colour_bar(const Settings& settings, const std::optional<std::array<double, 2>>& range);
+template <int D>
+std::optional<ColourBar> colour_bar(const Session<D>& session, const std::optional<std::array<double, 2>>& range);
 
 }  // namespace sightline

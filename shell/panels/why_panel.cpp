@@ -98,7 +98,7 @@ void write_link(Writer& to, const ChainLink& link) {
     if (link.update.key) write_formula(to, *link.update.key);
 }
 
-void write_cell(Writer& to, const CellExplanation& cell, std::string_view key_title) {
+void write_cell(Writer& to, const CellExplanation& cell, std::string_view key_name) {
     const auto state = cell_state_words[static_cast<std::size_t>(cell.mark.state)];
     to.heading("Selected: " + name(cell.cell) + ", " + std::string(state));
     if (cell.projected_at > 0) {
@@ -106,7 +106,7 @@ void write_cell(Writer& to, const CellExplanation& cell, std::string_view key_ti
         row.command = "seek " + std::to_string(cell.projected_at);
     }
     if (cell.mark.state == CellState::projected || cell.mark.state == CellState::enqueued)
-        to.add(std::string(key_title) + " (key) " + short_number(cell.mark.key, cell.digits) +
+        to.add(std::string(key_name) + " (key) " + short_number(cell.mark.key, cell.digits) +
                (cell.rank > 0 ? ", number " + std::to_string(cell.rank) + " in the front" : ""));
     if (cell.visible_share > 0)
         to.add("holds " + short_number(cell.visible_share * 100) + " % of what is visible", 0, Tone::good);
@@ -121,13 +121,6 @@ void write_cell(Writer& to, const CellExplanation& cell, std::string_view key_ti
         to.heading("The chain of updates from the seed");
         for (const ChainLink& link : cell.chain) write_link(to, link);
     }
-}
-
-/// What the key of a cell is called.
-template <int D>
-std::string_view key_title(const Session<D>& session) {
-    const auto fields = session.traversal().fields();
-    return fields.empty() ? "key" : fields.front().title;
 }
 
 }  // namespace

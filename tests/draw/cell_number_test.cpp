@@ -35,7 +35,7 @@ TEST(CellNumbers, LabelsAreTheNumbersOfTheCells) {
             const DrawList list = make_picture(session);
             for (const Label& label : list.labels) found.insert(label.text);
             if (where != LabelWhere::selected) {
-                EXPECT_EQ(found, expected) << number_title(what);
+                EXPECT_EQ(found, expected) << number_title(what, "key");
             }
             EXPECT_EQ(found.empty(), !numbers[last] && where == LabelWhere::selected);
             if (numbers[last]) {
