@@ -67,6 +67,7 @@ std::string read_choice(const ParameterRow& row, std::string_view text);
 
 template <typename E>
 ParameterRow choice_row(std::string_view name, E otherwise, std::string_view source, std::string_view help) {
+    static_assert(!words<E>.empty(), "the enum needs its words: template <> inline constexpr auto words<E> = …");
     return {name, help, source, word_list<E>(), word(otherwise), words<E>, detail::read_choice};
 }
 

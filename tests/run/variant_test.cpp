@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "core/base/error.h"
 #include "core/methods/method_table.h"
 #include "core/methods/plp/plp_parameters.h"
+#include "core/session/settings_table.h"
 
 namespace sightline {
 namespace {
@@ -68,6 +71,9 @@ TEST(Variant, ANameMeansTheSameRowInEveryMethod) {
                     EXPECT_EQ(row, other) << method.id << " " << row->name;
                 }
     EXPECT_TRUE(find_method<2>(method_table<2>(), "everything").parameters.empty());
+    // Nor is it that of a setting: `--set` would mean either.
+    std::set<std::string_view> names;
+    for (const SettingRow& row : settings_table()) EXPECT_TRUE(names.insert(row.name).second) << row.name;
 }
 
 }  // namespace

@@ -16,17 +16,8 @@ void CellBase<D>::begin_cells(double seed_key) {
     seeds_.clear();
     for (const std::uint32_t seed : seed_cells(this->problem_)) {
         seeds_.push_back(cell_item(seed));
-        enqueue(seed, seed_key);
+        enqueue(seed, seed_key, false);
     }
-}
-
-template <int D>
-void CellBase<D>::enqueue(std::uint32_t cell, double key) {
-    Counters& counters = this->counters_;
-    counters.front_size += marks_[cell].state != CellState::enqueued;
-    marks_.set(cell, {key, counters.next_stamp, CellState::enqueued});
-    front_.push({key, counters.next_stamp, cell});
-    ++counters.next_stamp;
 }
 
 template <int D>

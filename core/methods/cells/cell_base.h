@@ -42,7 +42,14 @@ protected:
 
     /// Empties all and puts the seed cells into the front.
     void begin_cells(double seed_key);
-    void enqueue(std::uint32_t cell, double key);
+    /// In the loop over neighbours, so inline. `was_enqueued`: the cell is in the front already.
+    void enqueue(std::uint32_t cell, double key, bool was_enqueued) {
+        Counters& counters = this->counters_;
+        counters.front_size += !was_enqueued;
+        marks_.set(cell, {key, counters.next_stamp, CellState::enqueued});
+        front_.push({key, counters.next_stamp, cell});
+        ++counters.next_stamp;
+    }
     /// The first entry of the front, or nullptr when it is empty. Rebuilds the front from the marks after an undo.
     const Front::Entry* front_top();
 

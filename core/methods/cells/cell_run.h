@@ -176,7 +176,7 @@ private:
                     rule = Rule::marked_unseen;
                 } else {
                     const Key key = heuristic_.key(this->problem_, cell, key_a, half);
-                    this->enqueue(n, key.value);
+                    this->enqueue(n, key.value, false);
                     rule = Rule::enqueued;
                     penalty = key.penalty;
                 }
@@ -185,7 +185,7 @@ private:
                 const Key key = heuristic_.key(this->problem_, cell, key_a, half);
                 if (on == OnReenqueue::replace || (on == OnReenqueue::min && key.value < before.key) ||
                     (on == OnReenqueue::max && key.value > before.key)) {
-                    this->enqueue(n, key.value);
+                    this->enqueue(n, key.value, true);
                     rule = Rule::reenqueued;
                 }
                 penalty = key.penalty;
