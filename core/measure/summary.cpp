@@ -32,7 +32,7 @@ double summary(std::span<const Values> frames, Measure measure) {
     return sum / static_cast<double>(values.size());
 }
 
-std::vector<std::size_t> pareto_front(std::span<const Trade> trades, Better better) {
+std::vector<std::size_t> pareto_points(std::span<const Trade> trades, Better better) {
     const auto beats = [&](const Trade& a, const Trade& b) {
         const bool as_good = better == Better::higher ? a.value >= b.value : a.value <= b.value;
         return a.ms <= b.ms && as_good && (a.ms < b.ms || a.value != b.value);

@@ -26,6 +26,6 @@ struct Trade {
 
 /// Indices of those that no other one beats in both, by time. Those without a time or a value are left out; equal ones
 /// are all there. `better`: higher or lower values.
-std::vector<std::size_t> pareto_front(std::span<const Trade> trades, Better better);
+std::vector<std::size_t> pareto_points(std::span<const Trade> trades, Better better);
 
 }  // namespace sightline

@@ -54,7 +54,7 @@ void write_markdown(const Results& results, const std::string& command, const st
                 " frames, reference: " + markdown_escaped(first.reference) + ".\n\n";
         for (const Measure measure : {Measure::wrong, Measure::coverage}) {
             const std::string stem = file_stem("results-" + group.scene + "-" + std::string(measure_row(measure).id));
-            write_chart(frontier(group, measure), images / stem);
+            write_chart(trade_off(group, measure), images / stem);
             std::filesystem::remove(images / (stem + ".gp"));
             std::filesystem::remove(images / (stem + ".png"));
             text += "![Time per frame and " + std::string(measure_row(measure).title) +

@@ -1,4 +1,4 @@
-// A study as a page of documentation: tables and frontiers with their conditions.
+// A study as a page of documentation: tables and trade-offs with their conditions.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,7 +9,7 @@
 
 namespace sightline::lab {
 
-/// Writes `file` and beside it images/results-*.svg, the frontiers. `command` is what made it, as a shell takes it.
+/// Writes `file` and beside it images/results-*.svg, the trade-offs. `command` is what made it, as a shell takes it.
 /// Throws WorkError.
 void write_markdown(const Results& results, const std::string& command, const std::filesystem::path& file);
 

@@ -103,16 +103,16 @@ std::vector<Group> groups(const Results& results) {
     return all;
 }
 
-std::vector<FrontierPoint> pareto_front(const std::vector<const Row*>& rows, Measure measure) {
+std::vector<TradeOffPoint> pareto_points(const std::vector<const Row*>& rows, Measure measure) {
     std::vector<Trade> trades;
     for (const Row* row : rows) trades.push_back({summary(*row, Measure::total_ms), summary(*row, measure)});
-    std::vector<FrontierPoint> front;
-    for (const std::size_t i : sightline::pareto_front(trades, measure_row(measure).better))
+    std::vector<TradeOffPoint> front;
+    for (const std::size_t i : sightline::pareto_points(trades, measure_row(measure).better))
         front.push_back({rows[i], trades[i].ms, trades[i].value});
     return front;
 }
 
-Chart frontier(const Group& group, Measure measure) {
+Chart trade_off(const Group& group, Measure measure) {
     Chart chart;
     chart.title = heading(group) + ": speed and accuracy";
     const bool drawn = std::any_of(group.rows.begin(), group.rows.end(),
@@ -124,11 +124,11 @@ Chart frontier(const Group& group, Measure measure) {
     if (measure_row(measure).better == Better::higher) chart.most_y = 105;
 
     Series front;
-    front.name = "Pareto front";
+    front.name = "Pareto points";
     front.colour = "#c8c8c8";
     front.width = 7;
     front.look = Series::Look::line;
-    for (const FrontierPoint& point : pareto_front(group.rows, measure))
+    for (const TradeOffPoint& point : pareto_points(group.rows, measure))
         front.points.push_back({point.ms, scaled(measure, point.value)});
     chart.series.push_back(std::move(front));
 
@@ -182,12 +182,12 @@ std::vector<NamedChart> study_charts(const Results& results) {
                                        [](const Row* row) { return !std::isnan(summary(*row, Measure::total_ms)); });
         const bool has_curve = group.rows.front()->frames.size() > 1;
         if (timed) {
-            add(stem + "-frontier-wrong",
+            add(stem + "-trade-off-wrong",
                 "Down and to the left is better. The grey line joins what nothing beats in both.",
-                frontier(group, Measure::wrong));
-            add(stem + "-frontier-coverage",
+                trade_off(group, Measure::wrong));
+            add(stem + "-trade-off-coverage",
                 "Up and to the left is better. The oracle is what the budget could find at best.",
-                frontier(group, Measure::coverage));
+                trade_off(group, Measure::coverage));
         }
         if (!has_curve) continue;
         for (const auto& rows : by_method(group))

@@ -1,4 +1,4 @@
-// Which charts a study gets: the frontier of speed and accuracy, and curves over the frames of a path.
+// Which charts a study gets: the trade-off of speed and accuracy, and curves over the frames of a path.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,7 +12,7 @@ namespace sightline::lab {
 
 struct NamedChart {
     std::string scene, path;
-    std::string id;    ///< of the file, e.g. "city-test-frontier-wrong"
+    std::string id;    ///< of the file, e.g. "city-test-trade-off-wrong"
     std::string text;  ///< one sentence: how to read it
     Chart chart;
 };
@@ -25,16 +25,16 @@ struct Group {
 std::vector<Group> groups(const Results& results);
 
 /// A dot that no other one beats in both time and the measure.
-struct FrontierPoint {
+struct TradeOffPoint {
     const Row* row;
     double ms, value;
 };
 /// By time. Rows without a time or a value are left out; equal ones are all there.
-std::vector<FrontierPoint> pareto_front(const std::vector<const Row*>& rows, Measure measure);
+std::vector<TradeOffPoint> pareto_points(const std::vector<const Row*>& rows, Measure measure);
 
-/// x time per frame, y wrong pixels or coverage: a line per method, a dot per budget, the Pareto front under them and,
-/// over coverage, the oracle, which draws as fast as the fastest and needs no traversal.
-Chart frontier(const Group& group, Measure measure);
+/// x time per frame, y wrong pixels or coverage: a line per method, a dot per budget, the line of the Pareto points
+/// under them and, over coverage, the oracle, which draws as fast as the fastest and needs no traversal.
+Chart trade_off(const Group& group, Measure measure);
 
 /// Every chart of a study, group by group (TVCG figs. 10 to 12 and 15 in form).
 std::vector<NamedChart> study_charts(const Results& results);

@@ -86,7 +86,7 @@ std::span<const Command<D>> desk_commands() {
         Command<D>{"scenes", "", "choose a scene", "O", flip<&Desk::chooser, D>},
         Command<D>{
             "show", "PANEL", "show or hide a panel, the timeline or the legend",
-            "1=why 2=code 3=front 4=inversions 5=breakpoints 6=notes 7=settings 8=frontier Tab=timeline E=legend",
+            "1=why 2=code 3=front 4=inversions 5=breakpoints 6=notes 7=settings 8=trade-off Tab=timeline E=legend",
             show<D>},
         Command<D>{
             "tool",

@@ -23,7 +23,7 @@ std::span<const Command<D>> change_commands();
 template <int D>
 std::span<const Command<D>> compare_commands();
 template <int D>
-std::span<const Command<D>> frontier_commands();
+std::span<const Command<D>> trade_off_commands();
 template <int D>
 std::span<const Command<D>> edit_commands();
 template <int D>

@@ -15,9 +15,9 @@
 #include "shell/desk/comparison.h"
 #include "shell/desk/desk.h"
 #include "shell/desk/flight.h"
-#include "shell/desk/frontier.h"
 #include "shell/desk/graphics.h"
 #include "shell/desk/history.h"
+#include "shell/desk/trade_off.h"
 #include "shell/desk/transport.h"
 
 namespace sightline {
@@ -58,7 +58,7 @@ struct Workbench {
     std::vector<std::string> recent{};  ///< what `open` took, newest first
     std::vector<Place> places{};        ///< written anew by each frame of the window
     Graphics graphics{};                ///< 3D
-    Frontier<D> frontier{};
+    TradeOff<D> trade_off{};
 
     /// Counts the traversals: what was derived from the recording is made again when this has changed.
     std::uint64_t run = 0;

@@ -21,8 +21,8 @@ std::span<const Panel<D>> panel_table() {
         Panel<D>{"inversions", "Inversions", "hidden cells projected before visible ones", Column::right,
                  inversion_rows<D>},
         Panel<D>{"compare", "Compare", "two sessions beside each other", Column::right, compare_rows<D>},
-        Panel<D>{"frontier", "Frontier", "speed against accuracy of every method in this scene", Column::right,
-                 frontier_rows<D>, Body::chart},
+        Panel<D>{"trade-off", "Trade-off", "speed against accuracy of every method in this scene", Column::right,
+                 trade_off_rows<D>, Body::chart},
         Panel<D>{"breakpoints", "Breakpoints", "where a run stops, and marks", Column::right, breakpoint_rows<D>},
         Panel<D>{"notes", "Notes", "notes and bookmarks", Column::right, note_rows<D>},
     };

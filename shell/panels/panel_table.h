@@ -23,7 +23,7 @@ std::vector<Row> note_rows(const Workbench<D>& bench);
 template <int D>
 std::vector<Row> compare_rows(const Workbench<D>& bench);
 template <int D>
-std::vector<Row> frontier_rows(const Workbench<D>& bench);
+std::vector<Row> trade_off_rows(const Workbench<D>& bench);
 template <int D>
 std::vector<Row> settings_rows(const Workbench<D>& bench);
 

@@ -44,7 +44,7 @@ void panel_column(Ui& ui, Workbench<D>& bench, Column side, const Area& area) {
     tabs(ui, bench, side, shown);
     ImGui::Separator();
     if (const Panel<D>* panel = find_panel<D>(shown)) {
-        if (panel->body == Body::chart) frontier_chart(ui, bench);
+        if (panel->body == Body::chart) trade_off_chart(ui, bench);
         ImGui::BeginChild(shown.c_str());
         if (panel->body == Body::widgets)
             settings_widgets(ui, bench);

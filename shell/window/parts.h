@@ -36,9 +36,9 @@ void draw_rows(Ui& ui, const std::vector<Row>& rows, std::uint32_t hovered_cell)
 template <int D>
 void settings_widgets(Ui& ui, Workbench<D>& bench);
 
-/// The chart over the rows of the frontier panel.
+/// The chart over the rows of the trade-off panel.
 template <int D>
-void frontier_chart(Ui& ui, Workbench<D>& bench);
+void trade_off_chart(Ui& ui, Workbench<D>& bench);
 
 /// The lanes of the recorded run.
 template <int D>

@@ -10,7 +10,7 @@
 #include "shell/commands/command_table.h"
 #include "shell/commands/prompt.h"
 #include "shell/desk/fly.h"
-#include "shell/desk/measure_frontier.h"
+#include "shell/desk/measure_trade_off.h"
 #include "shell/desk/moved.h"
 #include "shell/desk/play.h"
 #include "shell/window/imgui_backend.h"
@@ -25,7 +25,7 @@ namespace {
 constexpr std::size_t most_messages = 500;
 /// Pixels at scale 1.
 constexpr float least_side = 32;
-/// Of a frame, for the frontier.
+/// Of a frame, for the trade-off.
 constexpr double measuring_ms = 8;
 constexpr float text_pixels = 15, label_pixels = 12;
 /// Of the projector mode, in a window 1080 pixels high.
@@ -269,14 +269,14 @@ void Window<D>::fit_theme() {
     ++ui_.revision;
 }
 
-/// A little of the frontier, where a person looks at it and does nothing else.
+/// A little of the trade-off, where a person looks at it and does nothing else.
 template <int D>
 void Window<D>::measure() {
     const Panel<D>* const shown = find_panel<D>(bench_.desk.right);
     const bool watched = shown && shown->body == Body::chart && !bench_.desk.projector;
     if (!watched || was_touched_ || ImGui::IsAnyMouseDown() || after_frame_ || !stands_still(bench_)) return;
     glFinish();  // what still draws would be in the times
-    if (advance_frontier(bench_, measuring_ms)) lively_frames_ = std::max(lively_frames_, 1);
+    if (advance_trade_off(bench_, measuring_ms)) lively_frames_ = std::max(lively_frames_, 1);
 }
 
 template <int D>

@@ -1,4 +1,4 @@
-// Charts and the report: the Pareto front, what gnuplot makes of a chart, claims, and a page that needs no other file.
+// Charts and the report: the Pareto points, what gnuplot makes of a chart, claims, and a page that needs no other file.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/report/report.h"
 
@@ -64,7 +64,7 @@ std::vector<const Row*> pointers(const std::vector<Row>& rows) {
     return all;
 }
 
-TEST(LabFrontier, IsWhatNothingBeats) {
+TEST(LabTradeOff, IsWhatNothingBeats) {
     Random random(71);
     for (int round = 0; round < 200; ++round) {
         std::vector<Row> rows;
@@ -72,7 +72,7 @@ TEST(LabFrontier, IsWhatNothingBeats) {
             rows.push_back(report_row("city", "layers", "1%", static_cast<double>(1 + random.below(6)),
                                       static_cast<double>(random.below(6)), static_cast<double>(random.below(6)), 1));
         for (const M measure : {M::wrong, M::coverage}) {
-            const auto front = pareto_front(pointers(rows), measure);
+            const auto front = pareto_points(pointers(rows), measure);
             for (const Row& row : rows) {
                 const double ms = row.values[0][M::total_ms], value = row.values[0][measure];
                 const bool beaten = std::any_of(rows.begin(), rows.end(), [&](const Row& other) {
@@ -88,15 +88,15 @@ TEST(LabFrontier, IsWhatNothingBeats) {
     }
 }
 
-TEST(LabFrontier, SaysWhatItsTimesAre) {
+TEST(LabTradeOff, SaysWhatItsTimesAre) {
     Row row = report_row("2d:rooms", "layers", "5%", 1, 0.1, 0.9);
-    const auto axis = [&] { return frontier({row.scene, row.path, {&row}}, M::wrong).x; };
+    const auto axis = [&] { return trade_off({row.scene, row.path, {&row}}, M::wrong).x; };
     EXPECT_NE(axis().find("drawing"), std::string::npos);
     for (Values& v : row.values) v[M::draw_ms] = v[M::upload_ms] = std::numeric_limits<double>::quiet_NaN();
     EXPECT_NE(axis().find("traversal alone"), std::string::npos) << axis();
 }
 
-TEST(LabFrontier, NamesTheBestWithinATime) {
+TEST(LabTradeOff, NamesTheBestWithinATime) {
     const std::vector<Row> rows{report_row("city", "published", "1%", 4, 0.3, 0),
                                 report_row("city", "layers", "1%", 6, 0.1, 0),
                                 report_row("city", "centroid", "1%", 5, 0.2, 0)};

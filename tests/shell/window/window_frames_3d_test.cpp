@@ -142,7 +142,7 @@ std::string Window3OffScreen::argument(std::string_view id) {
     if (id == "show") return std::string(panel_table<3>()[random.below(panel_table<3>().size())].id);
     if (id == "tool") return one_of(std::array{"select", "text", "ring"});
     if (id == "axis") return one_of(timeline_axis_words);
-    if (id == "frontier") return one_of(std::array{"go", "stop", "anew", "coverage", "centroid 10%"});
+    if (id == "trade-off") return one_of(std::array{"go", "stop", "restart", "coverage", "centroid 10%"});
     if (id == "scale") return one_of(std::array{"up", "down", "1"});
     return "";
 }

@@ -142,7 +142,7 @@ std::string WindowOffScreen::argument(std::string_view id) {
     if (id == "show") return std::string(panel_table<2>()[random.below(panel_table<2>().size())].id);
     if (id == "tool") return one_of(tool_words);
     if (id == "axis") return one_of(timeline_axis_words);
-    if (id == "frontier") return one_of(std::array{"go", "stop", "anew", "coverage", "published 5%"});
+    if (id == "trade-off") return one_of(std::array{"go", "stop", "restart", "coverage", "published 5%"});
     if (id == "scale") return one_of(std::array{"up", "down", "1", "2", "0.5"});
     return "";
 }

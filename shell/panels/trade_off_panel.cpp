@@ -5,7 +5,7 @@
 
 #include "core/base/number.h"
 #include "core/session/settings_table.h"
-#include "shell/desk/measure_frontier.h"
+#include "shell/desk/measure_trade_off.h"
 #include "shell/panels/panel_table.h"
 
 namespace sightline {
@@ -17,25 +17,27 @@ std::string per_cent(double share) { return std::isnan(share) ? "none" : short_n
 }  // namespace
 
 template <int D>
-std::vector<Row> frontier_rows(const Workbench<D>& bench) {
-    const Frontier<D>& frontier = bench.frontier;
-    const FrontierStudy<D>& study = frontier.study;
+std::vector<Row> trade_off_rows(const Workbench<D>& bench) {
+    const TradeOff<D>& trade_off = bench.trade_off;
+    const TradeOffStudy<D>& study = trade_off.study;
     if (!study.task().scene)
-        return {{"Speed against accuracy of this scene: shown, the panel fills itself; frontier finish does it at once",
-                 Tone::faint}};
-    std::vector<Row> rows{{study.task().scene->id + ", " + frontier.path, Tone::heading}};
+        return {
+            {"Speed against accuracy of this scene. Fills in while this panel is open; `trade-off finish` measures it "
+             "at once",
+             Tone::faint}};
+    std::vector<Row> rows{{study.task().scene->id + ", " + trade_off.path, Tone::heading}};
     Row progress{study.finished() ? "measured, all " + std::to_string(study.total())
-                                  : "measured: " + frontier_progress_text(bench)};
+                                  : "measured: " + trade_off_progress_text(bench)};
     if (!study.finished()) {
-        progress.command = frontier.stopped ? "frontier go" : "frontier stop";
-        progress.text += frontier.stopped ? " (click: go on)" : " (click: stop)";
+        progress.command = trade_off.stopped ? "trade-off go" : "trade-off stop";
+        progress.text += trade_off.stopped ? " (click: go on)" : " (click: stop)";
     }
     rows.push_back(std::move(progress));
-    if (const std::string work = frontier_work_text(bench); !work.empty()) rows.push_back({work, Tone::faint});
-    if (!frontier.word.empty()) rows.push_back({frontier.word, Tone::lit});
-    const std::vector<std::size_t> front = frontier_front(bench);
+    if (const std::string work = trade_off_work_text(bench); !work.empty()) rows.push_back({work, Tone::faint});
+    if (!trade_off.word.empty()) rows.push_back({trade_off.word, Tone::lit});
+    const std::vector<std::size_t> front = pareto_dots(bench);
     for (std::size_t i = 0; i < study.dots().size(); ++i) {
-        const FrontierDot& dot = study.dots()[i];
+        const TradeOffDot& dot = study.dots()[i];
         const double ms = study.value(dot, Measure::total_ms);
         const Variant<D>& variant = study.task().variants[dot.variant];
         const bool is_best = std::find(front.begin(), front.end(), i) != front.end();
@@ -47,7 +49,7 @@ std::vector<Row> frontier_rows(const Workbench<D>& bench) {
         const bool now = is_current(bench, dot);
         row.tone = now ? Tone::lit : is_best ? Tone::good : Tone::plain;
         if (now) row.text += " (now)";
-        row.command = frontier_command(bench, dot);
+        row.command = trade_off_command(bench, dot);
         row.tip = std::string(variant.method.sentence) +
                   (variant.method.promise == Misses::may ? " [approximate]" : " [conservative]") +
                   ". A click sets this method and this budget.";
@@ -55,16 +57,16 @@ std::vector<Row> frontier_rows(const Workbench<D>& bench) {
     }
     const ImageSize reference = image_size<D>(study.task().reference_size);
     const std::string size = D == 2 ? std::to_string(reference.width) + " pixels" : image_size_text(reference);
-    rows.push_back({"Time: " + frontier_time_text(bench) +
+    rows.push_back({"Time: " + trade_off_time_text(bench) +
                         (study.task().time_drawing ? ", off screen at " + size : "") +
                         ", median of 3 in this window's program; it differs from run to run. Accuracy: mean over " +
                         "frames against " + (D == 2 ? "an item buffer of " : "the item buffer ") + size + ".",
                     Tone::faint});
-    rows.push_back({"measure anew", Tone::faint, "frontier anew"});
+    rows.push_back({"measure again from the start", Tone::faint, "trade-off restart"});
     return rows;
 }
 
-template std::vector<Row> frontier_rows<2>(const Workbench<2>&);
-template std::vector<Row> frontier_rows<3>(const Workbench<3>&);
+template std::vector<Row> trade_off_rows<2>(const Workbench<2>&);
+template std::vector<Row> trade_off_rows<3>(const Workbench<3>&);
 
 }  // namespace sightline

@@ -1,4 +1,4 @@
-// Where the dots and the numbers of the frontier's chart stand. Pure functions.
+// Where the dots and the numbers of the trade-off's chart stand. Pure functions.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,9 +12,9 @@
 namespace sightline {
 
 /// x is the logarithm of milliseconds, y per cent from 0.
-struct FrontierPlot {
+struct TradeOffPlot {
     struct Dot {
-        std::size_t index = 0;  ///< into FrontierStudy::dots
+        std::size_t index = 0;  ///< into TradeOffStudy::dots
         ImVec2 at;
     };
     struct Tick {
@@ -28,9 +28,9 @@ struct FrontierPlot {
 
 /// Every dot inside `area`, and a few numbers on each axis.
 template <int D>
-FrontierPlot frontier_plot(const Workbench<D>& bench, const Area& area);
+TradeOffPlot trade_off_plot(const Workbench<D>& bench, const Area& area);
 
 /// The nearest one to the mouse, at most `reach` away; nullptr when there is none.
-const FrontierPlot::Dot* dot_at(const FrontierPlot& plot, const ImVec2& mouse, float reach);
+const TradeOffPlot::Dot* dot_at(const TradeOffPlot& plot, const ImVec2& mouse, float reach);
 
 }  // namespace sightline

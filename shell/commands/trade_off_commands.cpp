@@ -1,4 +1,4 @@
-// Commands of the frontier of speed and accuracy.
+// Commands of the trade-off of speed and accuracy.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <limits>
 
@@ -7,7 +7,7 @@
 #include "shell/commands/arguments.h"
 #include "shell/commands/groups.h"
 #include "shell/desk/change.h"
-#include "shell/desk/measure_frontier.h"
+#include "shell/desk/measure_trade_off.h"
 
 namespace sightline {
 
@@ -17,7 +17,7 @@ namespace {
 template <int D>
 void choose(Workbench<D>& bench, Text text) {
     const std::size_t space = text.rfind(' ');
-    const Variant<D> variant = make_variant<D>(bench.methods, text.substr(0, space), bench.frontier.base);
+    const Variant<D> variant = make_variant<D>(bench.methods, text.substr(0, space), bench.trade_off.base);
     Settings settings = bench.session.settings();
     settings.method = variant.method.id;
     for (const ParameterRow* row : variant.method.parameters)
@@ -27,47 +27,47 @@ void choose(Workbench<D>& bench, Text text) {
 }
 
 template <int D>
-void frontier(Workbench<D>& bench, Text text) {
-    Frontier<D>& frontier = bench.frontier;
+void trade_off(Workbench<D>& bench, Text text) {
+    TradeOff<D>& trade_off = bench.trade_off;
     if (text == "stop" || text == "go") {
-        frontier.stopped = text == "stop";
+        trade_off.stopped = text == "stop";
         return;
     }
     if (text == "wrong" || text == "coverage") {
-        frontier.shown = text == "wrong" ? Measure::wrong : Measure::coverage;
+        trade_off.shown = text == "wrong" ? Measure::wrong : Measure::coverage;
         return;
     }
-    if (text == "anew") return restart_frontier(bench);
+    if (text == "restart") return restart_trade_off(bench);
     if (text == "finish") {
-        frontier.stopped = false;
-        while (advance_frontier(bench, std::numeric_limits<double>::infinity())) {
+        trade_off.stopped = false;
+        while (advance_trade_off(bench, std::numeric_limits<double>::infinity())) {
         }
-        if (frontier.stopped) throw WorkError(frontier.word);
+        if (trade_off.stopped) throw WorkError(trade_off.word);
         return;
     }
     if (const auto [verb, rest] = split_word(text); verb == "add") {
-        frontier.added.push_back(make_variant<D>(bench.methods, rest).text);
-        return update_frontier(bench);
+        trade_off.added.push_back(make_variant<D>(bench.methods, rest).text);
+        return update_trade_off(bench);
     }
     if (split_word(text)[1].empty())
-        throw InputError("write METHOD BUDGET, add METHOD, stop, go, anew, finish, wrong or coverage");
+        throw InputError("write METHOD BUDGET, add METHOD, stop, go, restart, finish, wrong or coverage");
     choose(bench, text);
 }
 
 }  // namespace
 
 template <int D>
-std::span<const Command<D>> frontier_commands() {
+std::span<const Command<D>> trade_off_commands() {
     static constexpr std::array table{
-        Command<D>{"frontier", "METHOD BUDGET | add METHOD | stop | go | anew | finish | wrong | coverage",
+        Command<D>{"trade-off", "METHOD BUDGET | add METHOD | stop | go | restart | finish | wrong | coverage",
                    "set method and budget of a dot; measure one more method or variant; stop, go on, restart, finish; "
                    "choose the vertical axis",
-                   "", frontier<D>},
+                   "", trade_off<D>},
     };
     return table;
 }
 
-template std::span<const Command<2>> frontier_commands<2>();
-template std::span<const Command<3>> frontier_commands<3>();
+template std::span<const Command<2>> trade_off_commands<2>();
+template std::span<const Command<3>> trade_off_commands<3>();
 
 }  // namespace sightline

@@ -1,4 +1,4 @@
-// The frontier of speed and accuracy, measured slice by slice, and when it begins anew.
+// The trade-off of speed and accuracy, measured slice by slice, and when it begins anew.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <gtest/gtest.h>
@@ -10,10 +10,10 @@
 #include "core/measure/wrong_region.h"
 #include "core/scene/scene_view.h"
 #include "shell/commands/command_table.h"
-#include "shell/desk/measure_frontier.h"
+#include "shell/desk/measure_trade_off.h"
 #include "shell/desk/moves.h"
 #include "shell/panels/panel_table.h"
-#include "shell/window/frontier_plot.h"
+#include "shell/window/trade_off_plot.h"
 #include "tests/session/session_3d_support.h"
 #include "tests/session/session_support.h"
 #include "tests/shell/commands/commands_support.h"
@@ -27,8 +27,8 @@ constexpr std::size_t published_row = 0, layers_row = 1, view_row = 3;
 using M = Measure;
 
 template <int D>
-FrontierTask<D> task_of(const Session<D>& session, std::size_t views, Random& random) {
-    FrontierTask<D> task{session.shared_scene(), session.shared_cells(), session.settings().reference_size, {}, {}};
+TradeOffTask<D> task_of(const Session<D>& session, std::size_t views, Random& random) {
+    TradeOffTask<D> task{session.shared_scene(), session.shared_cells(), session.settings().reference_size, {}, {}};
     ViewSpec<D> spec = session.culling_view();
     for (std::size_t i = 0; i < views; ++i) {
         task.views.push_back(scene_view(spec, session.scene(), session.settings().reference_size));
@@ -42,12 +42,12 @@ FrontierTask<D> task_of(const Session<D>& session, std::size_t views, Random& ra
 
 /// Every dot against one whole run per view and method, without slices.
 template <int D>
-void check_all(const FrontierStudy<D>& study) {
-    const FrontierTask<D>& task = study.task();
+void check_all(const TradeOffStudy<D>& study) {
+    const TradeOffTask<D>& task = study.task();
     const CellComplex<D>* const cells = task.cells.get();
     for (std::size_t v = 0; v < task.views.size(); ++v) {
         const auto truths = make_truths<D>(*task.scene, {&cells, 1}, task.views[v], task.reference_size, task.draw_ids);
-        for (const FrontierDot& dot : study.dots()) {
+        for (const TradeOffDot& dot : study.dots()) {
             const Variant<D>& variant = task.variants[dot.variant];
             const Problem<D> problem{task.scene.get(), cells, task.views[v], none, variant.parameters, nullptr, {}};
             const WholeRun run = whole_run<D>(variant.method, problem, truths[0].reference);
@@ -70,13 +70,13 @@ void check_all(const FrontierStudy<D>& study) {
     }
 }
 
-TEST(Frontier, IsInSlicesWhatItIsAtOnce) {
+TEST(TradeOff, IsInSlicesWhatItIsAtOnce) {
     Random random(61);
     for (int i = 0; i < 6; ++i) {
         Start start = random_start(random, 90);
         start.settings.budget = {};
         const Session<2> session = start.session();
-        FrontierStudy<2> study(task_of(session, 2, random));
+        TradeOffStudy<2> study(task_of(session, 2, random));
         study.ask(study.task().variants[published_row], {Budget::Kind::primitives, 7});
         std::size_t done = 0, slices = 0;
         while (study.advance()) {
@@ -94,7 +94,7 @@ TEST(Frontier, IsInSlicesWhatItIsAtOnce) {
     for (int i = 0; i < 3; ++i) {
         Start3 start = random_start_3d(random);
         const Session<3> session = start.session();
-        FrontierTask<3> task = task_of(session, 2, random);
+        TradeOffTask<3> task = task_of(session, 2, random);
         task.draw_ids = cast_rays;
         constexpr std::array draw_ms{100.0, 5.0, 1.0, 3.0};  // the first one warms up
         std::vector<std::size_t> drawn;                      // how many triangles each time
@@ -103,12 +103,12 @@ TEST(Frontier, IsInSlicesWhatItIsAtOnce) {
             drawn.push_back(ids.size());
             return DrawTimes{2 * ms, ms};
         };
-        FrontierStudy<3> study(std::move(task));
+        TradeOffStudy<3> study(std::move(task));
         std::vector<std::size_t> before(study.dots().size());
         for (std::size_t times = 0; study.advance(); times = drawn.size()) {
             ASSERT_LE(drawn.size(), times + 1) << "a slice draws twice";
             for (std::size_t d = 0; d < before.size(); ++d) {
-                const FrontierDot& dot = study.dots()[d];
+                const TradeOffDot& dot = study.dots()[d];
                 if (std::exchange(before[d], dot.frames.size()) == dot.frames.size()) continue;
                 ASSERT_EQ(drawn.size(), 4 * study.done());
                 for (std::size_t t = drawn.size() - 4; t < drawn.size(); ++t)
@@ -116,21 +116,21 @@ TEST(Frontier, IsInSlicesWhatItIsAtOnce) {
             }
         }
         check_all(study);
-        for (const FrontierDot& dot : study.dots()) {
+        for (const TradeOffDot& dot : study.dots()) {
             EXPECT_EQ(dot.frames[0][M::upload_ms], 6);
             EXPECT_EQ(dot.frames[0][M::draw_ms], 3);
         }
     }
 }
 
-TEST(Frontier, ComparesDotsOverTheViewsThatAllHave) {
+TEST(TradeOff, ComparesDotsOverTheViewsThatAllHave) {
     Random random(62);
     const Session<2> session = random_start(random, 90).session();
-    FrontierStudy<2> study(task_of(session, 3, random));
+    TradeOffStudy<2> study(task_of(session, 3, random));
     std::size_t ahead = 0;  // dots whose own frames have another mean
     while (study.advance()) {
         const std::size_t count = std::max<std::size_t>(study.common_views(), 1);
-        for (const FrontierDot& dot : study.dots()) {
+        for (const TradeOffDot& dot : study.dots()) {
             const double value = study.value(dot, M::visible);
             if (dot.frames.size() < count) {
                 ASSERT_TRUE(std::isnan(value));
@@ -146,14 +146,14 @@ TEST(Frontier, ComparesDotsOverTheViewsThatAllHave) {
     EXPECT_GT(ahead, 0u);
 }
 
-TEST(Frontier, MeasuresTheBudgetThatIsAskedForToo) {
+TEST(TradeOff, MeasuresTheBudgetThatIsAskedForToo) {
     Random random(63);
     const Session<2> session = random_start(random, 90).session();
-    FrontierStudy<2> study(task_of(session, 1, random));
+    TradeOffStudy<2> study(task_of(session, 1, random));
     const std::size_t usual = study.dots().size();
     EXPECT_EQ(usual, 3u * 4 + 2) << "four budgets for each approximate method, none for the others";
     std::vector<double> shares;
-    for (const FrontierDot& dot : study.dots())
+    for (const TradeOffDot& dot : study.dots())
         if (dot.variant == 0) shares.push_back(dot.budget.value);
     EXPECT_EQ(shares, (std::vector{0.01, 0.02, 0.05, 0.10}));
     study.ask(study.task().variants[layers_row], {Budget::Kind::share, 0.05});
@@ -176,31 +176,31 @@ TEST(Frontier, MeasuresTheBudgetThatIsAskedForToo) {
     check_all(study);
 }
 
-class FrontierOf : public Commands {
+class TradeOffOf : public Commands {
 protected:
-    void finish() { run("frontier finish"); }
-    const FrontierStudy<2>& study() const { return bench->frontier.study; }
+    void finish() { run("trade-off finish"); }
+    const TradeOffStudy<2>& study() const { return bench->trade_off.study; }
     std::string word() {
-        update_frontier(*bench);
-        return bench->frontier.word;
+        update_trade_off(*bench);
+        return bench->trade_off.word;
     }
 };
 
-TEST_F(FrontierOf, BeginsAnewWhereItMustAndSaysWhy) {
+TEST_F(TradeOffOf, BeginsAnewWhereItMustAndSaysWhy) {
     finish();
     ASSERT_TRUE(study().finished());
     EXPECT_EQ(word(), "");
     const std::size_t done = study().done();
-    for (const char* harmless : {"method layers; budget 5%", "set show_normals=on", "step 5", "frontier coverage"}) {
+    for (const char* harmless : {"method layers; budget 5%", "set show_normals=on", "step 5", "trade-off coverage"}) {
         run(harmless);
         EXPECT_EQ(word(), "") << harmless;
         EXPECT_EQ(study().done(), done) << harmless;
     }
     const std::array<std::pair<const char*, const char*>, 4> changes{
-        std::pair{"set error_bound=0.2", "begun anew: another tessellation"},
-        {"set reference_size=640", "begun anew: another reference size"},
-        {"eye 30,30", "begun anew: the view moved"},
-        {"segment add 1,1 2,2", "begun anew: another scene"}};
+        std::pair{"set error_bound=0.2", "restarted: another tessellation"},
+        {"set reference_size=640", "restarted: another reference size"},
+        {"eye 30,30", "restarted: the view moved"},
+        {"segment add 1,1 2,2", "restarted: another scene"}};
     for (const auto& [command, why] : changes) {
         run(command);
         EXPECT_EQ(word(), why) << command;
@@ -208,59 +208,59 @@ TEST_F(FrontierOf, BeginsAnewWhereItMustAndSaysWhy) {
         finish();
     }
     bench->flight.path = {"round", {bench->session.culling_view(), bench->session.culling_view()}, {}, {}};
-    EXPECT_EQ(word(), "begun anew: another path");
+    EXPECT_EQ(word(), "restarted: another path");
     EXPECT_EQ(study().task().views.size(), 2u);
 }
 
-TEST_F(FrontierOf, StopsKeepsWhatItHasAndGoesOn) {
-    while (study().done() < 5) advance_frontier(*bench, 0.01);
-    run("frontier stop");
+TEST_F(TradeOffOf, StopsKeepsWhatItHasAndGoesOn) {
+    while (study().done() < 5) advance_trade_off(*bench, 0.01);
+    run("trade-off stop");
     const std::size_t done = study().done();
-    EXPECT_FALSE(advance_frontier(*bench, 50));
+    EXPECT_FALSE(advance_trade_off(*bench, 50));
     EXPECT_EQ(study().done(), done);
-    run("frontier go");
-    EXPECT_TRUE(advance_frontier(*bench, 0.01));
+    run("trade-off go");
+    EXPECT_TRUE(advance_trade_off(*bench, 0.01));
     finish();
     EXPECT_TRUE(study().finished());
-    run("frontier anew");
+    run("trade-off restart");
     EXPECT_EQ(study().done(), 0u);
 }
 
-TEST_F(FrontierOf, SaysHowFarItIsAndHowLongItStillTakes) {
-    update_frontier(*bench);
+TEST_F(TradeOffOf, SaysHowFarItIsAndHowLongItStillTakes) {
+    update_trade_off(*bench);
     const std::string total = " of " + std::to_string(study().total());
-    EXPECT_EQ(frontier_progress_text(*bench), "0" + total) << "nothing tells how long it takes";
+    EXPECT_EQ(trade_off_progress_text(*bench), "0" + total) << "nothing tells how long it takes";
     while (study().done() < 5) {
-        const FrontierDot* const next = study().next_dot();
+        const TradeOffDot* const next = study().next_dot();
         ASSERT_TRUE(next);
-        EXPECT_EQ(frontier_work_text(*bench), "measuring " + study().task().variants[next->variant].text + " " +
-                                                  budget_text(next->budget) + ", frame 1 of 1");
+        EXPECT_EQ(trade_off_work_text(*bench), "measuring " + study().task().variants[next->variant].text + " " +
+                                                   budget_text(next->budget) + ", frame 1 of 1");
         const std::size_t frames = next->frames.size(), done = study().done();
-        bench->frontier.study.advance();
+        bench->trade_off.study.advance();
         EXPECT_EQ(study().done() - done, next->frames.size() - frames) << "another dot was measured";
     }
-    bench->frontier.spent_ms = 5 * 13'000;
-    EXPECT_EQ(frontier_progress_text(*bench),
+    bench->trade_off.spent_ms = 5 * 13'000;
+    EXPECT_EQ(trade_off_progress_text(*bench),
               "5" + total + ", about " + duration_text(13.0 * static_cast<double>(study().total() - 5)) + " left");
     run("play");
-    EXPECT_EQ(frontier_progress_text(*bench), "5" + total + ", waits for rest");
-    EXPECT_EQ(frontier_work_text(*bench), "");
-    run("pause; frontier stop");
-    EXPECT_EQ(frontier_progress_text(*bench), "5" + total + ", stopped");
-    EXPECT_EQ(frontier_work_text(*bench), "");
-    const auto rows = frontier_rows(*bench);
+    EXPECT_EQ(trade_off_progress_text(*bench), "5" + total + ", waits for rest");
+    EXPECT_EQ(trade_off_work_text(*bench), "");
+    run("pause; trade-off stop");
+    EXPECT_EQ(trade_off_progress_text(*bench), "5" + total + ", stopped");
+    EXPECT_EQ(trade_off_work_text(*bench), "");
+    const auto rows = trade_off_rows(*bench);
     EXPECT_EQ(rows[1].text, "measured: 5" + total + ", stopped (click: go on)");
-    EXPECT_EQ(rows[1].command, "frontier go");
-    run("frontier go");
-    advance_frontier(*bench, 5);
-    EXPECT_GT(bench->frontier.spent_ms, 5 * 13'000);
+    EXPECT_EQ(rows[1].command, "trade-off go");
+    run("trade-off go");
+    advance_trade_off(*bench, 5);
+    EXPECT_GT(bench->trade_off.spent_ms, 5 * 13'000);
     run("set reference_size=640");
-    update_frontier(*bench);
-    EXPECT_EQ(bench->frontier.spent_ms, 0) << "what was measured before takes no time of this";
-    EXPECT_EQ(frontier_progress_text(*bench), "0" + total);
+    update_trade_off(*bench);
+    EXPECT_EQ(bench->trade_off.spent_ms, 0) << "what was measured before takes no time of this";
+    EXPECT_EQ(trade_off_progress_text(*bench), "0" + total);
     finish();
-    EXPECT_EQ(frontier_rows(*bench)[1].text, "measured, all " + std::to_string(study().total()));
-    EXPECT_EQ(frontier_work_text(*bench), "");
+    EXPECT_EQ(trade_off_rows(*bench)[1].text, "measured, all " + std::to_string(study().total()));
+    EXPECT_EQ(trade_off_work_text(*bench), "");
 }
 
 TEST(DurationText, IsForPeople) {
@@ -270,10 +270,10 @@ TEST(DurationText, IsForPeople) {
     EXPECT_EQ(duration_text(185), "3 min 5 s");
 }
 
-TEST_F(FrontierOf, ItsRowsSayWhatTheStudyHas) {
+TEST_F(TradeOffOf, ItsRowsSayWhatTheStudyHas) {
     finish();
-    const auto rows = frontier_rows(*bench);
-    for (const FrontierDot& dot : study().dots()) {
+    const auto rows = trade_off_rows(*bench);
+    for (const TradeOffDot& dot : study().dots()) {
         const std::string name = study().task().variants[dot.variant].text + " " + budget_text(dot.budget) + ": ";
         const auto row = std::find_if(rows.begin(), rows.end(), [&](const Row& r) { return r.text.starts_with(name); });
         ASSERT_NE(row, rows.end()) << name;
@@ -288,28 +288,28 @@ TEST_F(FrontierOf, ItsRowsSayWhatTheStudyHas) {
     other.id = "other";
     bench->session =
         Session<2>(std::make_shared<const Scene<2>>(other), session().culling_view(), session().settings());
-    EXPECT_EQ(frontier_rows(*bench)[0].text, "bottleneck, this view alone") << "of what was measured";
-    update_frontier(*bench);
-    EXPECT_EQ(frontier_rows(*bench)[0].text, "other, this view alone");
+    EXPECT_EQ(trade_off_rows(*bench)[0].text, "bottleneck, this view alone") << "of what was measured";
+    update_trade_off(*bench);
+    EXPECT_EQ(trade_off_rows(*bench)[0].text, "other, this view alone");
 }
 
 /// The front has each dot that no other one beats: in time, and in the direction that is better.
-TEST_F(FrontierOf, FrontIsWhatNoDotBeats) {
+TEST_F(TradeOffOf, FrontIsWhatNoDotBeats) {
     finish();
     for (const M shown : {M::wrong, M::coverage}) {
-        run(shown == M::wrong ? "frontier wrong" : "frontier coverage");
+        run(shown == M::wrong ? "trade-off wrong" : "trade-off coverage");
         const double sign = shown == M::wrong ? -1 : 1;
         const auto& dots = study().dots();
         std::vector<std::size_t> expected;
         for (std::size_t i = 0; i < dots.size(); ++i) {
             const double ms = study().value(dots[i], M::total_ms), value = sign * study().value(dots[i], shown);
-            const bool beaten = std::any_of(dots.begin(), dots.end(), [&](const FrontierDot& other) {
+            const bool beaten = std::any_of(dots.begin(), dots.end(), [&](const TradeOffDot& other) {
                 const double other_ms = study().value(other, M::total_ms), v = sign * study().value(other, shown);
                 return other_ms <= ms && v >= value && (other_ms < ms || v > value);
             });
             if (!beaten) expected.push_back(i);
         }
-        std::vector<std::size_t> front = frontier_front(*bench);
+        std::vector<std::size_t> front = pareto_dots(*bench);
         std::sort(front.begin(), front.end());
         EXPECT_EQ(front, expected);
         ASSERT_GE(front.size(), 2u);
@@ -317,8 +317,8 @@ TEST_F(FrontierOf, FrontIsWhatNoDotBeats) {
     }
 }
 
-TEST_F(FrontierOf, GoesAlongThePathOrStaysWithTheView) {
-    update_frontier(*bench);
+TEST_F(TradeOffOf, GoesAlongThePathOrStaysWithTheView) {
+    update_trade_off(*bench);
     EXPECT_EQ(study().task().views.size(), 1u);
     EXPECT_EQ(study().task().views[0].eye, session().culling_view().eye);
     ViewSpec<2> view = session().culling_view();
@@ -327,14 +327,14 @@ TEST_F(FrontierOf, GoesAlongThePathOrStaysWithTheView) {
         view.eye += Vec<2>(0.25, 0.125);
         bench->flight.path.frames.push_back(view);
     }
-    update_frontier(*bench);
-    EXPECT_EQ(bench->frontier.path, "path far, 8 of 29 frames");
+    update_trade_off(*bench);
+    EXPECT_EQ(bench->trade_off.path, "path far, 8 of 29 frames");
     ASSERT_EQ(study().task().views.size(), 8u);
     for (std::size_t i = 0; i < 8; ++i)
         EXPECT_EQ(study().task().views[i].eye, bench->flight.path.frames[4 * i].eye) << "frame " << 4 * i;
 }
 
-TEST_F(FrontierOf, WaitsWhileSomethingMoves) {
+TEST_F(TradeOffOf, WaitsWhileSomethingMoves) {
     EXPECT_TRUE(stands_still(*bench));
     run("play");
     EXPECT_FALSE(stands_still(*bench));
@@ -353,20 +353,20 @@ TEST_F(FrontierOf, WaitsWhileSomethingMoves) {
     }
 }
 
-TEST_F(FrontierOf, SaysWhatEachDotIsAndAClickSetsIt) {
+TEST_F(TradeOffOf, SaysWhatEachDotIsAndAClickSetsIt) {
     finish();
-    const auto rows = frontier_rows(*bench);
+    const auto rows = trade_off_rows(*bench);
     std::size_t dots = 0;
     for (const Row& row : rows) {
-        if (!row.command.starts_with("frontier ") || row.command == "frontier anew") continue;
-        const FrontierDot& dot = study().dots()[dots++];
+        if (!row.command.starts_with("trade-off ") || row.command == "trade-off restart") continue;
+        const TradeOffDot& dot = study().dots()[dots++];
         run(row.command);
         EXPECT_EQ(session().settings().method, study().task().variants[dot.variant].text);
         EXPECT_EQ(session().settings().budget, dot.budget);
         EXPECT_TRUE(is_current(*bench, dot));
-        update_frontier(*bench);
+        update_trade_off(*bench);
         EXPECT_TRUE(study().finished()) << row.command << " made it begin anew";
-        const auto again = frontier_rows(*bench);
+        const auto again = trade_off_rows(*bench);
         EXPECT_EQ(std::count_if(again.begin(), again.end(), [](const Row& r) { return r.text.ends_with("(now)"); }), 1);
         if (dots == 14) break;  // what is asked for beside the usual ones changes with the session
     }
@@ -375,47 +375,47 @@ TEST_F(FrontierOf, SaysWhatEachDotIsAndAClickSetsIt) {
     EXPECT_EQ(session().settings().method, "view") << "one click is one entry of the history";
 }
 
-TEST_F(FrontierOf, AnErrorStopsItAndIsItsWord) {
+TEST_F(TradeOffOf, AnErrorStopsItAndIsItsWord) {
     Random random(64);
     Start3 start = random_start_3d(random);
     Workbench<3> solid{Session<3>(start.scene, start.view, start.settings)};  // without OpenGL
     solid.say = [](const std::string&) {};
-    EXPECT_FALSE(advance_frontier(solid, 1000));
-    EXPECT_TRUE(solid.frontier.stopped);
-    EXPECT_NE(solid.frontier.word.find("OpenGL"), std::string::npos) << solid.frontier.word;
-    EXPECT_THROW(run_commands(solid, "frontier finish"), WorkError);
+    EXPECT_FALSE(advance_trade_off(solid, 1000));
+    EXPECT_TRUE(solid.trade_off.stopped);
+    EXPECT_NE(solid.trade_off.word.find("OpenGL"), std::string::npos) << solid.trade_off.word;
+    EXPECT_THROW(run_commands(solid, "trade-off finish"), WorkError);
 }
 
-TEST_F(FrontierOf, PlotHoldsEveryDotAndTheNearestIsHit) {
+TEST_F(TradeOffOf, PlotHoldsEveryDotAndTheNearestIsHit) {
     run("method layers; budget 1");
     finish();
     const Area area{10, 20, 300, 200};
-    for (const char* shown : {"frontier wrong", "frontier coverage"}) {
+    for (const char* shown : {"trade-off wrong", "trade-off coverage"}) {
         run(shown);
-        const FrontierPlot plot = frontier_plot(*bench, area);
+        const TradeOffPlot plot = trade_off_plot(*bench, area);
         ASSERT_EQ(plot.dots.size(), study().dots().size());
         EXPECT_GE(plot.times.size(), 2u);
         EXPECT_GE(plot.shares.size(), 3u);
-        for (const FrontierPlot::Dot& a : plot.dots) {
+        for (const TradeOffPlot::Dot& a : plot.dots) {
             EXPECT_TRUE(area.contains(a.at)) << a.at.x << " " << a.at.y;
-            for (const FrontierPlot::Dot& b : plot.dots) {
+            for (const TradeOffPlot::Dot& b : plot.dots) {
                 const auto &p = study().dots()[a.index], &q = study().dots()[b.index];
                 if (study().value(p, M::total_ms) < study().value(q, M::total_ms)) {
                     EXPECT_LE(a.at.x, b.at.x);
                 }
-                const M m = bench->frontier.shown;
+                const M m = bench->trade_off.shown;
                 if (study().value(p, m) < study().value(q, m)) {
                     EXPECT_GE(a.at.y, b.at.y) << "more is up";
                 }
             }
-            const FrontierPlot::Dot* const hit = dot_at(plot, a.at, 9);
+            const TradeOffPlot::Dot* const hit = dot_at(plot, a.at, 9);
             ASSERT_TRUE(hit);
             EXPECT_EQ(hit->at.x, a.at.x);
             EXPECT_EQ(hit->at.y, a.at.y);
         }
         for (const auto* ticks : {&plot.times, &plot.shares}) {
             EXPECT_LE(ticks->size(), 14u);
-            for (const FrontierPlot::Tick& tick : *ticks) EXPECT_FALSE(tick.text.empty());
+            for (const TradeOffPlot::Tick& tick : *ticks) EXPECT_FALSE(tick.text.empty());
         }
         for (std::size_t i = 1; i < plot.dots.size(); ++i) {
             const auto &a = study().dots()[plot.dots[i - 1].index], &b = study().dots()[plot.dots[i].index];
@@ -429,21 +429,21 @@ TEST_F(FrontierOf, PlotHoldsEveryDotAndTheNearestIsHit) {
     }
 }
 
-TEST_F(EachCommand, frontier) {
-    run("frontier published 5%");
+TEST_F(EachCommand, trade_off) {
+    run("trade-off published 5%");
     EXPECT_EQ(session().settings().budget, (Budget{Budget::Kind::share, 0.05}));
-    run("frontier centroid unlimited");
+    run("trade-off centroid unlimited");
     EXPECT_EQ(session().settings().method, "centroid");
-    EXPECT_THROW(run("frontier nothing 5%"), InputError);
-    EXPECT_THROW(run("frontier layers"), InputError);
-    EXPECT_THROW(run("frontier layers much"), InputError);
+    EXPECT_THROW(run("trade-off nothing 5%"), InputError);
+    EXPECT_THROW(run("trade-off layers"), InputError);
+    EXPECT_THROW(run("trade-off layers much"), InputError);
     EXPECT_EQ(session().settings().method, "centroid");
-    run("frontier coverage");
-    EXPECT_EQ(bench->frontier.shown, Measure::coverage);
-    run("frontier stop");
-    EXPECT_TRUE(bench->frontier.stopped);
-    run("frontier finish");
-    EXPECT_TRUE(bench->frontier.study.finished());
+    run("trade-off coverage");
+    EXPECT_EQ(bench->trade_off.shown, Measure::coverage);
+    run("trade-off stop");
+    EXPECT_TRUE(bench->trade_off.stopped);
+    run("trade-off finish");
+    EXPECT_TRUE(bench->trade_off.study.finished());
 }
 
 }  // namespace

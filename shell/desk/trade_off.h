@@ -1,4 +1,4 @@
-// The frontier of speed and accuracy of what is on the bench, as far as it is measured.
+// The trade-off of speed and accuracy of what is on the bench, as far as it is measured.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -7,17 +7,17 @@
 #include <vector>
 
 #include "core/base/stopwatch.h"
-#include "core/measure/frontier.h"
+#include "core/measure/trade_off.h"
 #include "core/scene/flight_path.h"
 
 namespace sightline {
 
 template <int D>
-struct Frontier {
+struct TradeOff {
     Measure shown = Measure::wrong;  ///< against time: wrong or coverage
     bool stopped = false;            ///< by a person, or by an error
     std::string word{};              ///< why it began anew or ended; empty: nothing to say
-    FrontierStudy<D> study{};
+    TradeOffStudy<D> study{};
     Parameters base{};                 ///< what all methods share: the session's when it began
     std::vector<std::string> added{};  ///< variants that are measured beside the methods of the table
     std::string path{};                ///< what it goes along, for people

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shell/window/frontier_plot.h"
+#include "shell/window/trade_off_plot.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,10 +22,10 @@ double next_round(double value) { return round_below(value * 2.6); }
 }  // namespace
 
 template <int D>
-FrontierPlot frontier_plot(const Workbench<D>& bench, const Area& area) {
-    const FrontierStudy<D>& study = bench.frontier.study;
-    const Measure measure = bench.frontier.shown;
-    FrontierPlot plot;
+TradeOffPlot trade_off_plot(const Workbench<D>& bench, const Area& area) {
+    const TradeOffStudy<D>& study = bench.trade_off.study;
+    const Measure measure = bench.trade_off.shown;
+    TradeOffPlot plot;
     plot.area = area;
     std::vector<Trade> trades;
     double least = 0, most = 0, highest = 0;
@@ -45,8 +45,8 @@ FrontierPlot frontier_plot(const Workbench<D>& bench, const Area& area) {
     const double under = 0.05 * top;  // dots on the axis stand inside
     const auto y = [&](double share) { return area.y + area.h * static_cast<float>((top - share) / (top + under)); };
     for (std::size_t i = 0; i < trades.size(); ++i) plot.dots[i].at = {x(trades[i].ms), y(trades[i].value)};
-    const auto place = [&](const FrontierPlot::Dot& dot) {
-        const FrontierDot& of = study.dots()[dot.index];
+    const auto place = [&](const TradeOffPlot::Dot& dot) {
+        const TradeOffDot& of = study.dots()[dot.index];
         return std::pair(of.variant, of.budget.primitives(study.task().scene->primitives.size()));
     };
     std::stable_sort(plot.dots.begin(), plot.dots.end(),
@@ -62,10 +62,10 @@ FrontierPlot frontier_plot(const Workbench<D>& bench, const Area& area) {
     return plot;
 }
 
-const FrontierPlot::Dot* dot_at(const FrontierPlot& plot, const ImVec2& mouse, float reach) {
-    const FrontierPlot::Dot* found = nullptr;
+const TradeOffPlot::Dot* dot_at(const TradeOffPlot& plot, const ImVec2& mouse, float reach) {
+    const TradeOffPlot::Dot* found = nullptr;
     float nearest = reach * reach;
-    for (const FrontierPlot::Dot& dot : plot.dots) {
+    for (const TradeOffPlot::Dot& dot : plot.dots) {
         const float dx = dot.at.x - mouse.x, dy = dot.at.y - mouse.y, distance = dx * dx + dy * dy;
         if (distance > nearest) continue;
         nearest = distance;
@@ -74,7 +74,7 @@ const FrontierPlot::Dot* dot_at(const FrontierPlot& plot, const ImVec2& mouse, f
     return found;
 }
 
-template FrontierPlot frontier_plot<2>(const Workbench<2>&, const Area&);
-template FrontierPlot frontier_plot<3>(const Workbench<3>&, const Area&);
+template TradeOffPlot trade_off_plot<2>(const Workbench<2>&, const Area&);
+template TradeOffPlot trade_off_plot<3>(const Workbench<3>&, const Area&);
 
 }  // namespace sightline

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/measure/frontier.h"
+#include "core/measure/trade_off.h"
 
 #include <algorithm>
 #include <array>
@@ -20,18 +20,18 @@ constexpr std::uint32_t repeats = 3;
 }  // namespace
 
 template <int D>
-FrontierStudy<D>::FrontierStudy(FrontierTask<D> task) : task_(std::move(task)), timed_(task_.variants.size()) {
+TradeOffStudy<D>::TradeOffStudy(TradeOffTask<D> task) : task_(std::move(task)), timed_(task_.variants.size()) {
     for (std::size_t v = 0; v < task_.variants.size(); ++v) add_usual_dots(v);
 }
 
 template <int D>
-void FrontierStudy<D>::add_usual_dots(std::size_t v) {
+void TradeOffStudy<D>::add_usual_dots(std::size_t v) {
     if (!task_.variants[v].method.budgeted) return dots_.push_back({v, {}});
     for (const double share : usual_shares) dots_.push_back({v, {Budget::Kind::share, share}});
 }
 
 template <int D>
-void FrontierStudy<D>::ask(const Variant<D>& variant, const Budget& budget) {
+void TradeOffStudy<D>::ask(const Variant<D>& variant, const Budget& budget) {
     auto& all = task_.variants;
     const auto found =
         std::find_if(all.begin(), all.end(), [&](const Variant<D>& other) { return other.text == variant.text; });
@@ -41,35 +41,35 @@ void FrontierStudy<D>::ask(const Variant<D>& variant, const Budget& budget) {
         timed_.emplace_back();
         add_usual_dots(v);
     }
-    const auto same = [&](const FrontierDot& dot) { return dot.variant == v && dot.budget == budget; };
+    const auto same = [&](const TradeOffDot& dot) { return dot.variant == v && dot.budget == budget; };
     if (std::any_of(dots_.begin(), dots_.end(), same)) return;
-    std::erase_if(dots_, [](const FrontierDot& dot) { return dot.asked; });
+    std::erase_if(dots_, [](const TradeOffDot& dot) { return dot.asked; });
     if (variant.method.budgeted && budget.kind != Budget::Kind::milliseconds) dots_.push_back({v, budget, {}, true});
 }
 
 template <int D>
-std::uint32_t FrontierStudy<D>::primitives(const Budget& budget) const {
+std::uint32_t TradeOffStudy<D>::primitives(const Budget& budget) const {
     const std::size_t all = task_.scene->primitives.size();
     return std::min(static_cast<std::uint32_t>(all), budget.primitives(all));
 }
 
 template <int D>
-std::size_t FrontierStudy<D>::done() const {
+std::size_t TradeOffStudy<D>::done() const {
     std::size_t count = 0;
-    for (const FrontierDot& dot : dots_) count += dot.frames.size();
+    for (const TradeOffDot& dot : dots_) count += dot.frames.size();
     return count;
 }
 
 template <int D>
-std::size_t FrontierStudy<D>::common_views() const {
+std::size_t TradeOffStudy<D>::common_views() const {
     std::size_t count = task_.views.size();
-    for (const FrontierDot& dot : dots_)
+    for (const TradeOffDot& dot : dots_)
         if (!dot.asked) count = std::min(count, dot.frames.size());
     return count;
 }
 
 template <int D>
-double FrontierStudy<D>::value(const FrontierDot& dot, Measure measure) const {
+double TradeOffStudy<D>::value(const TradeOffDot& dot, Measure measure) const {
     const std::size_t count = std::max<std::size_t>(common_views(), 1);
     if (dot.frames.size() < count) return std::numeric_limits<double>::quiet_NaN();
     return summary(std::span(dot.frames).first(count), measure);
@@ -77,9 +77,9 @@ double FrontierStudy<D>::value(const FrontierDot& dot, Measure measure) const {
 
 /// Of the view and the method at work, if there is one, so that their run serves all budgets.
 template <int D>
-const FrontierDot* FrontierStudy<D>::next_dot() const {
-    const FrontierDot* next = nullptr;
-    for (const FrontierDot& dot : dots_) {
+const TradeOffDot* TradeOffStudy<D>::next_dot() const {
+    const TradeOffDot* next = nullptr;
+    for (const TradeOffDot& dot : dots_) {
         if (dot.frames.size() == task_.views.size()) continue;
         if (work_ && dot.frames.size() == work_->view && dot.variant == work_->variant) return &dot;
         if (!next || dot.frames.size() < next->frames.size()) next = &dot;
@@ -88,10 +88,10 @@ const FrontierDot* FrontierStudy<D>::next_dot() const {
 }
 
 template <int D>
-bool FrontierStudy<D>::advance() {
-    const FrontierDot* const next = next_dot();
+bool TradeOffStudy<D>::advance() {
+    const TradeOffDot* const next = next_dot();
     if (!next) return false;
-    FrontierDot* const dot = &dots_[static_cast<std::size_t>(next - dots_.data())];
+    TradeOffDot* const dot = &dots_[static_cast<std::size_t>(next - dots_.data())];
     const std::size_t view = dot->frames.size();
     if (truth_view_ != view) {
         make_truth(view);
@@ -119,7 +119,7 @@ bool FrontierStudy<D>::advance() {
 }
 
 template <int D>
-void FrontierStudy<D>::make_truth(std::size_t view) {
+void TradeOffStudy<D>::make_truth(std::size_t view) {
     work_.reset();  // its run is judged by the truth of its view
     truth_view_.reset();
     const CellComplex<D>* const cells = task_.cells.get();
@@ -130,7 +130,7 @@ void FrontierStudy<D>::make_truth(std::size_t view) {
 }
 
 template <int D>
-void FrontierStudy<D>::measure(const FrontierDot& dot) {
+void TradeOffStudy<D>::measure(const TradeOffDot& dot) {
     const std::uint32_t budget = primitives(dot.budget);
     const auto rendered = rendered_by(*work_->run, cut_at(*work_->run, budget).met, task_.scene->primitives.size());
     const auto wrong = wrong_mask(truth_.reference.image, rendered);
@@ -143,7 +143,7 @@ void FrontierStudy<D>::measure(const FrontierDot& dot) {
 /// One sample: of the traversal, then of drawing what it left, each after one to warm up. The last one completes the
 /// dot.
 template <int D>
-void FrontierStudy<D>::take_time(FrontierDot& dot) {
+void TradeOffStudy<D>::take_time(TradeOffDot& dot) {
     Work& work = *work_;
     const bool drawn = D == 3 && task_.time_drawing;
     const std::uint32_t sample = work.samples++;
@@ -166,7 +166,7 @@ void FrontierStudy<D>::take_time(FrontierDot& dot) {
     work.budget.reset();
 }
 
-template class FrontierStudy<2>;
-template class FrontierStudy<3>;
+template class TradeOffStudy<2>;
+template class TradeOffStudy<3>;
 
 }  // namespace sightline

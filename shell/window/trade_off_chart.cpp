@@ -1,15 +1,15 @@
-// The chart of the frontier panel: a line per method, a dot per budget, the Pareto front under them.
+// The chart of the trade-off panel: a line per method, a dot per budget, the line of the Pareto points under them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <array>
 
 #include "core/base/number.h"
 #include "core/run/budget.h"
-#include "shell/desk/measure_frontier.h"
-#include "shell/window/frontier_plot.h"
+#include "shell/desk/measure_trade_off.h"
 #include "shell/window/parts.h"
 #include "shell/window/theme.h"
 #include "shell/window/timeline_lanes.h"
+#include "shell/window/trade_off_plot.h"
 
 namespace sightline {
 
@@ -25,51 +25,51 @@ ImU32 method_colour(std::size_t method) { return colour(method_colours[method % 
 
 template <int D>
 void progress_bar(Ui& ui, Workbench<D>& bench) {
-    const Frontier<D>& frontier = bench.frontier;
-    const bool wrong = frontier.shown == Measure::wrong;
+    const TradeOff<D>& trade_off = bench.trade_off;
+    const bool wrong = trade_off.shown == Measure::wrong;
     std::string wanted;
-    if (ImGui::Button(wrong ? "wrong pixels" : "coverage")) wanted = wrong ? "frontier coverage" : "frontier wrong";
-    note_place(bench, "frontier measure");
+    if (ImGui::Button(wrong ? "wrong pixels" : "coverage")) wanted = wrong ? "trade-off coverage" : "trade-off wrong";
+    note_place(bench, "trade-off measure");
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("what is up: a click shows the other one");
     ImGui::SameLine();
-    if (!frontier.study.finished()) {
-        if (ImGui::Button(frontier.stopped ? "go on" : "stop"))
-            wanted = frontier.stopped ? "frontier go" : "frontier stop";
-        note_place(bench, frontier.stopped ? "frontier go" : "frontier stop");
+    if (!trade_off.study.finished()) {
+        if (ImGui::Button(trade_off.stopped ? "go on" : "stop"))
+            wanted = trade_off.stopped ? "trade-off go" : "trade-off stop";
+        note_place(bench, trade_off.stopped ? "trade-off go" : "trade-off stop");
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("what is measured stays");
         ImGui::SameLine();
-        const std::size_t done = frontier.study.done(), total = frontier.study.total();
+        const std::size_t done = trade_off.study.done(), total = trade_off.study.total();
         ImGui::ProgressBar(total > 0 ? static_cast<float>(done) / static_cast<float>(total) : 0, {-1, 0}, "");
         // Over the whole bar: ImGui's own text walks along with it, and out of it.
         const ImVec2 from = ImGui::GetItemRectMin(), to = ImGui::GetItemRectMax();
-        const std::string words = frontier_progress_text(bench);
+        const std::string words = trade_off_progress_text(bench);
         const ImVec2 size = ImGui::CalcTextSize(words.c_str());
         ImDrawList& list = *ImGui::GetWindowDrawList();
         list.PushClipRect(from, to, true);
         list.AddText({std::max(from.x + 4 * ui.unit, (from.x + to.x - size.x) / 2), (from.y + to.y - size.y) / 2},
                      colour(theme::ink), words.c_str());
         list.PopClipRect();
-        note_place(bench, "frontier progress");
-        if (const std::string work = frontier_work_text(bench); !work.empty() && ImGui::IsItemHovered())
+        note_place(bench, "trade-off progress");
+        if (const std::string work = trade_off_work_text(bench); !work.empty() && ImGui::IsItemHovered())
             ImGui::SetTooltip("%s", work.c_str());
     } else {
-        if (ImGui::Button("anew")) wanted = "frontier anew";
-        note_place(bench, "frontier anew");
+        if (ImGui::Button("restart")) wanted = "trade-off restart";
+        note_place(bench, "trade-off restart");
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("measure all again");
     }
     if (!wanted.empty()) ui.act(wanted);
 }
 
-void draw_axes(ImDrawList& list, const Ui& ui, const FrontierPlot& plot) {
+void draw_axes(ImDrawList& list, const Ui& ui, const TradeOffPlot& plot) {
     const Area& a = plot.area;
     list.AddRectFilled(a.min(), a.max(), colour(theme::paper));
     const float text = ImGui::GetFontSize() * 0.87f;
-    for (const FrontierPlot::Tick& tick : plot.shares) {
+    for (const TradeOffPlot::Tick& tick : plot.shares) {
         list.AddLine({a.x, tick.at}, {a.x + a.w, tick.at}, colour(theme::line));
         small_text(list, ui, a.x - 4 * ui.unit, tick.at - text / 2, tick.text, theme::faint, 1);
     }
     float free_from = a.x - text;
-    for (const FrontierPlot::Tick& tick : plot.times) {
+    for (const TradeOffPlot::Tick& tick : plot.times) {
         list.AddLine({tick.at, a.y}, {tick.at, a.y + a.h}, colour(theme::line));
         const float half = small_width(ui, tick.text) / 2;
         if (tick.at - half < free_from) continue;
@@ -81,25 +81,25 @@ void draw_axes(ImDrawList& list, const Ui& ui, const FrontierPlot& plot) {
 
 /// Front, lines and dots; the method of the session is drawn thicker, its dot ringed.
 template <int D>
-void draw_dots(ImDrawList& list, const Ui& ui, const Workbench<D>& bench, const FrontierPlot& plot) {
-    const FrontierStudy<D>& study = bench.frontier.study;
+void draw_dots(ImDrawList& list, const Ui& ui, const Workbench<D>& bench, const TradeOffPlot& plot) {
+    const TradeOffStudy<D>& study = bench.trade_off.study;
     const auto at = [&](std::size_t index) {
         return std::find_if(plot.dots.begin(), plot.dots.end(), [&](const auto& dot) { return dot.index == index; });
     };
     std::vector<ImVec2> front;
-    for (const std::size_t index : frontier_front(bench))
+    for (const std::size_t index : pareto_dots(bench))
         if (const auto found = at(index); found != plot.dots.end()) front.push_back(found->at);
     list.AddPolyline(front.data(), static_cast<int>(front.size()), colour(front_colour), 0, 7 * ui.unit);
     for (const ImVec2& p : front) list.AddCircleFilled(p, 7 * ui.unit, colour(front_colour));
     const std::string now = current_variant(bench).text;
     for (std::size_t m = 0; m < study.task().variants.size(); ++m) {
-        std::vector<FrontierPlot::Dot> dots;
-        for (const FrontierPlot::Dot& dot : plot.dots)
+        std::vector<TradeOffPlot::Dot> dots;
+        for (const TradeOffPlot::Dot& dot : plot.dots)
             if (study.dots()[dot.index].variant == m) dots.push_back(dot);
         const bool current = study.task().variants[m].text == now;
         for (std::size_t i = 0; i + 1 < dots.size(); ++i)
             list.AddLine(dots[i].at, dots[i + 1].at, method_colour(m), (current ? 3.0f : 1.5f) * ui.unit);
-        for (const FrontierPlot::Dot& dot : dots) {
+        for (const TradeOffPlot::Dot& dot : dots) {
             list.AddCircleFilled(dot.at, 4 * ui.unit, method_colour(m));
             if (is_current(bench, study.dots()[dot.index]))
                 list.AddCircle(dot.at, 8 * ui.unit, colour(theme::ink), 0, 2 * ui.unit);
@@ -109,12 +109,12 @@ void draw_dots(ImDrawList& list, const Ui& ui, const Workbench<D>& bench, const 
 
 /// Dots of the chart under the mouse: what they are, and a click.
 template <int D>
-void chart_mouse(Ui& ui, const Workbench<D>& bench, const FrontierPlot& plot) {
+void chart_mouse(Ui& ui, const Workbench<D>& bench, const TradeOffPlot& plot) {
     if (!ImGui::IsItemHovered()) return;
-    const FrontierPlot::Dot* const hit = dot_at(plot, ImGui::GetIO().MousePos, 9 * ui.unit);
+    const TradeOffPlot::Dot* const hit = dot_at(plot, ImGui::GetIO().MousePos, 9 * ui.unit);
     if (!hit) return;
-    const FrontierStudy<D>& study = bench.frontier.study;
-    const FrontierDot& dot = study.dots()[hit->index];
+    const TradeOffStudy<D>& study = bench.trade_off.study;
+    const TradeOffDot& dot = study.dots()[hit->index];
     const Variant<D>& variant = study.task().variants[dot.variant];
     ImGui::GetWindowDrawList()->AddCircle(hit->at, 7 * ui.unit, colour(theme::accent), 0, 2 * ui.unit);
     const auto share = [&](Measure measure) { return short_number(100 * study.value(dot, measure)) + " %"; };
@@ -123,14 +123,14 @@ void chart_mouse(Ui& ui, const Workbench<D>& bench, const FrontierPlot& plot) {
                       variant.method.promise == Misses::may ? "approximate" : "conservative",
                       short_number(study.value(dot, Measure::total_ms)).c_str(), share(Measure::wrong).c_str(),
                       share(Measure::coverage).c_str());
-    if (ImGui::IsItemDeactivated()) ui.act(frontier_command(bench, dot));
+    if (ImGui::IsItemDeactivated()) ui.act(trade_off_command(bench, dot));
 }
 
 /// A swatch and a name per variant, wrapped.
 template <int D>
 void key(const Ui& ui, const Workbench<D>& bench) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const auto& variants = bench.frontier.study.task().variants;
+    const auto& variants = bench.trade_off.study.task().variants;
     const std::string now = current_variant(bench).text;
     const float text = ImGui::GetFontSize(), swatch = 1.2f * text, gap = 0.8f * text;
     const ImVec2 from = ImGui::GetCursorScreenPos();
@@ -145,7 +145,7 @@ void key(const Ui& ui, const Workbench<D>& bench) {
     };
     for (std::size_t m = 0; m < variants.size(); ++m)
         entry(variants[m].text, method_colour(m), (variants[m].text == now ? 3.0f : 1.5f) * ui.unit);
-    entry("Pareto front", colour(front_colour), 7 * ui.unit);
+    entry("Pareto points", colour(front_colour), 7 * ui.unit);
     ImGui::Dummy({1, at.y + 1.3f * text - from.y});
     ImGui::PushStyleColor(ImGuiCol_Text, colour(theme::faint));
     ImGui::TextWrapped("A dot is one budget, the ringed one yours. A click on a dot sets its method and budget.");
@@ -155,37 +155,37 @@ void key(const Ui& ui, const Workbench<D>& bench) {
 }  // namespace
 
 template <int D>
-void frontier_chart(Ui& ui, Workbench<D>& bench) {
-    if (!bench.frontier.study.task().scene) return;
+void trade_off_chart(Ui& ui, Workbench<D>& bench) {
+    if (!bench.trade_off.study.task().scene) return;
     progress_bar(ui, bench);
     const float text = ImGui::GetFontSize(), left = 2.6f * text, under = 2.5f * text;
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float w = std::max(ImGui::GetContentRegionAvail().x, 8 * text),
                 h = std::max(std::min(0.62f * w, 0.5f * ImGui::GetContentRegionAvail().y), 8 * text);
-    ImGui::InvisibleButton("frontier", {w, h});
-    note_place(bench, "frontier chart");
+    ImGui::InvisibleButton("trade-off", {w, h});
+    note_place(bench, "trade-off chart");
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const FrontierPlot plot =
-        frontier_plot(bench, {at.x + left, at.y + 1.3f * text, w - left - 6 * ui.unit, h - under - 1.3f * text});
+    const TradeOffPlot plot =
+        trade_off_plot(bench, {at.x + left, at.y + 1.3f * text, w - left - 6 * ui.unit, h - under - 1.3f * text});
     draw_axes(list, ui, plot);
     small_text(
         list, ui, at.x, at.y,
-        bench.frontier.shown == Measure::wrong ? "wrong pixels, %: less is better" : "coverage, %: more is better",
+        bench.trade_off.shown == Measure::wrong ? "wrong pixels, %: less is better" : "coverage, %: more is better",
         theme::ink);
-    small_text(list, ui, at.x + w, at.y + h - 1.1f * text, frontier_time_text(bench), theme::ink, 1);
+    small_text(list, ui, at.x + w, at.y + h - 1.1f * text, trade_off_time_text(bench), theme::ink, 1);
     if (plot.dots.empty())
         small_text(list, ui, plot.area.x + plot.area.w / 2, plot.area.y + plot.area.h / 2, "nothing measured yet",
                    theme::faint, 0.5f);
     draw_dots(list, ui, bench, plot);
     chart_mouse(ui, bench, plot);
     const float dot = 8 * ui.unit;
-    for (const FrontierPlot::Dot& d : plot.dots)
-        bench.places.push_back({"dot " + frontier_command(bench, bench.frontier.study.dots()[d.index]).substr(9),
+    for (const TradeOffPlot::Dot& d : plot.dots)
+        bench.places.push_back({"dot " + trade_off_command(bench, bench.trade_off.study.dots()[d.index]).substr(10),
                                 d.at.x - dot / 2, d.at.y - dot / 2, dot, dot});
     key(ui, bench);
 }
 
-template void frontier_chart<2>(Ui&, Workbench<2>&);
-template void frontier_chart<3>(Ui&, Workbench<3>&);
+template void trade_off_chart<2>(Ui&, Workbench<2>&);
+template void trade_off_chart<3>(Ui&, Workbench<3>&);
 
 }  // namespace sightline

@@ -1,5 +1,5 @@
-// The frontier panel's numbers are those of lab measure: same scene, path, frames, methods, budgets and reference size.
-// SPDX-License-Identifier: GPL-3.0-or-later
+// The trade-off panel's numbers are those of lab measure: same scene, path, frames, methods, budgets and reference
+// size. SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,7 +9,7 @@
 #include "lab/measure/lab_scene.h"
 #include "lab/measure/measure_path.h"
 #include "shell/commands/command_table.h"
-#include "shell/desk/measure_frontier.h"
+#include "shell/desk/measure_trade_off.h"
 #include "shell/desk/open_scene.h"
 
 namespace sightline {
@@ -28,7 +28,7 @@ template <int D>
 void expect_numbers_of_the_lab(const std::string& name, const ImageSize& size) {
     lab::LabGraphics opengl;
     lab::Study study;
-    study.frames = frontier_frames;
+    study.frames = trade_off_frames;
     study.size = size;
     study.repeats = 0;
     study.methods.clear();
@@ -49,16 +49,16 @@ void expect_numbers_of_the_lab(const std::string& name, const ImageSize& size) {
     bench.say = [](const std::string&) {};
     bench.flight.path = lab::find_path<D>(bench.session.scene(), "");
     ASSERT_GT(bench.flight.path.frames.size(), 2u);
-    run_commands(bench, "frontier finish");
-    const FrontierStudy<D>& panel = bench.frontier.study;
+    run_commands(bench, "trade-off finish");
+    const TradeOffStudy<D>& panel = bench.trade_off.study;
     std::size_t usual = 0;
-    for (const FrontierDot& dot : panel.dots()) usual += !dot.asked;
+    for (const TradeOffDot& dot : panel.dots()) usual += !dot.asked;
     ASSERT_EQ(usual, rows.size());
 
     std::size_t partly = 0;
     for (const lab::Row& row : rows) {
         const std::string where = name + " " + row.method.variant + " " + row.budget;
-        const auto dot = std::find_if(panel.dots().begin(), panel.dots().end(), [&](const FrontierDot& d) {
+        const auto dot = std::find_if(panel.dots().begin(), panel.dots().end(), [&](const TradeOffDot& d) {
             return panel.task().variants[d.variant].text == row.method.variant && budget_text(d.budget) == row.budget;
         });
         ASSERT_NE(dot, panel.dots().end()) << where;
@@ -83,11 +83,11 @@ void expect_numbers_of_the_lab(const std::string& name, const ImageSize& size) {
     EXPECT_GT(partly, 3u) << "numbers that are all 0 or 1 compare nothing";
 }
 
-TEST(FrontierAndLab, GiveTheSameNumbersIn2D) {
+TEST(TradeOffAndLab, GiveTheSameNumbersIn2D) {
     for (const char* name : {"rooms", "streets"}) expect_numbers_of_the_lab<2>(name, {512, 1});
 }
 
-TEST(FrontierAndLab, GiveTheSameNumbersIn3D) {
+TEST(TradeOffAndLab, GiveTheSameNumbersIn3D) {
     try {
         for (const char* name : {"bottleneck", "city:10k"}) expect_numbers_of_the_lab<3>(name, {160, 120});
     } catch (const WorkError& error) {

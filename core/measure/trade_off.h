@@ -1,4 +1,4 @@
-// The frontier of speed and accuracy of one scene and its cells, measured a little at a time: for whoever watches, and
+// The trade-off of speed and accuracy of one scene and its cells, measured a little at a time: for whoever watches, and
 // must not be held up.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
@@ -17,7 +17,7 @@ namespace sightline {
 
 /// What is measured.
 template <int D>
-struct FrontierTask {
+struct TradeOffTask {
     std::shared_ptr<const Scene<D>> scene{};
     std::shared_ptr<const CellComplex<D>> cells{};
     ImageSize reference_size{};
@@ -28,8 +28,8 @@ struct FrontierTask {
 };
 
 /// A variant at a budget; what it makes of the views so far, in their order.
-struct FrontierDot {
-    std::size_t variant = 0;  ///< index into FrontierTask::variants
+struct TradeOffDot {
+    std::size_t variant = 0;  ///< index into TradeOffTask::variants
     Budget budget;
     std::vector<Values> frames{};
     bool asked = false;  ///< one of the usual budgets is not
@@ -37,10 +37,10 @@ struct FrontierDot {
 
 /// Methods at 1, 2, 5 and 10 % of the scene, those that have no use for a budget without one; view by view.
 template <int D>
-class FrontierStudy {
+class TradeOffStudy {
 public:
-    FrontierStudy() = default;  ///< nothing to measure
-    explicit FrontierStudy(FrontierTask<D> task);
+    TradeOffStudy() = default;  ///< nothing to measure
+    explicit TradeOffStudy(TradeOffTask<D> task);
 
     /// Measures this variant too, and it at this budget, where that is none of the usual ones; the budget that was
     /// asked for before is dropped. One in milliseconds, and one of a method that has no use for it, is not measured.
@@ -50,11 +50,11 @@ public:
     /// drawing. False when there is nothing left to do. Throws WorkError where there is no OpenGL.
     bool advance();
 
-    const FrontierTask<D>& task() const { return task_; }
-    const std::vector<FrontierDot>& dots() const { return dots_; }
+    const TradeOffTask<D>& task() const { return task_; }
+    const std::vector<TradeOffDot>& dots() const { return dots_; }
     bool finished() const { return done() == total(); }
     /// The dot that the next slice is for, whose next view it is for; nullptr: all are finished.
-    const FrontierDot* next_dot() const;
+    const TradeOffDot* next_dot() const;
     /// Views x variants x budgets measured, and there are.
     std::size_t done() const;
     std::size_t total() const { return dots_.size() * task_.views.size(); }
@@ -62,7 +62,7 @@ public:
     std::size_t common_views() const;
     /// The mean (times: the median) over the views that all have, or over the first one until they do, so that dots
     /// compare. NaN before.
-    double value(const FrontierDot& dot, Measure measure) const;
+    double value(const TradeOffDot& dot, Measure measure) const;
 
 private:
     struct Work {
@@ -78,12 +78,12 @@ private:
     };
     void add_usual_dots(std::size_t variant);
     void make_truth(std::size_t view);
-    void measure(const FrontierDot& dot);
-    void take_time(FrontierDot& dot);
+    void measure(const TradeOffDot& dot);
+    void take_time(TradeOffDot& dot);
     std::uint32_t primitives(const Budget& budget) const;
 
-    FrontierTask<D> task_;
-    std::vector<FrontierDot> dots_;
+    TradeOffTask<D> task_;
+    std::vector<TradeOffDot> dots_;
     std::optional<std::size_t> truth_view_;
     Truth truth_;
     std::optional<Work> work_;
