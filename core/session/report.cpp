@@ -184,6 +184,7 @@ std::string conditions(const Session<D>& session) {
             session.guarantee() + "), " + std::to_string(session.cells().cell_count()) + " " +
             (settings.tessellation == Tessellation::delaunay ? "Delaunay"
              : D == 2                                        ? "quadtree"
+             : settings.tessellation == Tessellation::kd     ? "kd-tree"
                                                              : "octree") +
             " cells, budget " + budget_text(settings.budget);
     if (settings.budget.kind == Budget::Kind::share)

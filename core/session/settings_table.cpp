@@ -125,7 +125,7 @@ std::vector<SettingRow> own_rows() {
                               "read two-sided lines of a level too, not only its solid walls"),
 
         choice<&S::tessellation>("tessellation", Invalidates::tessellation, "TVCG 4.3",
-                                 "cells: Delaunay of the leaf centres, or the leaves of the tree"),
+                                 "cells: Delaunay of the leaf centres, the leaves of the tree, or those of a kd-tree"),
         real<&S::error_bound>("error_bound", {0, 1, true, false}, Invalidates::tessellation, "(0, 1]",
                               "TVCG 4.3, note 4", "leaves are split down to this share of the scene's longest side"),
         choice<&S::border>("border", Invalidates::tessellation, "docs/algorithm.md, border",
@@ -134,6 +134,13 @@ std::vector<SettingRow> own_rows() {
                          "random shift of a leaf's centre, in sides of the leaf"),
         whole<&S::seed, 0, 0xffffffffffffffffull>("seed", Invalidates::tessellation, "[0, 2^64)", "TVCG 4.3",
                                                   "seed of the jitter"),
+        whole<&S::leaf_capacity, 1, 1'000'000>("leaf_capacity", Invalidates::tessellation, "[1, 1000000]", "TVCG 4.3",
+                                               "a leaf that holds no more points than this is not split: ends or "
+                                               "corners of primitives, in a kd-tree their middles"),
+        choice<&S::empty_leaves>("empty_leaves", Invalidates::tessellation, "TVCG 4.3",
+                                 "leaves without a vertex: their centres count too, or are dropped (Delaunay)"),
+        choice<&S::neighbours>("neighbours", Invalidates::tessellation, "gem, add_neighbors_to_front",
+                               "cells next to a leaf share a facet with it, or touch it at all (tree and kd)"),
 
         SettingRow{"method", "which rule orders cells or primitives; see --help for the ids", "TVCG 5",
                    Invalidates::traversal, "a method id", MemberText<&S::method>::get,

@@ -61,7 +61,7 @@ Row read_row(const Json& json) {
     row.scene = json.at("scene");
     row.path = json.at("path");
     row.method.variant = json.at("method");
-    row.method.tessellation = json.at("tessellation") == "tree" ? Tessellation::tree : Tessellation::delaunay;
+    row.method.tessellation = read_tessellation(json.at("tessellation").get<std::string>());
     row.approximate = json.at("approximate");
     row.primitives = json.at("primitives");
     row.error_bound = json.at("error_bound");

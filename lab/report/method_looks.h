@@ -1,4 +1,4 @@
-// How methods look in charts: a colour per variant, dashes and rings on the leaves of a tree.
+// How methods look in charts: a colour per variant, dashes and rings on the leaves of a tree of either kind.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -19,8 +19,8 @@ public:
         Series s;
         s.name = method_text(method);
         s.colour = series_colour(at->second);
-        s.look =
-            method.tessellation == Tessellation::tree ? Series::Look::dashed_and_rings : Series::Look::line_and_dots;
+        s.look = method.tessellation != Tessellation::delaunay ? Series::Look::dashed_and_rings
+                                                               : Series::Look::line_and_dots;
         return s;
     }
 
@@ -30,7 +30,7 @@ private:
 
 /// The same without dots.
 inline Series::Look line_of(const MethodChoice& method) {
-    return method.tessellation == Tessellation::tree ? Series::Look::dashed : Series::Look::line;
+    return method.tessellation != Tessellation::delaunay ? Series::Look::dashed : Series::Look::line;
 }
 
 }  // namespace sightline::lab

@@ -121,7 +121,7 @@ std::vector<StabilityRow> read_stability_rows(const std::string& text) {
         row.scene = json.at("scene");
         row.path = json.at("path");
         row.method.variant = json.at("method");
-        row.method.tessellation = json.at("tessellation") == "tree" ? Tessellation::tree : Tessellation::delaunay;
+        row.method.tessellation = read_tessellation(json.at("tessellation").get<std::string>());
         row.budget = json.at("budget");
         const auto at =
             std::find(disturbance_words.begin(), disturbance_words.end(), json.at("disturbance").get<std::string>());

@@ -21,7 +21,8 @@ TEST(Traversal, OrderIsThatOfThePapersStructure) {
     for (int i = 0; i < test::soak_count(400); ++i) {
         const Scene<2> scene = test::random_scene(random, 5 + random.below(120));
         Settings settings;
-        settings.tessellation = random.below(2) ? Tessellation::delaunay : Tessellation::tree;
+        settings.tessellation = static_cast<Tessellation>(random.below(tessellation_count));
+        if (random.below(2)) settings.neighbours = Neighbours::touching;
         settings.jitter = random.below(2) ? 0.02 : 0;
         if (random.below(2)) settings.budget = {Budget::Kind::primitives, static_cast<double>(random.below(100))};
         const CellComplex<2> cells = build_cells(scene, settings);

@@ -23,9 +23,15 @@ struct Range {
     bool whole = false;
 };
 const std::map<std::string_view, Range> ranges{
-    {"error_bound", {0, 1, true}}, {"jitter", {0, 0.5, false, true}},         {"penalty_amount", {0, 1e6}},
-    {"zoom", {0.01, 1000}},        {"seed", {0, 0x1p64, false, true, true}},  {"shrink", {0.05, 1}},
-    {"slice_at", {0, 1}},          {"around", {0, 1000, false, false, true}},
+    {"error_bound", {0, 1, true}},
+    {"jitter", {0, 0.5, false, true}},
+    {"penalty_amount", {0, 1e6}},
+    {"zoom", {0.01, 1000}},
+    {"seed", {0, 0x1p64, false, true, true}},
+    {"shrink", {0.05, 1}},
+    {"leaf_capacity", {1, 1e6, false, false, true}},
+    {"slice_at", {0, 1}},
+    {"around", {0, 1000, false, false, true}},
 };
 
 const std::set<std::string_view> any_number{"zoom_x", "zoom_y"};
@@ -103,13 +109,13 @@ TEST(Settings, EveryFieldOfTheStructHasARow) {
     }
     EXPECT_EQ(back, defaults);
     // As many names as the structs have fields, or this does not compile.
-    const auto& [t1, t2, t3, t4, t5] = static_cast<const TessellationSettings&>(changed);
+    const auto& [t1, t2, t3, t4, t5, t6, t7, t8] = static_cast<const TessellationSettings&>(changed);
     static_cast<void>(t1);
     const auto& [p1, p2, p3, p4, p5, p6, p7, p8, p9, p10, p11, p12, p13, p14, p15, p16, p17, p18, p19, p20, p21, p22,
                  p23, p24, p25, p26, p27, p28, p29, p30] = static_cast<const PictureSettings&>(changed);
     static_cast<void>(p1);
     constexpr std::size_t own = 4;  // two_sided, method, budget, reference_size
-    EXPECT_EQ(settings_table().size(), 5u + 30u + own + all_parameters().size());
+    EXPECT_EQ(settings_table().size(), 8u + 30u + own + all_parameters().size());
 }
 
 TEST(Settings, NamesDefaultsAndWordsAreThoseOfTheDesign) {
@@ -170,6 +176,9 @@ TEST(Settings, EachRowSaysWhatItInvalidates) {
     Random random(3);
     EXPECT_EQ(difference({}, {}), Invalidates::picture);
     for (const SettingRow& row : settings_table())
+                                                           {"leaf_capacity", Invalidates::tessellation},
+                                                           {"empty_leaves", Invalidates::tessellation},
+                                                           {"neighbours", Invalidates::tessellation},
         for (const std::string& value : good_values(row, random)) {
             Settings changed;
             row.set(changed, value);
