@@ -127,7 +127,9 @@ struct Maker {
             for (const char* assignments :
                  {"on_reenqueue=min", "on_reenqueue=max", "penalty=add", "penalty=none", "transfer_sign=signed",
                   "view_vector=camera", "outside_view=enqueue", "culled_cost=charged", "neighbours_before_break=no",
-                  "seeds=hull", "border=none seeds=hull", "solidity_scale=p95 penalty=add", "star_shaped=off"}) {
+                  "seeds=hull", "border=none seeds=hull", "solidity_scale=p95 penalty=add", "star_shaped=off",
+                  "own_content=on", "budget_counts=per_cell", "leaf_capacity=8",
+                  tessellation == Tessellation::tree ? "neighbours=touching" : "empty_leaves=drop"}) {
                 Settings start = settings(tessellation, assignments);
                 start.method = "published";
                 const std::string key = std::string(words<Tessellation>[static_cast<std::size_t>(tessellation)]);

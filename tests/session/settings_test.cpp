@@ -138,6 +138,12 @@ TEST(Settings, NamesDefaultsAndWordsAreThoseOfTheDesign) {
         {"neighbours_before_break", "yes", "no", "no | yes"},
         {"reference_size", "auto", nullptr, nullptr},
         {"seeds", "one", "one", "one | hull"},
+        {"budget_counts", "each_once", "each_once", "each_once | per_cell"},
+        {"own_content", "off", "off", "off | on"},
+        {"empty_leaves", "keep", "keep", "keep | drop"},
+        {"leaf_capacity", "1", "1", "[1, 1000000]"},
+        {"neighbours", "facet", "facet", "facet | touching"},
+        {"tessellation", "delaunay", "delaunay", "delaunay | tree | kd"},
     };
     Settings letter;
     apply_preset(letter, "letter");

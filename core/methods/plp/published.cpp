@@ -10,8 +10,10 @@ namespace {
 /// The part of a key that weighs most, for people.
 std::string weightiest(const SolidityTerms& t) {
     const double transferred = t.angle * t.handed_on, penalty = t.key - t.unpenalised;
-    if (penalty > t.content && penalty > transferred)
+    if (penalty > t.content && penalty > transferred && penalty > t.own_content)
         return "the penalty (+" + short_number(penalty) + "): the ray from the eye to its centre misses the facet";
+    if (t.own_content > t.content && t.own_content > transferred)
+        return "its own content (|B| = " + std::to_string(t.own_count) + ")";
     if (transferred > t.content)
         return "the solidity handed on by the cell it was reached from (" + short_number(transferred) + ")";
     if (t.content > 0) return "the content of the cell it was reached from (|A| = " + std::to_string(t.count) + ")";
@@ -37,12 +39,13 @@ KeyExplanation explain_solidity(const SolidityTerms& t, const PlpParameters& par
     e.key = t.key;
     e.tested = t.star_tested;
     e.penalised = !t.star_shaped;
-    e.sum = "ρ = " + number(t.content) + " + " + number(t.angle) + " · " + number(t.handed_on) + " = " +
-            number(t.unpenalised);
+    e.sum = "ρ = " + number(t.content) + " + " + number(t.angle) + " · " + number(t.handed_on) +
+            (parameters.own_content ? " + " + number(t.own_content) : "") + " = " + number(t.unpenalised);
     if (e.penalised)
         e.penalty =
             penalty_sign(parameters) + number(parameters.penalty_amount) + " (not star-shaped) = " + number(t.key);
     e.tip = "content |A| / ρ_max, plus angle v·n times the solidity handed on by the cell it was reached from";
+    if (parameters.own_content) e.tip += ", plus its own content |B| / ρ_max";
     e.weightiest = weightiest(t);
     e.terms = {{"rho_a", t.handed_on, {}},
                {"count", static_cast<double>(t.count), {}},
@@ -55,6 +58,9 @@ KeyExplanation explain_solidity(const SolidityTerms& t, const PlpParameters& par
                                 : "false"},
                {"unpenalised", t.unpenalised, {}},
                {"key", t.key, {}}};
+    if (parameters.own_content)  // before the key
+        e.terms.insert(e.terms.end() - 1,
+                       {{"own_count", static_cast<double>(t.own_count), {}}, {"own_content", t.own_content, {}}});
     return e;
 }
 
@@ -66,14 +72,14 @@ void add_solidity_lines(std::vector<CodeLine>& lines, const KeyExplanation* e, c
         lines.push_back({std::move(text), 1, false, e ? values() : std::string(), std::string(source)});
     };
     lines.push_back({"key(n, c): the solidity ρ that c hands on to n", 0, false, {}, {}});
+    const std::string over = parameters.solidity_scale == SolidityScale::p95 ? " / ρ95, at most 1" : " / ρ_max";
+    const auto division = [&](std::string_view of, std::string_view result) {
+        const double count = value(of);
+        return number_text(count) + " / " + number(scale) + (count > scale ? ", cut to " : " = ") +
+               number(value(result));
+    };
     add(
-        parameters.solidity_scale == SolidityScale::p95 ? "content = |c| / ρ95, at most 1" : "content = |c| / ρ_max",
-        [&] {
-            const double count = value("count");
-            return number_text(count) + " / " + number(scale) + (count > scale ? ", cut to " : " = ") +
-                   number(value("density"));
-        },
-        "TVCG fig. 5, line 1");
+        "content = |c|" + over, [&] { return division("count", "density"); }, "TVCG fig. 5, line 1");
     const TransferSign sign = parameters.transfer_sign;
     add(
         sign == TransferSign::clamp ? "angle = v · normal of the facet, at least 0"
@@ -84,8 +90,13 @@ void add_solidity_lines(std::vector<CodeLine>& lines, const KeyExplanation* e, c
             return number(alignment) + (angle == alignment ? "" : ", taken as " + number(angle));
         },
         "TVCG fig. 5, line 1");
+    if (parameters.own_content)
+        add(
+            "own content = |n|" + over, [&] { return division("own_count", "own_content"); },
+            "docs/algorithm.md, keys of 0");
     add(
-        "ρ = content + angle · ρ of c", [&] { return e->sum.substr(e->sum.find('=') + 2); }, "TVCG fig. 5, line 1");
+        parameters.own_content ? "ρ = content + angle · ρ of c + own content" : "ρ = content + angle · ρ of c",
+        [&] { return e->sum.substr(e->sum.find('=') + 2); }, "TVCG fig. 5, line 1");
     if (parameters.tests_star_shape) {
         add(
             "the ray from the eye to the centre of n misses the facet?",
