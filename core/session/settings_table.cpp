@@ -280,25 +280,48 @@ const SettingRow& apply_setting(Settings& settings, std::string_view assignment)
 std::span<const Preset> presets() {
     static const std::vector<Preset> table{
         {"default",
-         "every traversal setting at its default",
+         "the method's parameters at their defaults",
          {"view_vector=eye", "transfer_sign=clamp", "on_reenqueue=replace", "star_shaped=on", "penalty=multiply",
-          "penalty_amount=2", "solidity_scale=max", "outside_view=unseen", "culled_cost=free",
-          "neighbours_before_break=yes", "seeds=one", "border=inflated", "jitter=0.02", "error_bound=0.05"}},
-        {"letter",
-         "the papers to the letter, as the 2D prototype of TR: no star-shape test",
+          "penalty_amount=2", "solidity_scale=max", "own_content=off", "budget_counts=each_once", "outside_view=unseen",
+          "culled_cost=free", "neighbours_before_break=yes", "seeds=one"}},
+        {"prototype-2d",
+         "PLP as printed, without the star-shape test, as the 2D program of TR",
          {"view_vector=camera", "transfer_sign=signed", "on_reenqueue=replace", "star_shaped=off", "penalty=multiply",
-          "penalty_amount=2", "solidity_scale=max", "outside_view=enqueue", "culled_cost=free",
-          "neighbours_before_break=no", "seeds=one", "border=none", "jitter=0.02", "error_bound=0.05"}},
+          "penalty_amount=2", "solidity_scale=max", "own_content=off", "budget_counts=each_once",
+          "outside_view=enqueue", "culled_cost=free", "neighbours_before_break=no", "seeds=one"}},
+        {"paper-3d",
+         "PLP as printed, with the star-shape test, as the 3D program of TR and TVCG",
+         {"view_vector=camera", "transfer_sign=signed", "on_reenqueue=replace", "star_shaped=on", "penalty=multiply",
+          "penalty_amount=2", "solidity_scale=max", "own_content=off", "budget_counts=each_once",
+          "outside_view=enqueue", "culled_cost=free", "neighbours_before_break=no", "seeds=one"}},
     };
     return table;
 }
 
+namespace {
+
+/// Presets that scripts of earlier versions name: they still do what they did. Shown nowhere.
+std::span<const Preset> old_presets() {
+    static const std::vector<Preset> table{
+        {"letter",
+         "prototype-2d, and the cells of the papers",
+         {"view_vector=camera", "transfer_sign=signed", "on_reenqueue=replace", "star_shaped=off", "penalty=multiply",
+          "penalty_amount=2", "solidity_scale=max", "own_content=off", "budget_counts=each_once",
+          "outside_view=enqueue", "culled_cost=free", "neighbours_before_break=no", "seeds=one", "border=none",
+          "jitter=0.02", "error_bound=0.05"}},
+    };
+    return table;
+}
+
+}  // namespace
+
 void apply_preset(Settings& settings, std::string_view id) {
-    for (const Preset& preset : presets())
-        if (preset.id == id) {
-            for (const std::string_view assignment : preset.assignments) apply_setting(settings, assignment);
-            return;
-        }
+    for (const auto table : {presets(), old_presets()})
+        for (const Preset& preset : table)
+            if (preset.id == id) {
+                for (const std::string_view assignment : preset.assignments) apply_setting(settings, assignment);
+                return;
+            }
     std::string known;
     for (const Preset& preset : presets()) known += (known.empty() ? "" : ", ") + std::string(preset.id);
     throw InputError("preset '" + std::string(id) + "' does not exist; there are " + known);

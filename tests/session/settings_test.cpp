@@ -120,7 +120,7 @@ TEST(Settings, EveryFieldOfTheStructHasARow) {
 
 TEST(Settings, NamesDefaultsAndWordsAreThoseOfTheDesign) {
     struct Row {
-        const char *name, *standard, *letter, *values;
+        const char *name, *standard, *printed, *values;  // `printed`: in prototype-2d and paper-3d
     };
     const Row design[] = {
         {"view_vector", "eye", "camera", "eye | camera"},
@@ -128,10 +128,10 @@ TEST(Settings, NamesDefaultsAndWordsAreThoseOfTheDesign) {
         {"on_reenqueue", "replace", "replace", "replace | min | max"},
         {"penalty", "multiply", "multiply", "multiply | add | none"},
         {"penalty_amount", "2", "2", nullptr},
-        {"star_shaped", "on", "off", "off | on"},  // 2D: off in `letter`, as TR
-        {"error_bound", "0.05", "0.05", "(0, 1]"},
-        {"border", "inflated", "none", "inflated | none"},
-        {"jitter", "0.02", "0.02", "[0, 0.5)"},
+        {"star_shaped", "on", nullptr, "off | on"},
+        {"error_bound", "0.05", "0.3", "(0, 1]"},
+        {"border", "inflated", "inflated", "inflated | none"},
+        {"jitter", "0.02", "0.1", "[0, 0.5)"},
         {"solidity_scale", "max", "max", "max | p95"},
         {"outside_view", "unseen", "enqueue", "unseen | enqueue"},
         {"culled_cost", "free", "free", "free | charged"},
@@ -145,13 +145,21 @@ TEST(Settings, NamesDefaultsAndWordsAreThoseOfTheDesign) {
         {"neighbours", "facet", "facet", "facet | touching"},
         {"tessellation", "delaunay", "delaunay", "delaunay | tree | kd"},
     };
-    Settings letter;
-    apply_preset(letter, "letter");
+    Settings prototype, paper;
+    for (Settings* settings : {&prototype, &paper}) {  // a preset leaves the cells alone
+        settings->error_bound = 0.3;
+        settings->jitter = 0.1;
+    }
+    apply_preset(prototype, "prototype-2d");
+    apply_preset(paper, "paper-3d");
+    EXPECT_EQ(setting_row("star_shaped").get(prototype), "off") << "as the 2D program of TR";
+    EXPECT_EQ(setting_row("star_shaped").get(paper), "on");
     for (const Row& row : design) {
         const SettingRow& ours = setting_row(row.name);
         EXPECT_EQ(ours.get(Settings{}), row.standard) << row.name;
-        if (row.letter) {
-            EXPECT_EQ(ours.get(letter), row.letter) << row.name;
+        if (row.printed) {
+            EXPECT_EQ(ours.get(prototype), row.printed) << row.name;
+            EXPECT_EQ(ours.get(paper), row.printed) << row.name;
         }
         if (row.values) {
             EXPECT_EQ(ours.values, row.values) << row.name;
@@ -168,6 +176,9 @@ TEST(Settings, EachRowSaysWhatItInvalidates) {
                                                            {"border", Invalidates::tessellation},
                                                            {"jitter", Invalidates::tessellation},
                                                            {"seed", Invalidates::tessellation},
+                                                           {"leaf_capacity", Invalidates::tessellation},
+                                                           {"empty_leaves", Invalidates::tessellation},
+                                                           {"neighbours", Invalidates::tessellation},
                                                            {"reference_size", Invalidates::reference},
                                                            {"palette", Invalidates::picture},
                                                            {"label", Invalidates::picture},
@@ -182,9 +193,6 @@ TEST(Settings, EachRowSaysWhatItInvalidates) {
     Random random(3);
     EXPECT_EQ(difference({}, {}), Invalidates::picture);
     for (const SettingRow& row : settings_table())
-                                                           {"leaf_capacity", Invalidates::tessellation},
-                                                           {"empty_leaves", Invalidates::tessellation},
-                                                           {"neighbours", Invalidates::tessellation},
         for (const std::string& value : good_values(row, random)) {
             Settings changed;
             row.set(changed, value);
@@ -270,7 +278,7 @@ TEST(Settings, UnknownNamesListTheKnownOnes) {
         }
     test::expect_input_error([&] { apply_setting(settings, "jitter"); }, "setting 'jitter': write FIELD=VALUE");
     test::expect_input_error([&] { apply_preset(settings, "lettre"); },
-                             "preset 'lettre' does not exist; there are default, letter");
+                             "preset 'lettre' does not exist; there are default, prototype-2d, paper-3d");
     EXPECT_EQ(settings, Settings{});
 }
 
@@ -291,7 +299,7 @@ TEST(Settings, PresetsSetAllThatTheOtherOnesTouch) {
     Settings kept;
     kept.palette = Palette::paper;
     kept.budget = parse_budget("7");
-    apply_preset(kept, "letter");
+    apply_preset(kept, "paper-3d");
     EXPECT_EQ(kept.palette, Palette::paper);
     EXPECT_EQ(budget_text(kept.budget), "7");
 }
