@@ -35,9 +35,8 @@ Verdict CellBase<D>::why_clean(std::uint32_t cell) const {
     };
     if (!may_enter(cell)) return {"outside-view", "it lies outside the view"};
     const std::uint32_t partial = this->counters_.partial_cell;
-    const auto waits = [&](std::uint32_t c) {  // is projected, and its neighbours are still to be added
-        return c == rewound_cell_ || (c == partial && parameters_.neighbours_before_break == YesNo::no);
-    };
+    // These are projected and their neighbours still to be added: where those were, they are not clean.
+    const auto waits = [&](std::uint32_t c) { return c == rewound_cell_ || c == partial; };
     std::vector<std::uint32_t> ring{cell}, next;
     std::vector<std::uint8_t> seen(marks_.size());
     seen[cell] = 1;
