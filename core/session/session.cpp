@@ -93,17 +93,10 @@ void Session<D>::resolve_method(Settings& settings, Method<D>& method) const {
 
 template <int D>
 void Session<D>::restart() {
-    Problem<D> problem{scene_.get(),
-                       cells_.get(),
-                       view_,
-                       settings_.budget.primitives(scene_->primitives.size()),
-                       settings_.parameters,
-                       method_.needs.history ? history_ : nullptr};
-    if (method_.needs.visible_set) {
-        reference();
-        const std::shared_ptr<const std::vector<std::uint8_t>> visible(reference_, &reference_->visible);
-        problem.services.visible_set = [visible] { return visible; };
-    }
+    if (method_.needs.visible_set) reference();
+    const Services services = reference_ ? known_services({reference_, &reference_->visible}) : Services{};
+    const Problem<D> problem = make_problem(method_, settings_.parameters, *scene_, *cells_, view_,
+                                            settings_.budget.primitives(scene_->primitives.size()), services, history_);
     run_.start(problem, method_.start);
     flying_ = false;
     timeline_.begin(*run_);
