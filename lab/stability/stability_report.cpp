@@ -20,10 +20,6 @@ using Json = nlohmann::ordered_json;
 std::string_view disturbance_word(const StabilityRow& row) {
     return disturbance_words[static_cast<std::size_t>(row.disturbance)];
 }
-std::string tessellation_word(const MethodChoice& method) {
-    return std::string(words<Tessellation>[static_cast<std::size_t>(method.tessellation)]);
-}
-
 Json rows_json(const std::vector<StabilityRow>& rows) {
     Json all = Json::array();
     for (const StabilityRow& row : rows)
@@ -125,7 +121,7 @@ std::vector<StabilityRow> read_stability_rows(const std::string& text) {
         row.scene = json.at("scene");
         row.path = json.at("path");
         row.method.variant = json.at("method");
-        row.method.tessellation = json.at("tessellation") == "tree" ? Tessellation::tree : Tessellation::delaunay;
+        row.method.tessellation = read_tessellation(json.at("tessellation").get<std::string>());
         row.budget = json.at("budget");
         const auto at =
             std::find(disturbance_words.begin(), disturbance_words.end(), json.at("disturbance").get<std::string>());

@@ -138,6 +138,13 @@ TEST_F(LabFiles, ChartsAreDrawnByGnuplot) {
     EXPECT_NE(read_file(folder_ / "empty.svg").find("nothing to show"), std::string::npos);
 }
 
+TEST(StudyWords, ATessellationIsReadAsItIsWrittenAndNoOtherWordIs) {
+    for (const Tessellation cells : {Tessellation::delaunay, Tessellation::tree})
+        EXPECT_EQ(read_tessellation(tessellation_word({"published", cells})), cells);
+    EXPECT_THROW(read_tessellation("leaves"), InputError);
+    EXPECT_THROW(read_tessellation(""), InputError);
+}
+
 TEST(FileStem, StaysInItsFolder) {
     EXPECT_EQ(file_stem("2d:a/../b c-1.5"), "2d_a_.._b_c-1.5");
     const std::string a(1000, 'a'), b = a + "b";
