@@ -58,11 +58,12 @@ std::string method_text(const MethodChoice& choice) {
     return id + suffix_of(choice.tessellation) + choice.variant.substr(id.size());
 }
 
-Tessellation read_tessellation(std::string_view word) {
-    const auto& known = words<Tessellation>;
-    const auto found = std::find(known.begin(), known.end(), word);
-    if (found == known.end()) throw InputError("'" + std::string(word) + "' is no tessellation");
-    return static_cast<Tessellation>(found - known.begin());
+std::string tessellation_word(const MethodChoice& choice) { return std::string(word(choice.tessellation)); }
+
+Tessellation read_tessellation(std::string_view text) {
+    for (std::size_t i = 0; i < words<Tessellation>.size(); ++i)
+        if (words<Tessellation>[i] == text) return static_cast<Tessellation>(i);
+    throw InputError("'" + std::string(text) + "' is no tessellation: " + std::string(word_list<Tessellation>()));
 }
 
 std::vector<MethodChoice> all_methods(const MethodTables& tables) {

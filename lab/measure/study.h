@@ -26,7 +26,8 @@ struct MethodChoice {
 /// dimension has.
 MethodChoice parse_method(std::string_view text, const MethodTables& tables = {});
 std::string method_text(const MethodChoice& choice);
-/// The tessellation of that word, as results have it. Throws InputError for another one.
+/// Its cells as results and CSV name them, "delaunay", "tree" or "kd", and back. Throws InputError for another word.
+std::string tessellation_word(const MethodChoice& choice);
 Tessellation read_tessellation(std::string_view word);
 
 /// Every row of the method table that is compared with others on Delaunay cells, and those that order cells on tree
