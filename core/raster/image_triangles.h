@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/base/image_size.h"
-#include "core/truth/image_plane.h"
+#include "core/raster/image_plane.h"
 
 namespace sightline {
 
@@ -24,5 +24,9 @@ struct ImageCorner {
 /// of primitives at the end.
 void append_image_triangles(const Scene<3>& scene, const View<3>& view, const ImageSize& size, std::size_t& next,
                             std::size_t limit, std::vector<ImageCorner>& corners);
+
+/// The same for one primitive. `plane`: image_plane(view).
+void append_image_triangle(const Scene<3>& scene, const View<3>& view, const ImagePlane& plane, const ImageSize& size,
+                           std::size_t primitive, std::vector<ImageCorner>& corners);
 
 }  // namespace sightline
