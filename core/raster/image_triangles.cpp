@@ -73,7 +73,9 @@ void append_image_triangle(const Scene<3>& scene, const View<3>& view, const Ima
     const std::array<Vec<3>, 3> projected{plane.project(triangle[0]), plane.project(triangle[1]),
                                           plane.project(triangle[2])};
     if (beyond(projected)) return;
-    if (!faces(view, triangle) && (scene.two_sided.empty() || !scene.two_sided[primitive])) return;
+    const int side = orient(triangle[0], triangle[1], triangle[2], view.eye);
+    // Edge-on: what the image then shows of it is rounding.
+    if (side == 0 || (side < 0 && (scene.two_sided.empty() || !scene.two_sided[primitive]))) return;
     Polygon polygon;
     std::size_t count = 3;
     if (within_reach(projected))

@@ -89,9 +89,32 @@ TEST(DepthImage, ThreadsVectorsAndOrderChangeNothing) {
     }
 }
 
-TEST(DepthImage, LayersAreWhatIsSeenWhenTheOnesBeforeAreTakenAway) {
-    for (const RasterCase& c : raster_cases(4)) {
+/// The scene with every primitive once more behind the others.
+RasterCase doubled(RasterCase c) {
+    const auto once = c.scene.primitives;
+    c.scene.primitives.insert(c.scene.primitives.end(), once.begin(), once.end());
+    const auto sides = c.scene.two_sided;
+    c.scene.two_sided.insert(c.scene.two_sided.end(), sides.begin(), sides.end());
+    return c;
+}
+
+TEST(DepthImage, OfTwoThatCoincideTheOneOfTheLowestIdIsSeen) {
+    for (const RasterCase& c : raster_cases(8)) {
         SCOPED_TRACE(c.what);
+        EXPECT_EQ(whole_image(doubled(c)), whole_image(c));
+        std::vector<std::uint32_t> backwards(2 * c.scene.primitives.size());
+        std::iota(backwards.rbegin(), backwards.rend(), 0u);
+        DepthImage image(small_size);
+        const RasterCase twice = doubled(c);
+        draw_depth(image, twice.scene, twice.view, backwards);
+        EXPECT_EQ(image, whole_image(c));
+    }
+}
+
+TEST(DepthImage, LayersAreWhatIsSeenWhenTheOnesBeforeAreTakenAway) {
+    for (RasterCase c : raster_cases(4)) {
+        SCOPED_TRACE(c.what);
+        c = doubled(std::move(c));
         const std::vector<DepthImage> layers = draw_layers(c.scene, c.view, small_size, 5, {2, true});
         ASSERT_GE(layers.size(), 1u);
         ASSERT_LE(layers.size(), 5u);
