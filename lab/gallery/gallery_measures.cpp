@@ -12,6 +12,7 @@
 #include "core/session/condition.h"
 #include "core/session/settings_table.h"
 #include "core/space/cell_complex.h"
+#include "core/truth/software_ids.h"
 #include "lab/gallery/gallery_functions.h"
 #include "lab/one_run.h"
 
@@ -274,7 +275,9 @@ View<D> GalleryScene<D>::view(const ViewSpec<D>& spec, const Settings& settings)
 template <int D>
 Truth GalleryScene<D>::truth(const ViewSpec<D>& spec, const Settings& settings) {
     const CellComplex<D>* of[] = {&cells(settings)};
-    return make_truths<D>(*scene_, of, view(spec, settings), settings.reference_size, draw_ids_).front();
+    return make_truths<D>(*scene_, of, view(spec, settings), settings.reference_size,
+                          drawing_of(settings.reference, draw_ids_))
+        .front();
 }
 
 template <int D>

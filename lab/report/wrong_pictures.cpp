@@ -12,6 +12,7 @@
 #include "core/measure/wrong_region.h"
 #include "core/session/session.h"
 #include "core/session/settings_table.h"
+#include "core/truth/software_ids.h"
 #include "lab/report/session_figure.h"
 #include "shell/figure/cairo_surface.h"
 #include "shell/figure/png.h"
@@ -62,7 +63,8 @@ void write_picture(const LabScene<3>& lab, const Row& row, std::size_t frame, co
     rendered_ids(run->met(), list.triangles);
     list.runs = {{0, 0, static_cast<std::uint32_t>(list.triangles.size())}};
     const ImageSize size = image_size<3>(lab.settings.reference_size);
-    const IdImage exact = graphics.draw_ids()(*lab.scene, lab.views[frame], size, 1).front();
+    const IdImage exact =
+        drawing_of(lab.settings.reference, graphics.draw_ids())(*lab.scene, lab.views[frame], size, 1).front();
     write_file(file, encode_png(image_of(missed_in_red(list, exact, graphics)).get(), screen_dpi));
 }
 
