@@ -91,6 +91,7 @@ std::string stats_json(const Session<D>& session, Stop stop) {
         {"rho_max", session.cells().rho_max},
         {"budget", budget_in_primitives(session)},
         {"steps", session.position()},
+        {"zero_key_share", or_null(zero_key_share(session.traversal()))},
         {"projected", cells_in[static_cast<std::size_t>(CellState::projected)]},
         {"enqueued", cells_in[static_cast<std::size_t>(CellState::enqueued)]},
         {"unseen", cells_in[static_cast<std::size_t>(CellState::unseen)]},
@@ -183,6 +184,7 @@ std::string conditions(const Session<D>& session) {
     text += ", " + std::to_string(scene.primitives.size()) + primitives + ". Method " + settings.method + " (" +
             session.guarantee() + "), " + std::to_string(session.cells().cell_count()) + " " +
             (settings.tessellation == Tessellation::delaunay ? "Delaunay"
+             : settings.tessellation == Tessellation::kd     ? "kd-tree"
              : D == 2                                        ? "quadtree"
                                                              : "octree") +
             " cells, budget " + budget_text(settings.budget);
