@@ -95,7 +95,7 @@ std::span<const Command<D>> move_commands() {
         Command<D>{"run", "", "forward to the budget or the end of the front", "End",
                    [](Workbench<D>& bench, Text) { run_to_end(bench); }},
         Command<D>{"until", "CONDITION", "forward until step:N, cell:ID or an expression holds", "U=?",
-                   [](Workbench<D>& bench, Text text) { run_until(bench, Condition<D>(text)); }},
+                   [](Workbench<D>& bench, Text text) { run_until(bench, condition_for(bench.session, text)); }},
         Command<D>{"reach", "ID | selected", "to the step that projects a cell, forward or back", "Enter=selected",
                    reach<D>},
         Command<D>{"continue", "", "forward to the next breakpoint", "F5", run_on<D>},
