@@ -30,7 +30,7 @@ void progress_bar(Ui& ui, Workbench<D>& bench) {
     std::string wanted;
     if (ImGui::Button(wrong ? "wrong pixels" : "coverage")) wanted = wrong ? "trade-off coverage" : "trade-off wrong";
     note_place(bench, "trade-off measure");
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("what is up: a click shows the other one");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Vertical axis; click to switch");
     ImGui::SameLine();
     if (!trade_off.study.finished()) {
         if (ImGui::Button(trade_off.stopped ? "go on" : "stop"))

@@ -1,5 +1,5 @@
-// The trade-off panel's numbers are those of lab measure: same scene, path, frames, methods, budgets and reference
-// size. SPDX-License-Identifier: GPL-3.0-or-later
+// The trade-off panel's numbers are those of lab measure: same scene, path, frames, methods, budgets, reference size.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
 #include <cmath>
