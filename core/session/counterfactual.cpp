@@ -137,8 +137,8 @@ bool differs(const Outcome& a, const Outcome& b) { return a.step != b.step || a.
 std::string outcome_words(const Outcome& outcome) {
     const std::string steps = std::to_string(outcome.steps) + (outcome.steps == 1 ? " step" : " steps");
     if (outcome.step > 0) return "step " + std::to_string(outcome.step) + (outcome.culled ? ", outside the view" : "");
-    return outcome.stop == Stop::budget ? "not before the budget ends, after " + steps
-                                        : "never: the run ends after " + steps;
+    return outcome.stop == Stop::budget ? "not within the budget, " + steps
+                                        : "never, the run ends after " + steps;
 }
 
 std::vector<std::string> rows(const Counterfactuals& all) {

@@ -51,7 +51,7 @@ std::uint64_t most_steps(const Session<D>& session);
 /// Whether the item comes at another time, or otherwise.
 bool differs(const Outcome& a, const Outcome& b);
 
-/// "step 550", "not before the budget ends, after 812 steps", …
+/// "step 550", "not within the budget, 812 steps", …
 std::string outcome_words(const Outcome& outcome);
 
 /// The outcome now, a line for each change that makes a difference, and one for all that make none.

@@ -25,7 +25,7 @@ std::string hider_words(const std::vector<Hider>& hiders, const char* kind) {
 }
 
 /// From where to where it is seen.
-std::string seen_words(const Session<2>& session, const Sight& sight) {
+std::string seen_words(const Session<2>& session, const PrimitiveSight& sight) {
     const auto point = [&](const Vec<2>& p) {
         const Vec<2> at = p + session.scene().origin;
         return short_number(at.x, 5) + "," + short_number(at.y, 5);
@@ -36,7 +36,7 @@ std::string seen_words(const Session<2>& session, const Sight& sight) {
     if (sight.pieces.size() > 3) text += " and " + std::to_string(sight.pieces.size() - 3) + " more stretches";
     return text;
 }
-std::string seen_words(const Session<3>&, const Sight& sight) {
+std::string seen_words(const Session<3>&, const PrimitiveSight& sight) {
     const auto range = [&](int first, int last, const char* what) {
         return std::string(what) + (first == last ? " " + std::to_string(first)
                                                   : "s " + std::to_string(first) + " to " + std::to_string(last));

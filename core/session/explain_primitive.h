@@ -18,7 +18,7 @@ struct PrimitiveExplanation {
     /// Those that hold it, at the session's position: projected ones by their step, then those in the front, first to
     /// last, then the others by id.
     std::vector<std::uint32_t> cells;
-    Sight sight;
+    PrimitiveSight sight;
 };
 
 /// Cost: steps + primitives + references; 2D: O(n log n) for what hides it.

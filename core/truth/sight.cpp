@@ -19,7 +19,7 @@ double angle_between(const Vec<2>& eye, const Vec<2>& from, const Vec<2>& to) {
 }
 
 /// `amounts`: per primitive that is seen there.
-void set_shares(Sight& sight, const std::map<std::uint32_t, double>& amounts, std::uint32_t own) {
+void set_shares(PrimitiveSight& sight, const std::map<std::uint32_t, double>& amounts, std::uint32_t own) {
     double total = 0;
     for (const auto& [primitive, amount] : amounts) total += amount;
     for (const auto& [primitive, amount] : amounts)
@@ -48,8 +48,8 @@ bool covers(std::span<const ImageCorner> corners, double x, double y) {
 
 }  // namespace
 
-Sight sight_of(const Scene<2>& scene, const View<2>& view, const Reference&, std::uint32_t primitive) {
-    Sight sight;
+PrimitiveSight sight_of(const Scene<2>& scene, const View<2>& view, const Reference&, std::uint32_t primitive) {
+    PrimitiveSight sight;
     const FacingSet set = facing_set(std::span(scene.primitives).subspan(primitive, 1), view.eye);
     if (set.facing.empty()) {
         sight.unseen = in_view(view, scene.primitives[primitive]) ? Unseen::edge_on : Unseen::outside;
@@ -74,8 +74,9 @@ Sight sight_of(const Scene<2>& scene, const View<2>& view, const Reference&, std
     return sight;
 }
 
-Sight sight_of(const Scene<3>& scene, const View<3>& view, const Reference& reference, std::uint32_t primitive) {
-    Sight sight;
+PrimitiveSight sight_of(const Scene<3>& scene, const View<3>& view, const Reference& reference,
+                        std::uint32_t primitive) {
+    PrimitiveSight sight;
     const Primitive<3>& triangle = scene.primitives[primitive];
     if (!in_view(view, triangle)) {
         sight.unseen = Unseen::outside;

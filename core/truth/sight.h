@@ -29,7 +29,7 @@ struct Hider {
     double share = 0;  ///< of the part of the hidden one that lies in the view
 };
 
-struct Sight {
+struct PrimitiveSight {
     Unseen unseen = Unseen::no;
     double share = 0;                  ///< that is seen, of the part in the view: of its angle (2D) or its pixels (3D)
     std::vector<Hider> hiders;         ///< largest share first, then by id; with `share` they add up to 1
@@ -40,8 +40,10 @@ struct Sight {
 };
 
 /// 2D: exact, over the directions in which the primitive lies; O(n log n).
-Sight sight_of(const Scene<2>& scene, const View<2>& view, const Reference& reference, std::uint32_t primitive);
+PrimitiveSight sight_of(const Scene<2>& scene, const View<2>& view, const Reference& reference,
+                        std::uint32_t primitive);
 /// 3D: over the pixels of the reference's image. At the primitive's border a pixel may be counted or left out.
-Sight sight_of(const Scene<3>& scene, const View<3>& view, const Reference& reference, std::uint32_t primitive);
+PrimitiveSight sight_of(const Scene<3>& scene, const View<3>& view, const Reference& reference,
+                        std::uint32_t primitive);
 
 }  // namespace sightline

@@ -21,13 +21,13 @@ double hit_at(const Primitive<2>& s, const Vec<2>& eye, const Vec<2>& d) {
     return w != 0 && t > 0 && u >= 0 && u <= 1 ? t : std::numeric_limits<double>::infinity();
 }
 
-double sum(const Sight& sight) {
+double sum(const PrimitiveSight& sight) {
     double total = sight.share;
     for (const Hider& hider : sight.hiders) total += hider.share;
     return total;
 }
 
-TEST(Sight, InThePlaneTheSharesAreThoseOfManyDirections) {
+TEST(PrimitiveSight, InThePlaneTheSharesAreThoseOfManyDirections) {
     Random random(71);
     int hidden = 0, parts = 0, outside = 0;
     for (int i = 0; i < test::soak_count(60); ++i) {
@@ -37,7 +37,7 @@ TEST(Sight, InThePlaneTheSharesAreThoseOfManyDirections) {
         const View<2> view = make_view(start.view);
         const Reference reference = exact_reference(primitives, start.session().cells(), view);
         const auto own = static_cast<std::uint32_t>(random.below(primitives.size()));
-        const Sight sight = sight_of(*start.scene, view, reference, own);
+        const PrimitiveSight sight = sight_of(*start.scene, view, reference, own);
         SCOPED_TRACE("scene " + std::to_string(i) + " segment " + std::to_string(own));
         ASSERT_EQ(sight.share > 0, reference.visible[own] != 0);
         ASSERT_EQ(sight.share > 0, !sight.pieces.empty());
@@ -87,7 +87,7 @@ TEST(Sight, InThePlaneTheSharesAreThoseOfManyDirections) {
     EXPECT_GT(outside, 3);
 }
 
-TEST(Sight, InSpaceThePixelsAreThoseWhoseRaysHitIt) {
+TEST(PrimitiveSight, InSpaceThePixelsAreThoseWhoseRaysHitIt) {
     Random random(72);
     std::size_t covered = 0, off = 0, hidden = 0, turned = 0;
     for (int i = 0; i < test::soak_count(100); ++i) {
@@ -105,7 +105,7 @@ TEST(Sight, InSpaceThePixelsAreThoseWhoseRaysHitIt) {
         const View<3>& view = session.problem().view;
         const IdImage& image = session.reference().image;
         for (std::uint32_t own = 0; own < primitives.size(); ++own) {
-            const Sight sight = sight_of(*start.scene, view, session.reference(), own);
+            const PrimitiveSight sight = sight_of(*start.scene, view, session.reference(), own);
             ASSERT_EQ(sight.seen_pixels > 0, session.reference().visible[own] != 0);
             ASSERT_EQ(sight.seen_pixels, session.reference().pixels[own]);
             if (sight.unseen == Unseen::turned_away) {
