@@ -154,6 +154,9 @@ std::vector<SettingRow> own_rows() {
             "it also gives the view its aspect",
             "TVCG 4.4", Invalidates::reference, image_size_range, MemberText<&S::reference_size>::get,
             [](Settings& s, std::string_view value) { s.reference_size = parse_image_size(value); }},
+        only_in(3, choice<&S::reference>("reference", Invalidates::reference, "TVCG 4.4",
+                                         "who draws the item buffer: OpenGL, or the program itself, the same on every "
+                                         "machine; without OpenGL always the program")),
 
         choice<&S::palette>("palette", Invalidates::picture, "TR figs 1, 2, 4",
                             "colours: safe for colour-blind readers, as in the papers, or for print"),

@@ -11,6 +11,7 @@
 #include "core/measure/frame_numbers.h"
 #include "core/measure/wrong_region.h"
 #include "core/session/settings_table.h"
+#include "core/truth/software_ids.h"
 
 namespace sightline::lab {
 
@@ -68,6 +69,8 @@ public:
             } else {
                 if (i > 0 && !has_before) before = numbers(i - 1);
                 FrameOfAll now = numbers(i);
+                if (D == 3)
+                    for (Row& row : rows) row.reference = now.reference.name;  // who drew it
                 if (i > 0) compare(before, now);
                 take_times(i, now);
                 for (const Shown& shown : now.methods)
@@ -114,8 +117,9 @@ private:
                 truth_of[t] = tessellations.size();
                 tessellations.push_back(&*lab_.cells[t]);
             }
-        const std::vector<Truth> truths = make_truths<D>(*lab_.scene, tessellations, lab_.views[i],
-                                                         lab_.settings.reference_size, instruments_.draw_ids);
+        const std::vector<Truth> truths =
+            make_truths<D>(*lab_.scene, tessellations, lab_.views[i], lab_.settings.reference_size,
+                           drawing_of(lab_.settings.reference, instruments_.draw_ids));
         FrameOfAll frame;
         frame.reference = truths.front().reference;
         frame.methods.resize(methods_.size());

@@ -17,6 +17,7 @@
 #include "core/scene/scene_view.h"
 #include "core/session/settings_table.h"
 #include "core/space/builders.h"
+#include "core/truth/software_ids.h"
 #include "core/truth/truth.h"
 #include "lab/one_run.h"
 
@@ -62,7 +63,7 @@ template <int D>
 class StabilityStudy {
 public:
     StabilityStudy(const LabScene<D>& lab, const Study& study, const StabilityOptions& options, const DrawIds& draw_ids)
-        : lab_(lab), options_(options), draw_ids_(draw_ids), random_(options.seed) {
+        : lab_(lab), options_(options), draw_ids_(drawing_of(lab.settings.reference, draw_ids)), random_(options.seed) {
         size_ = bounds<D>(lab.scene->primitives).longest_side();
         for (const MethodChoice& choice : study.methods) {
             const Method<D>* const method = method_of<D>(lab.tables, choice);
@@ -343,7 +344,7 @@ private:
     static constexpr int graze_steps = 10;
     const LabScene<D>& lab_;
     StabilityOptions options_;
-    const DrawIds& draw_ids_;
+    DrawIds draw_ids_;
     Random random_;
     double size_ = 1;
     std::vector<Choice> methods_;

@@ -114,7 +114,7 @@ TEST(Settings, EveryFieldOfTheStructHasARow) {
     const auto& [p1, p2, p3, p4, p5, p6, p7, p8, p9, p10, p11, p12, p13, p14, p15, p16, p17, p18, p19, p20, p21, p22,
                  p23, p24, p25, p26, p27, p28, p29, p30] = static_cast<const PictureSettings&>(changed);
     static_cast<void>(p1);
-    constexpr std::size_t own = 4;  // two_sided, method, budget, reference_size
+    constexpr std::size_t own = 5;  // two_sided, method, budget, reference_size, reference
     EXPECT_EQ(settings_table().size(), 8u + 30u + own + all_parameters().size());
 }
 
@@ -137,6 +137,7 @@ TEST(Settings, NamesDefaultsAndWordsAreThoseOfTheDesign) {
         {"culled_cost", "free", "free", "free | charged"},
         {"neighbours_before_break", "yes", "no", "no | yes"},
         {"reference_size", "auto", nullptr, nullptr},
+        {"reference", "opengl", nullptr, "opengl | software"},
         {"seeds", "one", "one", "one | hull"},
         {"budget_counts", "each_once", "each_once", "each_once | per_cell"},
         {"own_content", "off", "off", "off | on"},
@@ -180,6 +181,7 @@ TEST(Settings, EachRowSaysWhatItInvalidates) {
                                                            {"empty_leaves", Invalidates::tessellation},
                                                            {"neighbours", Invalidates::tessellation},
                                                            {"reference_size", Invalidates::reference},
+                                                           {"reference", Invalidates::reference},
                                                            {"palette", Invalidates::picture},
                                                            {"label", Invalidates::picture},
                                                            {"zoom", Invalidates::picture},
