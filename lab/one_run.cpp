@@ -8,19 +8,17 @@
 namespace sightline::lab {
 
 template <int D>
-Problem<D> problem_of(std::span<const Method<D>> methods, const Scene<D>& scene, const CellComplex<D>& cells,
-                      const View<D>& view, const Settings& settings, Method<D>& method) {
-    Variant<D> variant = make_variant<D>(methods, settings.method, settings.parameters);
-    method = std::move(variant.method);
-    return {&scene,  &cells, view, settings.budget.primitives(scene.primitives.size()), std::move(variant.parameters),
-            nullptr, {}};
+MethodProblem<D> problem_of(std::span<const Method<D>> methods, const Scene<D>& scene, const CellComplex<D>& cells,
+                            const View<D>& view, const Settings& settings, const Services& services) {
+    const Variant<D> variant = make_variant<D>(methods, settings.method, settings.parameters);
+    return {variant.method, make_problem(variant.method, variant.parameters, scene, cells, view,
+                                         settings.budget.primitives(scene.primitives.size()), services)};
 }
 
 template <int D>
 OneRun one_run(std::span<const Method<D>> methods, const Scene<D>& scene, const CellComplex<D>& cells,
-               const View<D>& view, const Settings& settings) {
-    Method<D> method;
-    const Problem<D> problem = problem_of(methods, scene, cells, view, settings, method);
+               const View<D>& view, const Settings& settings, const Services& services) {
+    const auto [method, problem] = problem_of(methods, scene, cells, view, settings, services);
     const std::unique_ptr<Run<D>> made = method.start(problem);
     drive(settings.budget, *made);
     OneRun run;
@@ -33,10 +31,10 @@ OneRun one_run(std::span<const Method<D>> methods, const Scene<D>& scene, const 
 }
 
 #define SIGHTLINE_INSTANTIATE(D)                                                                                   \
-    template Problem<D> problem_of<D>(std::span<const Method<D>>, const Scene<D>&, const CellComplex<D>&,          \
-                                      const View<D>&, const Settings&, Method<D>&);                                \
+    template MethodProblem<D> problem_of<D>(std::span<const Method<D>>, const Scene<D>&, const CellComplex<D>&,    \
+                                            const View<D>&, const Settings&, const Services&);                     \
     template OneRun one_run<D>(std::span<const Method<D>>, const Scene<D>&, const CellComplex<D>&, const View<D>&, \
-                               const Settings&);
+                               const Settings&, const Services&);
 SIGHTLINE_INSTANTIATE(2)
 SIGHTLINE_INSTANTIATE(3)
 #undef SIGHTLINE_INSTANTIATE

@@ -17,14 +17,19 @@ struct OneRun {
     std::uint32_t not_finite = 0;  ///< cells whose key is NaN or infinite
 };
 
-/// What a run of the settings' method, or variant, is given; the method itself goes to `method`.
+/// The settings' method, or variant, and what a run of it is given.
 template <int D>
-Problem<D> problem_of(std::span<const Method<D>> methods, const Scene<D>& scene, const CellComplex<D>& cells,
-                      const View<D>& view, const Settings& settings, Method<D>& method);
+struct MethodProblem {
+    Method<D> method;
+    Problem<D> problem;
+};
+template <int D>
+MethodProblem<D> problem_of(std::span<const Method<D>> methods, const Scene<D>& scene, const CellComplex<D>& cells,
+                            const View<D>& view, const Settings& settings, const Services& services);
 
 /// To the budget of the settings.
 template <int D>
 OneRun one_run(std::span<const Method<D>> methods, const Scene<D>& scene, const CellComplex<D>& cells,
-               const View<D>& view, const Settings& settings);
+               const View<D>& view, const Settings& settings, const Services& services);
 
 }  // namespace sightline::lab

@@ -51,6 +51,8 @@ std::string short_number(double value, int digits) {
     return plain;
 }
 
+std::string percent_text(double share) { return short_number(share * 100) + " %"; }
+
 int separating_digits(double a, double b) {
     if (a == b) return 3;
     for (int digits = 3; digits < 17; ++digits)

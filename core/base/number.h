@@ -24,6 +24,9 @@ std::string duration_text(double seconds);
 /// At most `digits` significant digits, for people.
 std::string short_number(double value, int digits = 3);
 
+/// A fraction of 1 for people: "12.3 %".
+std::string percent_text(double share);
+
 /// As few significant digits, but no fewer than 3, as tell two different numbers apart.
 int separating_digits(double a, double b);
 

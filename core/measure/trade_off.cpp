@@ -102,9 +102,9 @@ bool TradeOffStudy<D>::advance() {
         work_.emplace();
         work_->view = view;
         work_->variant = dot->variant;
-        work_->problem = {task_.scene.get(), task_.cells.get(), task_.views[view], none, variant.parameters};
-        const auto visible = std::make_shared<const std::vector<std::uint8_t>>(truth_.reference.visible);
-        work_->problem.services.visible_set = [visible] { return visible; };
+        work_->problem =
+            make_problem(variant.method, variant.parameters, *task_.scene, *task_.cells, task_.views[view], none,
+                         known_services(std::make_shared<std::vector<std::uint8_t>>(truth_.reference.visible)));
         work_->runner.emplace(variant.method, work_->problem);
     } else if (!work_->run) {
         if (work_->runner->advance(steps_a_slice)) return true;

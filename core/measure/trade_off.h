@@ -1,5 +1,5 @@
-// The trade-off of speed and accuracy of one scene and its cells, measured a little at a time: for whoever watches, and
-// must not be held up.
+// The trade-off of speed and accuracy of one scene and its cells, measured in slices, for callers that must stay
+// responsive.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -36,6 +36,15 @@ struct KeyExplanation {
     std::string formula() const { return penalised ? sum + ", " + penalty : sum; }
 };
 
+/// Why an item stands where it does.
+struct Verdict {
+    std::string_view reason = {};  ///< one word, for files: "outside-view"
+    std::string sentence = {};     ///< without its full stop
+    Item about = {};               ///< the item that the sentence speaks of, besides its own
+
+    explicit operator bool() const { return !sentence.empty(); }
+};
+
 /// What a step did to a thing that it looked at.
 enum class Effect : std::uint8_t { left_alone, changed, kept };
 

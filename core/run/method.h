@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/run/run.h"
@@ -94,6 +95,20 @@ Variant<D> make_variant(std::span<const Method<D>> table, std::string_view text,
 /// A method with those of the parameters that it has; written with those that are not what they are in `base`.
 template <int D>
 Variant<D> variant_of(const Method<D>& method, const Parameters& parameters, const Parameters& base = {});
+
+/// What a run of the method is given. Of services and history it gets what it needs; scene and cells outlive the run.
+template <int D>
+Problem<D> make_problem(const Method<D>& method, const Parameters& parameters, const Scene<D>& scene,
+                        const CellComplex<D>& cells, const View<D>& view, std::uint32_t budget = none,
+                        const Services& services = {}, std::shared_ptr<const FrameHistory> history = nullptr) {
+    return {&scene,
+            &cells,
+            view,
+            budget,
+            parameters,
+            method.needs.history ? std::move(history) : nullptr,
+            method.needs.visible_set ? services : Services{}};
+}
 
 /// What can be said of a run's guarantee: "approximate", "conservative", "conservative at this resolution", or
 /// "conservative, cut short by the budget".

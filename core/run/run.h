@@ -91,8 +91,8 @@ public:
     virtual std::string popped_words(const Step& step) const {
         return step.item ? item_name(step.item) : "a batch of primitives in the method's order";
     }
-    /// Why an item that waits has not come yet, or is not waiting at all; empty: there is nothing to say.
-    virtual std::string why_not(const Item&) const { return {}; }
+    /// Why an item has not come into the front; empty: it has, or there is nothing to say.
+    virtual Verdict why_not(const Item&) const { return {}; }
     virtual std::vector<CodeLine> code(const CodePlace&) const { return {}; }
     virtual std::span<const Field<D>> fields() const { return {}; }
     virtual std::vector<Overlay<D>> overlays(const Step*) const { return {}; }

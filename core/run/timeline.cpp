@@ -14,7 +14,6 @@ void Timeline<D>::begin(const Run<D>& run) {
     start = run.counters();
     keyframes_.clear();
     interval_ = 16;
-    if (!run.undoes_by_marks()) keep(run);
 }
 
 template <int D>
@@ -57,6 +56,8 @@ Stop Timeline<D>::forward(OwnRun<D>& run) {
             restore(run, step + 1);
         return Stop::none;
     }
+    // The start is kept with the first step, not before: a flight records none.
+    if (keyframes_.empty() && !run->undoes_by_marks()) keep(*run);
     Recorder recorder(*this);
     const Stop stop = run->run(1, &recorder);
     if (stop != Stop::steps) return stop;

@@ -2,8 +2,10 @@
 #include "core/session/explain.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/base/number.h"
+#include "core/methods/cells/cell_parameters.h"
 #include "core/methods/cells/cell_rules.h"
 
 namespace sightline {
@@ -78,6 +80,8 @@ std::vector<ChainLink> chain_of(const Session<D>& session, std::vector<Reach> re
     return chain;
 }
 
+}  // namespace
+
 template <int D>
 std::uint32_t rank_in_front(const Session<D>& session, std::uint32_t cell) {
     const Mark mark = session.mark(cell);
@@ -89,10 +93,6 @@ std::uint32_t rank_in_front(const Session<D>& session, std::uint32_t cell) {
     }
     return rank;
 }
-
-std::string percent(double share) { return short_number(share * 100) + " %"; }
-
-}  // namespace
 
 std::string key_before(const Considered& c, int digits) {
     if (!c.key || c.before.state != CellState::enqueued) return {};
@@ -142,6 +142,12 @@ std::vector<std::string> rows(const StepExplanation& step) {
     return text;
 }
 
+std::string share_words(double visible_share, std::uint32_t visible) {
+    if (visible_share > 0) return percent_text(visible_share) + " of what is visible lies inside the cell";
+    if (visible == 0) return "nothing visible lies inside the cell";
+    return std::string(visible == 1 ? "its" : "their") + " visible part lies outside this cell";
+}
+
 std::string sentence(const StepExplanation& step) {
     std::string text = "Step " + std::to_string(step.step) + ": ";
     if (step.cell == none) {
@@ -158,9 +164,7 @@ std::string sentence(const StepExplanation& step) {
     }
     text += "; it rendered " + std::to_string(step.rendered) + (step.rendered == 1 ? " primitive" : " primitives");
     if (step.rendered > 0) text += ", " + std::to_string(step.visible) + " of them visible";
-    if (step.cell != none)
-        text += step.visible_share > 0 ? "; it holds " + percent(step.visible_share) + " of what is visible"
-                                       : "; nothing in it is visible";
+    if (step.cell != none) text += "; " + share_words(step.visible_share, step.visible);
     return text + ".";
 }
 
@@ -168,6 +172,55 @@ template <int D>
 std::vector<ChainLink> update_chain(const Session<D>& session, std::uint32_t cell) {
     const std::vector<std::uint32_t> projected_at = steps_of_projection(session);
     return chain_of(session, reaches(session, cell, projected_at), projected_at, 3);
+}
+
+/// The lowest key that was computed for a cell in the front and is not its key.
+template <int D>
+std::optional<LostKey> lost_key(const Session<D>& session, const CellExplanation& e) {
+    const ChainLink* best = nullptr;
+    for (const ChainLink& link : e.reached)
+        if (link.update.key->key < e.mark.key && (!best || link.update.key->key < best->update.key->key)) best = &link;
+    if (!best) return std::nullopt;
+    LostKey lost{best->update.key->key, best->step, best->update.before.key, best->step, false, {}};
+    if (best->update.effect != Effect::kept) {  // the next update threw it away
+        const ChainLink* next = best + 1;
+        while (next->update.effect == Effect::kept) ++next;
+        lost.taken = true;
+        lost.instead = next->update.key->key;
+        lost.lost_in = next->step;
+    }
+    if (const ParameterRow* row = session.method().parameter(on_reenqueue_row().name))
+        lost.with_min = outcome_with(session, cell_item(e.cell), *row, word(OnReenqueue::min));
+    return lost;
+}
+
+std::string lost_words(const LostKey& lost, std::string_view rule) {
+    const int digits = separating_digits(lost.key, lost.instead);
+    const std::string key = short_number(lost.key, digits), instead = short_number(lost.instead, digits);
+    std::string text =
+        rule.empty() ? "the method's rule for cells reached again: " : "on_reenqueue=" + std::string(rule) + ": ";
+    text += lost.taken
+                ? "its key " + key + " of step " + std::to_string(lost.step) + " was replaced by " + instead +
+                      " in step " + std::to_string(lost.lost_in)
+                : "the key " + key + " of step " + std::to_string(lost.step) + " was not taken, it kept " + instead;
+    if (!lost.with_min) return text;
+    const Outcome& min = *lost.with_min;
+    if (min.step > 0) return text + "; with on_reenqueue=min it would have come in step " + std::to_string(min.step);
+    return text + "; with on_reenqueue=min it would not have come either";
+}
+
+/// Of a cell in the front.
+template <int D>
+Verdict why_waiting(const Session<D>& session, CellExplanation& e) {
+    if (e.rank == 1)
+        return {"first", session.finished() ? "the budget: it is the first of the front" : "nothing: it comes next"};
+    e.lost = lost_key(session, e);
+    if (e.lost) {
+        const ParameterRow* row = session.method().parameter(on_reenqueue_row().name);
+        return {"lost-key", lost_words(*e.lost, row ? session.problem().parameters.text(*row) : std::string_view())};
+    }
+    if (e.chain.empty()) return {"seed", "its stamp: it is a seed, and others come before it"};
+    return {"key", e.chain.back().update.key->weightiest};
 }
 
 template <int D>
@@ -184,10 +237,39 @@ CellExplanation explain_cell(const Session<D>& session, std::uint32_t cell) {
     for (const Reach& reach : reached) e.reached.push_back(link(session, reach, e.digits));
     e.chain = chain_of(session, std::move(reached), projected_at, e.digits);
     if (e.mark.state == CellState::enqueued)
-        e.held_back_by = e.chain.empty() ? "nothing: it is a seed" : e.chain.back().update.key->weightiest;
+        e.verdict = why_waiting(session, e);
     else
-        e.held_back_by = session.traversal().why_not(cell_item(cell));
+        e.verdict = session.traversal().why_not(cell_item(cell));
     return e;
+}
+
+std::string_view verdict_title(const CellExplanation& cell) {
+    return cell.rank > 0 ? "held back by" : "not in the front";
+}
+
+std::vector<ChainPart> chain_parts(const std::vector<ChainLink>& chain) {
+    double largest = 0;
+    for (const ChainLink& link : chain) largest = std::max(largest, std::abs(link.update.key->key));
+    const auto is_small = [&](std::size_t i) {
+        const double key = std::abs(chain[i].update.key->key);
+        return i + 1 < chain.size() && (key == 0 || key < largest / 100);
+    };
+    std::vector<ChainPart> parts;
+    for (std::size_t end = chain.size(); end > 0; end = parts.back().first) {
+        std::size_t first = end - 1;
+        while (is_small(end - 1) && first > 0 && is_small(first - 1)) --first;
+        parts.push_back({first, end - first});
+    }
+    return parts;
+}
+
+std::string folded_words(const std::vector<ChainLink>& chain, const ChainPart& part) {
+    const ChainLink &first = chain[part.first], &last = chain[part.first + part.count - 1];
+    double most = 0;
+    for (std::size_t i = 0; i < part.count; ++i) most = std::max(most, std::abs(chain[part.first + i].update.key->key));
+    return "steps " + std::to_string(first.step) + " to " + std::to_string(last.step) + ": " +
+           std::to_string(part.count) + " updates from " + item_name(first.update.from) + " to " +
+           item_name(last.update.item) + ", " + (most > 0 ? "keys of at most " + short_number(most) : "all keys 0");
 }
 
 std::vector<std::string> rows(const CellExplanation& cell) {
@@ -198,15 +280,18 @@ std::vector<std::string> rows(const CellExplanation& cell) {
     if (cell.mark.state == CellState::projected || cell.mark.state == CellState::enqueued)
         head += ", key " + short_number(cell.mark.key, cell.digits);
     if (cell.rank > 0) head += ", number " + std::to_string(cell.rank) + " in the front";
-    head += cell.visible_share > 0 ? ", holds " + percent(cell.visible_share) + " of what is visible" : ", hidden";
+    head += "; " + share_words(cell.visible_share, 0);
     text.push_back(head + ".");
-    if (!cell.held_back_by.empty())
-        text.push_back((cell.rank > 0 ? "  held back by: " : "  not in the front: ") + cell.held_back_by + ".");
+    if (cell.verdict) text.push_back("  " + std::string(verdict_title(cell)) + ": " + cell.verdict.sentence + ".");
     const auto add = [&](const ChainLink& link, const char* indent, const std::string& what) {
         text.push_back(indent + ("step " + std::to_string(link.step)) + ": " + item_name(link.update.from) + " -> " +
                        item_name(link.update.item) + ", " + what + link.update.key->formula());
     };
-    for (const ChainLink& link : cell.chain) add(link, "  ", "");
+    for (const ChainPart& part : chain_parts(cell.chain))
+        if (part.count == 1)
+            add(cell.chain[part.first], "  ", "");
+        else
+            text.push_back("  " + folded_words(cell.chain, part));
     if (cell.reached.size() > 1) {  // the chain ends with one of them
         text.push_back("  reached through " + std::to_string(cell.reached.size()) + " facets:");
         for (const ChainLink& link : cell.reached) add(link, "    ", std::string(link.update.words) + ", ");
@@ -223,6 +308,8 @@ std::optional<std::uint32_t> shown_in_substep(const Session<D>& session, std::ui
     return substep < first ? std::nullopt : std::optional(substep - first);
 }
 
+template std::uint32_t rank_in_front<2>(const Session<2>&, std::uint32_t);
+template std::uint32_t rank_in_front<3>(const Session<3>&, std::uint32_t);
 template StepExplanation explain_step<2>(const Session<2>&, std::uint32_t);
 template StepExplanation explain_step<3>(const Session<3>&, std::uint32_t);
 template std::vector<ChainLink> update_chain<2>(const Session<2>&, std::uint32_t);

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/session/session.h"
+#include "core/session/counterfactual.h"
 
 namespace sightline {
 
@@ -46,6 +46,20 @@ struct ChainLink {
 template <int D>
 std::vector<ChainLink> update_chain(const Session<D>& session, std::uint32_t cell);
 
+/// A key lower than the one that a cell in the front has, which a rule threw away or did not take.
+struct LostKey {
+    double key = 0;
+    std::uint32_t step = 0;           ///< that computed it
+    double instead = 0;               ///< what the cell had or got in its place
+    std::uint32_t lost_in = 0;        ///< the step that threw it away: `step` itself where it was not taken
+    bool taken = false;               ///< it was the cell's key for a while
+    std::optional<Outcome> with_min;  ///< of the cell with on_reenqueue=min, where the method has that parameter
+};
+
+/// A cell's place in the front, from 1; 0: it is not in it.
+template <int D>
+std::uint32_t rank_in_front(const Session<D>& session, std::uint32_t cell);
+
 /// Where a cell stands at the session's position, and why.
 struct CellExplanation {
     std::uint32_t cell = none;
@@ -57,15 +71,32 @@ struct CellExplanation {
     /// Every key computed for the cell so far, in the order of steps: one for each facet that it was reached through,
     /// also where it kept the key that it had.
     std::vector<ChainLink> reached;
-    std::string held_back_by;  ///< for a cell not yet projected: the term, or what keeps it from the front
-    int digits = 3;            ///< StepExplanation::digits of the last step
+    /// For a cell not yet projected: what holds it back, or why it is not there.
+    Verdict verdict;
+    std::optional<LostKey> lost;  ///< the lowest one, where one was lower than the cell's key
+    int digits = 3;               ///< StepExplanation::digits of the last step
 };
 
-/// Cost: steps + cells, and the reference where it is not made yet.
+/// Cost: steps + cells, a run of the method where a key was lost, and the reference where it is not made yet.
 template <int D>
 CellExplanation explain_cell(const Session<D>& session, std::uint32_t cell);
 
 std::vector<std::string> rows(const CellExplanation& cell);
+
+/// What the visible share says of a step beside the primitives that it rendered.
+std::string share_words(double visible_share, std::uint32_t visible);
+
+/// "held back by" or "not in the front", before the verdict.
+std::string_view verdict_title(const CellExplanation& cell);
+
+/// A part of a chain: one update, or several whose keys are about nothing beside the largest key of the chain, below a
+/// hundredth of it: those are told in one line.
+struct ChainPart {
+    std::size_t first = 0, count = 1;  ///< in the chain
+};
+/// From the chain's end, which decides and is never folded, back to the seed.
+std::vector<ChainPart> chain_parts(const std::vector<ChainLink>& chain);
+std::string folded_words(const std::vector<ChainLink>& chain, const ChainPart& part);
 
 /// Which of the things that a step looked at a substep shows: an index into StepExplanation::looked_at. Nothing where
 /// it shows the pop or the rendering.

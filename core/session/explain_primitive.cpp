@@ -3,18 +3,75 @@
 
 #include <algorithm>
 
+#include "core/base/number.h"
+#include "core/session/explain.h"
+
 namespace sightline {
+
+namespace {
+
+/// Those that hide most; the rest as a number.
+std::string hider_words(const std::vector<Hider>& hiders, const char* kind) {
+    constexpr std::size_t most = 4;
+    const std::size_t told = std::min(hiders.size(), most);
+    std::string text = std::string(kind) + (hiders.size() == 1 ? " " : "s ");
+    for (std::size_t i = 0; i < told; ++i)
+        text += (i == 0                   ? ""
+                 : i + 1 == hiders.size() ? " and "
+                                          : ", ") +
+                std::to_string(hiders[i].primitive) + " (" + percent_text(hiders[i].share) + ")";
+    if (hiders.size() > told) text += " and " + std::to_string(hiders.size() - told) + " more";
+    return text;
+}
+
+/// From where to where it is seen.
+std::string seen_words(const Session<2>& session, const PrimitiveSight& sight) {
+    const auto point = [&](const Vec<2>& p) {
+        const Vec<2> at = p + session.scene().origin;
+        return short_number(at.x, 5) + "," + short_number(at.y, 5);
+    };
+    std::string text = percent_text(sight.share) + " of its angle";
+    for (std::size_t i = 0; i < sight.pieces.size() && i < 3; ++i)
+        text += (i == 0 ? ", from " : " and from ") + point(sight.pieces[i].from) + " to " + point(sight.pieces[i].to);
+    if (sight.pieces.size() > 3) text += " and " + std::to_string(sight.pieces.size() - 3) + " more stretches";
+    return text;
+}
+std::string seen_words(const Session<3>&, const PrimitiveSight& sight) {
+    const auto range = [&](int first, int last, const char* what) {
+        return std::string(what) + (first == last ? " " + std::to_string(first)
+                                                  : "s " + std::to_string(first) + " to " + std::to_string(last));
+    };
+    const auto& b = sight.seen_box;
+    return std::to_string(sight.seen_pixels) + " of the " + std::to_string(sight.pixels) + " pixels that it covers, " +
+           range(b[0], b[1], "column") + ", " + range(b[2], b[3], "row");
+}
+
+}  // namespace
 
 template <int D>
 PrimitiveExplanation explain_primitive(const Session<D>& session, std::uint32_t primitive) {
     PrimitiveExplanation e;
     e.primitive = primitive;
     e.visible = session.reference().visible[primitive] != 0;
+    e.sight = sight_of(session.scene(), session.problem().view, session.reference(), primitive);
     const CellComplex<D>& cells = session.cells();
     for (std::uint32_t cell = 0; cell < cells.cell_count(); ++cell) {
         const auto held = cells.primitives_of(cell);
         if (std::find(held.begin(), held.end(), primitive) != held.end()) e.cells.push_back(cell);
     }
+    std::vector<std::uint32_t> projected_at(e.cells.empty() ? 0 : cells.cell_count());
+    for (std::uint32_t step = 1; step <= std::min(session.position(), session.recorded()) && !e.cells.empty(); ++step)
+        if (const std::uint32_t cell = id_of(session.timeline().steps[step - 1].item, Kind::cell); cell != none)
+            projected_at[cell] = step;
+    std::stable_sort(e.cells.begin(), e.cells.end(), [&](std::uint32_t a, std::uint32_t b) {
+        const auto order = [&](std::uint32_t cell) {
+            const CellState state = session.mark(cell).state;
+            return state == CellState::projected ? 0 : state == CellState::enqueued ? 1 : 2;
+        };
+        if (order(a) != order(b)) return order(a) < order(b);
+        if (order(a) == 0) return projected_at[a] < projected_at[b];
+        return order(a) == 1 && comes_before(session.mark(a), session.mark(b));
+    });
     const Session<D> end = copy_at(session, session.recorded());
     const auto met = end.met();
     for (std::uint32_t i = 0; i < met.size(); ++i) {
@@ -29,26 +86,60 @@ PrimitiveExplanation explain_primitive(const Session<D>& session, std::uint32_t 
 }
 
 template <int D>
-std::string sentence(const PrimitiveExplanation& e, std::uint32_t position) {
+std::string sight_sentence(const Session<D>& session, const PrimitiveExplanation& e) {
+    const char* const kind = D == 2 ? "segment" : "triangle";
     std::string text = (D == 2 ? "Segment " : "Triangle ") + std::to_string(e.primitive);
-    text += e.visible ? " is visible; " : " is hidden; ";
-    if (e.met_at == 0)
-        text += "no step of the recorded run meets it";
-    else if (e.culled)
-        text += "step " + std::to_string(e.met_at) + " finds it outside the view";
-    else
-        text += "step " + std::to_string(e.met_at) + (e.met_at <= position ? " rendered it" : " will render it");
-    text += e.cells.empty()       ? "; it lies in no cell"
-            : e.cells.size() == 1 ? "; it lies in cell "
-                                  : "; it lies in cells ";
-    for (std::size_t i = 0; i < e.cells.size(); ++i)
-        text += (i == 0 ? "" : i + 1 == e.cells.size() ? " and " : ", ") + std::to_string(e.cells[i]);
+    switch (e.sight.unseen) {
+        case Unseen::outside:
+            return text + " lies outside the view.";
+        case Unseen::turned_away:
+            return text + " is hidden: it turns its back to the eye.";
+        case Unseen::edge_on:
+            return text + " is hidden: it lies on a line through the eye.";
+        case Unseen::no_pixel:
+            return text + " is hidden: it covers the centre of no pixel.";
+        case Unseen::no:
+            break;
+    }
+    if (!e.visible) return text + " is hidden by " + hider_words(e.sight.hiders, kind) + ".";
+    text += " is visible: " + seen_words(session, e.sight);
+    if (!e.sight.hiders.empty()) text += "; the rest is hidden by " + hider_words(e.sight.hiders, kind);
     return text + ".";
 }
 
-template PrimitiveExplanation explain_primitive<2>(const Session<2>&, std::uint32_t);
-template PrimitiveExplanation explain_primitive<3>(const Session<3>&, std::uint32_t);
-template std::string sentence<2>(const PrimitiveExplanation&, std::uint32_t);
-template std::string sentence<3>(const PrimitiveExplanation&, std::uint32_t);
+std::string met_sentence(const PrimitiveExplanation& e, std::uint32_t position) {
+    if (e.met_at == 0) return "No recorded step meets it.";
+    const std::string step = "Step " + std::to_string(e.met_at);
+    const bool done = e.met_at <= position;
+    if (e.culled) return step + (done ? " found it outside the view." : " will find it outside the view.");
+    return step + (done ? " rendered it." : " will render it.");
+}
+
+template <int D>
+std::string place_words(const Session<D>& session, std::uint32_t cell) {
+    const Mark mark = session.mark(cell);
+    if (mark.state != CellState::enqueued) return std::string(cell_state_words[static_cast<std::size_t>(mark.state)]);
+    return "number " + std::to_string(rank_in_front(session, cell)) + " in the front";
+}
+
+template <int D>
+std::vector<std::string> rows(const Session<D>& session, const PrimitiveExplanation& e) {
+    std::vector<std::string> text{sight_sentence(session, e), met_sentence(e, session.position())};
+    const std::size_t count = e.cells.size(), told = std::min(count, most_cells_told);
+    if (count == 0) text.push_back("No cell holds it.");
+    for (std::size_t i = 0; i < told; ++i)
+        text.push_back("  " + item_name(cell_item(e.cells[i])) + " holds it: " + place_words(session, e.cells[i]));
+    if (count > told) text.push_back("  " + std::to_string(count - told) + " more cells hold it");
+    return text;
+}
+
+#define SIGHTLINE_INSTANTIATE(D)                                                            \
+    template PrimitiveExplanation explain_primitive<D>(const Session<D>&, std::uint32_t);   \
+    template std::string sight_sentence<D>(const Session<D>&, const PrimitiveExplanation&); \
+    template std::string place_words<D>(const Session<D>&, std::uint32_t);                  \
+    template std::vector<std::string> rows<D>(const Session<D>&, const PrimitiveExplanation&);
+SIGHTLINE_INSTANTIATE(2)
+SIGHTLINE_INSTANTIATE(3)
+#undef SIGHTLINE_INSTANTIATE
 
 }  // namespace sightline

@@ -122,7 +122,7 @@ public:
     // Changing it. Each keeps the step as far as the new traversal has it, and the selection.
     /// What was made again.
     Invalidates change(const Settings& settings);
-    /// Throws InputError for a view that cannot be.
+    /// Throws InputError for an invalid view.
     void check(const ViewSpec<D>& view) const;
     /// Moves the culling view; while frozen the display view, which takes along what of the culling view is not frozen.
     void set_view(const ViewSpec<D>& view);

@@ -2,6 +2,7 @@
 #include "core/truth/truth.h"
 
 #include <algorithm>
+#include <mutex>
 
 #include "core/base/error.h"
 #include "core/truth/item_buffer.h"
@@ -44,6 +45,25 @@ std::vector<std::uint8_t> visible_set<3>(const Scene<3>& scene, const View<3>& v
     for (const std::uint32_t id : images.front().ids)
         if (id != none) visible[id] = 1;
     return visible;
+}
+
+template <int D>
+Services exact_services(const Scene<D>& scene, const View<D>& view, const ImageSize& size, const DrawIds& draw_ids) {
+    struct Kept {
+        std::once_flag once;
+        std::vector<std::uint8_t> visible;
+    };
+    const auto kept = std::make_shared<Kept>();
+    return {[&scene, view, size, draw_ids, kept] {
+        std::call_once(kept->once, [&] { kept->visible = visible_set<D>(scene, view, size, draw_ids); });
+        return std::shared_ptr<const std::vector<std::uint8_t>>(kept, &kept->visible);
+    }};
+}
+template Services exact_services<2>(const Scene<2>&, const View<2>&, const ImageSize&, const DrawIds&);
+template Services exact_services<3>(const Scene<3>&, const View<3>&, const ImageSize&, const DrawIds&);
+
+Services known_services(std::shared_ptr<const std::vector<std::uint8_t>> visible) {
+    return {[visible = std::move(visible)] { return visible; }};
 }
 
 template <>

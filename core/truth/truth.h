@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "core/run/problem.h"
 #include "core/truth/id_image.h"
 #include "core/truth/reference.h"
 
@@ -19,6 +20,12 @@ namespace sightline {
 template <int D>
 std::vector<std::uint8_t> visible_set(const Scene<D>& scene, const View<D>& view, const ImageSize& size,
                                       const DrawIds& draw_ids);
+
+/// With the exact visible set of a view: made when it is first asked for, and kept. The scene outlives it.
+template <int D>
+Services exact_services(const Scene<D>& scene, const View<D>& view, const ImageSize& size, const DrawIds& draw_ids);
+/// With one that is known.
+Services known_services(std::shared_ptr<const std::vector<std::uint8_t>> visible);
 
 /// The set, what of it lies in which cell, and in 3D the image.
 template <int D>

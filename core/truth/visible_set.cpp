@@ -33,7 +33,7 @@ struct Envelopes {
     std::size_t count() const { return begin.size() - 1; }
 };
 
-struct Sight {
+struct SectorSight {
     const Sector& sector;
     std::span<const Facing> facing;
 
@@ -41,8 +41,8 @@ struct Sight {
 };
 
 /// Appends what is seen of segments a and b (or nobody) where both reach from `from` to `to`.
-void append_nearer(const Sight& sight, Envelopes& out, const Direction& from, const Direction& to, std::uint32_t a,
-                   std::uint32_t b) {
+void append_nearer(const SectorSight& sight, Envelopes& out, const Direction& from, const Direction& to,
+                   std::uint32_t a, std::uint32_t b) {
     if (a == none || b == none) return out.append(from, a == none ? b : a);
     if (a > b) std::swap(a, b);
     const Nearer order = nearer(sight.facing[a], sight.facing[b]);
@@ -57,7 +57,7 @@ void append_nearer(const Sight& sight, Envelopes& out, const Direction& from, co
 }
 
 /// Appends the envelope of two envelopes.
-void merge(const Sight& sight, std::span<const Stretch> a, std::span<const Stretch> b, Envelopes& out) {
+void merge(const SectorSight& sight, std::span<const Stretch> a, std::span<const Stretch> b, Envelopes& out) {
     const Direction end{sight.sector.left};
     Direction from = a[0].from;
     for (std::size_t i = 0, j = 0;;) {
@@ -75,7 +75,7 @@ void merge(const Sight& sight, std::span<const Stretch> a, std::span<const Stret
 }
 
 /// The envelope of all arcs: who is the nearest in every direction of the sector.
-std::vector<Stretch> envelope(const Sight& sight, std::span<const Arc> arcs) {
+std::vector<Stretch> envelope(const SectorSight& sight, std::span<const Arc> arcs) {
     Envelopes now, next;
     const Direction right{sight.sector.right};
     for (const Arc& arc : arcs) {

@@ -21,8 +21,8 @@ Chart chart_of(const std::vector<const CellsCurve*>& curves, Measure measure, do
     chart.x = "cells";
     chart.y = std::string(measure_row(measure).title) + ", " + (share ? "%" : std::string(measure_row(measure).unit));
     chart.log_x = true;
-    Series marks{"knee", Series::Look::dots, "#000000", 2, {}, {}};
-    MethodLooks looks;
+    Series marks{"knee", {{}, {}, ChartMarker::square}, Series::Shown::markers, 2, {}, {}};
+    const MethodLooks looks = MethodLooks::of(curves);
     for (const CellsCurve* at : curves) {
         const CellsCurve& curve = *at;
         Series s = looks.series(curve.method);

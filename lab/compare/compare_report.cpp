@@ -9,7 +9,7 @@
 
 #include "core/base/file.h"
 #include "core/base/number.h"
-#include "lab/report/chart.h"
+#include "lab/report/method_looks.h"
 #include "lab/report/page.h"
 
 namespace sightline::lab {
@@ -156,15 +156,19 @@ void write_comparison(const Comparison& comparison, const std::vector<SideBySide
     }
     html += "</ul>";
     json["pairs"] = Json::array();
+    std::vector<MethodChoice> methods;
+    for (const Pair& pair : pairs) methods.insert(methods.end(), {pair.a->method, pair.b->method});
+    const MethodLooks looks(methods);
     for (const Pair& pair : pairs) {
         Json one{{"scene", pair.a->scene},
                  {"path", pair.a->path},
                  {"method_a", method_text(pair.a->method)},
                  {"method_b", method_text(pair.b->method)},
                  {"budget", pair.a->budget}};
-        html += "<h3>" + escaped(title_of(pair)) +
-                "</h3><table><tr><th class=t>measure</th><th>A</th><th>B</th><th>B - A</th><th>±</th><th class=t></th>"
-                "<th>lost most in frame</th><th>gained most in frame</th></tr>";
+        html += "<h3>" + escaped(title_of(pair)) + "</h3><table><tr><th class=t>measure</th><th>" +
+                swatch(looks.look(pair.a->method)) + "A</th><th>" + swatch(looks.look(pair.b->method)) +
+                "B</th><th>B - A</th><th>±</th><th class=t></th><th>lost most in frame</th><th>gained most in "
+                "frame</th></tr>";
         for (const Change& c : pair.changes) {
             const MeasureRow& m = measure_row(c.measure);
             const std::string says = verdict(c);

@@ -1,19 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "lab/gallery/gallery.h"
+#include "lab/gallery/gallery_both.h"
 
 namespace sightline::lab {
-
-namespace {
-
-constexpr Expect pass = Expect::pass, fail = Expect::fail, pending = Expect::pending;
-constexpr Bound at_least = Bound::at_least, at_most = Bound::at_most;
-
-}  // namespace
 
 template <>
 std::span<const GalleryRow<2>> gallery<2>() {
     // Where a scene does not fail as the field notes expect, "means" says so.
-    static const std::vector<GalleryRow<2>> rows{
+    static const std::vector<GalleryRow<2>> rows = with_rows_of_both<2>({
         {"bottleneck",
          1,
          "bottleneck",
@@ -72,15 +65,6 @@ std::span<const GalleryRow<2>> gallery<2>() {
           {"published penalty=add", fail, "coverage", at_least, 0.625, "the scale matters to a penalty that is added"},
           {"published penalty=add solidity_scale=p95", pass, "coverage", at_least, 0.625,
            "the scale matters to a penalty that is added"}}},
-        {"forget",
-         5,
-         "forget",
-         {},
-         "the store is projected with solidity 0: the wall before it is forgotten",
-         "visible_share == 0 && hidden_now >= 4 && rho == 0",
-         {{"published", fail, "coverage", at_least, 0.9, "the reeds come before the store"},
-          {"layers", pass, "coverage", at_least, 0.9, "the reeds come before the store: they are nearer"},
-          {"flux", pending, "coverage", at_least, 0.9, "the reeds come before the store"}}},
         {"outside",
          6,
          "warehouse",
@@ -95,18 +79,6 @@ std::span<const GalleryRow<2>> gallery<2>() {
            "few crates are drawn before the front is"},
           {"published budget=unlimited", pass, "missed", at_most, 0, "one seed reaches all in the end"},
           {"cplp", pending, "missed", at_most, 0, "one seed reaches all in the end"}}},
-        {"hullgap",
-         7,
-         "fence",
-         {},
-         "the fence is never drawn: the cells end half a leaf before it",
-         "",
-         {{"cells border=none", fail, "unassigned", at_most, 0, "every primitive lies in a cell"},
-          {"cells border=inflated", pass, "unassigned", at_most, 0, "every primitive lies in a cell"},
-          {"cells tessellation=tree", pass, "unassigned", at_most, 0, "every primitive lies in a leaf"},
-          {"published border=none", fail, "missed", at_most, 0, "all is drawn without a budget"},
-          {"published border=inflated", pass, "missed", at_most, 0, "all is drawn without a budget"},
-          {"centroid border=none", pass, "missed", at_most, 0, "without cells nothing falls between them"}}},
         {"huge",
          8,
          "planks",
@@ -194,16 +166,6 @@ std::span<const GalleryRow<2>> gallery<2>() {
           {"published", fail, "wrong", at_most, 0.15, "by pixels as good as distance"},
           {"centroid", pass, "wrong", at_most, 0.15, "few pixels are wrong"},
           {"layers", pass, "wrong", at_most, 0.15, "few pixels are wrong"}}},
-        {"grazing",
-         16,
-         "graze",
-         {},
-         "the wall in line with the eye: cosines and projected areas are 0",
-         "step:20",
-         {{"published", pass, "bad_keys", at_most, 0, "every key is a number"},
-          {"published view_vector=camera transfer_sign=signed", pass, "bad_keys", at_most, 0, "every key is a number"},
-          {"published", pass, "sweep_jump", at_most, 0.02, "coverage does not jump within a tenth of a degree"},
-          {"layers", pass, "sweep_jump", at_most, 0.02, "coverage does not jump within a tenth of a degree"}}},
         {"near",
          17,
          "cockpit",
@@ -250,16 +212,6 @@ std::span<const GalleryRow<2>> gallery<2>() {
          "front > 50",
          {{"layers budget=unlimited", pass, "front", at_most, 255, "8 bits tell the front's cells apart"},
           {"cplp", pending, "missed", at_most, 0, "ids of boxes are not cut to 8 bits"}}},
-        {"tiny-budget",
-         22,
-         "bottleneck",
-         {},
-         "budgets of 0, 1, 2, … primitives end inside a cell",
-         "rendered > 0",
-         {{"published", pass, "off_budget", at_most, 0, "a budget is kept to the primitive"},
-          {"layers", pass, "off_budget", at_most, 0, "a budget is kept to the primitive"},
-          {"centroid", pass, "off_budget", at_most, 0, "a budget is kept to the primitive"},
-          {"everything", pass, "off_budget", at_most, 0, "a budget is kept to the primitive"}}},
         {"scale",
          23,
          "streets",
@@ -283,16 +235,6 @@ std::span<const GalleryRow<2>> gallery<2>() {
           {"reference", pass, "walk_visible", at_least, 0.3, "the exact set itself changes more than any method pops"}},
          {},
          ViewSpec<2>{{14, 0}, {8, 30}, 80}},
-        {"non-convex",
-         25,
-         "zigzag",
-         {},
-         "a folded wall hides as one piece what no fold hides alone",
-         "hidden_now >= 4",
-         {{"coorg-teller", pending, "missed", at_most, 0, "gives up rather than hide what is visible"},
-          {"coorg-teller", pending, "culled", at_least, 0.95, "all that is hidden is culled; this it should not reach"},
-          {"view budget=unlimited", fail, "culled", at_least, 0.01, "anything hidden is culled"},
-          {"published", pass, "detour", at_most, 3, "the wall comes before the crates"}}},
         {"shared-edge",
          26,
          "ridge",
@@ -302,15 +244,6 @@ std::span<const GalleryRow<2>> gallery<2>() {
          {{"coorg-teller", pending, "missed", at_most, 0, "an edge that is a silhouette is kept"},
           {"view budget=unlimited", pass, "missed", at_most, 0, "a conservative method misses nothing"},
           {"published", fail, "of_oracle", at_least, 0.8, "bushes beside the wedges come before those behind"}}},
-        {"empty",
-         27,
-         "empty",
-         {},
-         "no primitive: nothing to see, to draw or to miss",
-         "",
-         {{"published", pass, "rendered_count", at_most, 0, "draws nothing"},
-          {"published", pass, "missed", at_most, 0, "misses nothing"},
-          {"published tessellation=tree", pass, "bad_keys", at_most, 0, "every key is a number"}}},
         {"single",
          27,
          "single",
@@ -320,15 +253,6 @@ std::span<const GalleryRow<2>> gallery<2>() {
          {{"published", pass, "coverage", at_least, 1, "it is drawn"},
           {"published border=none", pass, "coverage", at_least, 1, "it is drawn, though the box is flat"},
           {"layers tessellation=tree", pass, "coverage", at_least, 1, "it is drawn"}}},
-        {"one-cell",
-         27,
-         "onecell",
-         {},
-         "all in one cell: the order inside it is that of the file",
-         "rendered > 0",
-         {{"published", fail, "of_oracle", at_least, 0.5, "visible ones come first"},
-          {"layers", fail, "of_oracle", at_least, 0.5, "visible ones come first"},
-          {"centroid", pass, "of_oracle", at_least, 0.5, "visible ones come first: no cells, no such limit"}}},
         {"collinear",
          27,
          "line",
@@ -361,7 +285,7 @@ std::span<const GalleryRow<2>> gallery<2>() {
           {"layers", fail, "coverage_at_look", at_least, 0.5, "the sculpture is drawn"},
           {"centroid", fail, "coverage_at_look", at_least, 0.5, "the sculpture is drawn"},
           {"feedback", pending, "coverage_at_look", at_least, 0.5, "64 pixels of depth do not close the gap"}}},
-    };
+    });
     return rows;
 }
 

@@ -1,19 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "lab/gallery/gallery.h"
+#include "lab/gallery/gallery_both.h"
 
 namespace sightline::lab {
-
-namespace {
-
-constexpr Expect pass = Expect::pass, fail = Expect::fail, pending = Expect::pending;
-constexpr Bound at_least = Bound::at_least, at_most = Bound::at_most;
-
-}  // namespace
 
 template <>
 std::span<const GalleryRow<3>> gallery<3>() {
     // Where a scene does not fail as the field notes expect, "means" says so.
-    static const std::vector<GalleryRow<3>> rows{
+    static const std::vector<GalleryRow<3>> rows = with_rows_of_both<3>({
         {"bottleneck",
          1,
          "bottleneck",
@@ -75,15 +68,6 @@ std::span<const GalleryRow<3>> gallery<3>() {
           {"published penalty=add", fail, "coverage", at_least, 0.735, "the scale matters to a penalty that is added"},
           {"published penalty=add solidity_scale=p95", pass, "coverage", at_least, 0.735,
            "the scale matters to a penalty that is added"}}},
-        {"forget",
-         5,
-         "forget",
-         {},
-         "the store is projected with solidity 0: the wall before it is forgotten",
-         "visible_share == 0 && hidden_now >= 4 && rho == 0",
-         {{"published", fail, "coverage", at_least, 0.9, "the reeds come before the store"},
-          {"layers", pass, "coverage", at_least, 0.9, "the reeds come before the store: they are nearer"},
-          {"flux", pending, "coverage", at_least, 0.9, "the reeds come before the store"}}},
         {"outside",
          6,
          "warehouse",
@@ -96,18 +80,6 @@ std::span<const GalleryRow<3>> gallery<3>() {
           {"layers", pass, "detour", at_most, 8, "few crates are drawn before the front is"},
           {"published budget=unlimited", pass, "missed", at_most, 0, "one seed reaches all in the end"},
           {"cplp", pending, "missed", at_most, 0, "one seed reaches all in the end"}}},
-        {"hullgap",
-         7,
-         "fence",
-         {},
-         "the fence is never drawn: the cells end half a leaf before it",
-         "",
-         {{"cells border=none", fail, "unassigned", at_most, 0, "every primitive lies in a cell"},
-          {"cells border=inflated", pass, "unassigned", at_most, 0, "every primitive lies in a cell"},
-          {"cells tessellation=tree", pass, "unassigned", at_most, 0, "every primitive lies in a leaf"},
-          {"published border=none", fail, "missed", at_most, 0, "all is drawn without a budget"},
-          {"published border=inflated", pass, "missed", at_most, 0, "all is drawn without a budget"},
-          {"centroid border=none", pass, "missed", at_most, 0, "without cells nothing falls between them"}}},
         {"huge",
          8,
          "planks",
@@ -196,16 +168,6 @@ std::span<const GalleryRow<3>> gallery<3>() {
           {"published", pass, "wrong", at_most, 0.6, "the walls are drawn"},
           {"layers", pass, "wrong", at_most, 0.6, "the walls are drawn"},
           {"tri", pending, "wrong", at_most, 0.2, "large visible triangles come first"}}},
-        {"grazing",
-         16,
-         "graze",
-         {},
-         "the wall in line with the eye: cosines and projected areas are 0",
-         "step:20",
-         {{"published", pass, "bad_keys", at_most, 0, "every key is a number"},
-          {"published view_vector=camera transfer_sign=signed", pass, "bad_keys", at_most, 0, "every key is a number"},
-          {"published", pass, "sweep_jump", at_most, 0.02, "coverage does not jump within a tenth of a degree"},
-          {"layers", pass, "sweep_jump", at_most, 0.02, "coverage does not jump within a tenth of a degree"}}},
         {"near",
          17,
          "cockpit",
@@ -252,16 +214,6 @@ std::span<const GalleryRow<3>> gallery<3>() {
          {{"layers", fail, "front", at_most, 255, "8 bits tell the front's cells apart"},
           {"published", fail, "front", at_most, 255, "8 bits tell the front's cells apart"},
           {"cplp", pending, "missed", at_most, 0, "ids of boxes are not cut to 8 bits"}}},
-        {"tiny-budget",
-         22,
-         "bottleneck",
-         {},
-         "budgets of 0, 1, 2, … primitives end inside a cell",
-         "rendered > 0",
-         {{"published", pass, "off_budget", at_most, 0, "a budget is kept to the primitive"},
-          {"layers", pass, "off_budget", at_most, 0, "a budget is kept to the primitive"},
-          {"centroid", pass, "off_budget", at_most, 0, "a budget is kept to the primitive"},
-          {"everything", pass, "off_budget", at_most, 0, "a budget is kept to the primitive"}}},
         {"scale",
          23,
          "bottleneck",
@@ -286,16 +238,6 @@ std::span<const GalleryRow<3>> gallery<3>() {
           {"reference", pass, "walk_visible", at_least, 0.3, "the exact set itself changes more than any method pops"}},
          {},
          ViewSpec<3>{{14, 0, 1.5}, {8, 30, 1.5}, 60}},
-        {"non-convex",
-         25,
-         "zigzag",
-         {},
-         "a folded wall hides as one piece what no fold hides alone",
-         "hidden_now >= 4",
-         {{"coorg-teller", pending, "missed", at_most, 0, "gives up rather than hide what is visible"},
-          {"coorg-teller", pending, "culled", at_least, 0.95, "all that is hidden is culled; this it should not reach"},
-          {"view budget=unlimited", fail, "culled", at_least, 0.01, "anything hidden is culled"},
-          {"published", pass, "detour", at_most, 3, "the wall comes before the crates"}}},
         {"shared-edge",
          26,
          "ridge",
@@ -305,15 +247,6 @@ std::span<const GalleryRow<3>> gallery<3>() {
          {{"coorg-teller", pending, "missed", at_most, 0, "an edge that is a silhouette is kept"},
           {"view budget=unlimited", pass, "missed", at_most, 0, "a conservative method misses nothing"},
           {"published", fail, "of_oracle", at_least, 0.8, "bushes beside the wedges come before those behind"}}},
-        {"empty",
-         27,
-         "empty",
-         {},
-         "no primitive: nothing to see, to draw or to miss",
-         "",
-         {{"published", pass, "rendered_count", at_most, 0, "draws nothing"},
-          {"published", pass, "missed", at_most, 0, "misses nothing"},
-          {"published tessellation=tree", pass, "bad_keys", at_most, 0, "every key is a number"}}},
         {"single",
          27,
          "single",
@@ -323,15 +256,6 @@ std::span<const GalleryRow<3>> gallery<3>() {
          {{"published", pass, "coverage", at_least, 1, "it is drawn"},
           {"published border=none", pass, "coverage", at_least, 1, "it is drawn, though the box is flat"},
           {"layers tessellation=tree", pass, "coverage", at_least, 1, "it is drawn"}}},
-        {"one-cell",
-         27,
-         "onecell",
-         {},
-         "all in one cell: the order inside it is that of the file",
-         "rendered > 0",
-         {{"published", fail, "of_oracle", at_least, 0.5, "visible ones come first"},
-          {"layers", fail, "of_oracle", at_least, 0.5, "visible ones come first"},
-          {"centroid", pass, "of_oracle", at_least, 0.5, "visible ones come first: no cells, no such limit"}}},
         {"coplanar",
          27,
          "line",
@@ -375,7 +299,7 @@ std::span<const GalleryRow<3>> gallery<3>() {
           {"layers", fail, "coverage_at_look", at_least, 0.5, "the sculpture is drawn"},
           {"centroid", fail, "coverage_at_look", at_least, 0.5, "the sculpture is drawn"},
           {"feedback", pending, "coverage_at_look", at_least, 0.5, "64 pixels of depth do not close the gap"}}},
-    };
+    });
     return rows;
 }
 

@@ -9,16 +9,10 @@
 #include "core/scene/clean.h"
 #include "core/scene/scene_view.h"
 #include "lab/gallery/gallery_functions.h"
-#include "lab/one_run.h"
 
 namespace sightline::lab {
 
 namespace {
-
-template <int D>
-OneRun ran_at(const Probe<D>& p, const ViewSpec<D>& view) {
-    return one_run(p.methods, p.at.scene(), p.at.cells(p.settings), p.at.view(view, p.settings), p.settings);
-}
 
 /// The runs after the eye and what it looks at moved along every axis, both ways, and along the diagonals.
 template <int D, typename See>
@@ -30,7 +24,7 @@ void for_each_shift(const Probe<D>& p, See see) {
         ViewSpec<D> view = p.view;
         view.eye += by;
         view.look_at += by;
-        see(ran_at(p, view));
+        see(ran(p, view));
     }
 }
 
@@ -46,7 +40,9 @@ OneRun ran_elsewhere(const Probe<D>& p, double scale, const Vec<D>& offset, bool
     view.eye -= scene.origin;
     view.look_at -= scene.origin;
     const CellComplex<D> cells = build_cells(scene, p.settings);
-    return one_run(p.methods, scene, cells, scene_view(view, scene, p.settings.reference_size), p.settings);
+    const View<D> seen = scene_view(view, scene, p.settings.reference_size);
+    return one_run(p.methods, scene, cells, seen, p.settings,
+                   exact_services(scene, seen, p.settings.reference_size, p.at.draw_ids()));
 }
 
 /// 0 where the other run has lost primitives: two of them fell together.
@@ -86,7 +82,7 @@ ViewSpec<D> on_walk(const Probe<D>& p, int frame) {
 
 template <int D>
 double least_overlap_under_shifts(const Probe<D>& p) {
-    const OneRun here = ran_at(p, p.view);
+    const OneRun here = ran(p);
     double least = 1;
     for_each_shift(p, [&](const OneRun& there) { least = std::min(least, overlap(here, there)); });
     return least;
@@ -101,7 +97,7 @@ double fewest_steps_under_shifts(const Probe<D>& p) {
 
 template <int D>
 double change_by_powers_of_two(const Probe<D>& p) {
-    const OneRun here = ran_at(p, p.view);
+    const OneRun here = ran(p);
     double worst = 0;
     for (const double scale : {0x1p20, 0x1p-20}) {
         const OneRun there = ran_elsewhere(p, scale, Vec<D>(0), false);
@@ -115,19 +111,19 @@ double change_by_powers_of_two(const Probe<D>& p) {
 
 template <int D>
 double overlap_scaled(const Probe<D>& p) {
-    const OneRun here = ran_at(p, p.view);
+    const OneRun here = ran(p);
     return std::min(overlap(here, ran_elsewhere(p, 1e6, Vec<D>(0), false)),
                     overlap(here, ran_elsewhere(p, 1e-6, Vec<D>(0), false)));
 }
 
 template <int D>
 double overlap_moved(const Probe<D>& p) {
-    return overlap(ran_at(p, p.view), ran_elsewhere(p, 1, Vec<D>(1e6), false));
+    return overlap(ran(p), ran_elsewhere(p, 1, Vec<D>(1e6), false));
 }
 
 template <int D>
 double overlap_moved_and_read(const Probe<D>& p) {
-    return overlap(ran_at(p, p.view), ran_elsewhere(p, 1, Vec<D>(1e6), true));
+    return overlap(ran(p), ran_elsewhere(p, 1, Vec<D>(1e6), true));
 }
 
 template <int D>
@@ -138,7 +134,7 @@ double spread_over_seeds(const Probe<D>& p) {
     for (int seed = 1; seed <= seeds; ++seed) {
         Probe<D> other = p;
         other.settings.seed = static_cast<std::uint64_t>(seed);
-        coverages.push_back(coverage_of(reference, ran_at(other, p.view)));
+        coverages.push_back(coverage_of(reference, ran(other)));
     }
     double mean = 0, variance = 0;
     for (const double coverage : coverages) mean += coverage / seeds;
@@ -150,7 +146,7 @@ template <int D>
 double bad_keys_in_sweep(const Probe<D>& p) {
     double bad = 0;
     for (int i = 0; i < sweep_frames; ++i)
-        bad += ran_at(p, turned_view(p.view, sweep_degrees * (i / (sweep_frames - 1.0) - 0.5))).not_finite;
+        bad += ran(p, turned_view(p.view, sweep_degrees * (i / (sweep_frames - 1.0) - 0.5))).not_finite;
     return bad;
 }
 
@@ -160,7 +156,7 @@ double largest_jump_in_sweep(const Probe<D>& p) {
     std::optional<double> before;
     for (int i = 0; i < sweep_frames; ++i) {
         const ViewSpec<D> view = turned_view(p.view, sweep_degrees * (i / (sweep_frames - 1.0) - 0.5));
-        const double now = coverage_of(p.at.truth(view, p.settings).reference, ran_at(p, view));
+        const double now = coverage_of(p.at.truth(view, p.settings).reference, ran(p, view));
         if (before) largest = std::max(largest, std::abs(now - *before));
         before = now;
     }
@@ -174,7 +170,7 @@ double largest_pop(const Probe<D>& p) {
     for (int i = 0; i < walk_frames; ++i) {
         const ViewSpec<D> view = on_walk(p, i);
         std::vector<std::uint8_t> now = p.at.truth(view, p.settings).reference.visible;
-        OneRun run = ran_at(p, view);
+        OneRun run = ran(p, view);
         if (i > 0) largest = std::max(largest, pop(visible, rendered, now, run.rendered).value_or(0));
         visible = std::move(now);
         rendered = std::move(run.rendered);

@@ -5,9 +5,19 @@
 
 #include <vector>
 
+#include "core/truth/truth.h"
 #include "lab/gallery/gallery_measures.h"
+#include "lab/one_run.h"
 
 namespace sightline::lab {
+
+// gallery_measures.cpp: the run of the probe's method in its view, or in another.
+template <int D>
+OneRun ran(const Probe<D>& probe, const ViewSpec<D>& view);
+template <int D>
+OneRun ran(const Probe<D>& probe) {
+    return ran(probe, probe.view);
+}
 
 // gallery_changes.cpp: what should not matter.
 template <int D>

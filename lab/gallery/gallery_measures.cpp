@@ -13,7 +13,6 @@
 #include "core/session/settings_table.h"
 #include "core/space/cell_complex.h"
 #include "lab/gallery/gallery_functions.h"
-#include "lab/one_run.h"
 
 namespace sightline::lab {
 
@@ -24,27 +23,26 @@ constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 double ratio(double part, double whole) { return whole > 0 ? part / whole : no_value; }
 
 template <int D>
-Problem<D> problem(const Probe<D>& p, const CellComplex<D>& cells, Method<D>& method) {
-    return problem_of(p.methods, p.at.scene(), cells, p.at.view(p.view, p.settings), p.settings, method);
+Services services(const Probe<D>& p, const View<D>& view) {
+    return exact_services(p.at.scene(), view, p.settings.reference_size, p.at.draw_ids());
+}
+
+template <int D>
+MethodProblem<D> problem(const Probe<D>& p) {
+    const View<D> view = p.at.view(p.view, p.settings);
+    return problem_of(p.methods, p.at.scene(), p.at.cells(p.settings), view, p.settings, services(p, view));
 }
 
 template <int D>
 Values values(const Probe<D>& p) {
-    const CellComplex<D>& cells = p.at.cells(p.settings);
     const Truth truth = p.at.truth(p.view, p.settings);
-    Method<D> method;
-    Problem<D> asked = problem(p, cells, method);
+    auto [method, asked] = problem(p);
     const auto all = static_cast<std::uint32_t>(p.at.scene().primitives.size());
     const std::uint32_t k = asked.budget = std::min(all, asked.budget);
     const WholeRun run = whole_run<D>(method, asked, truth.reference, true);
     const auto rendered = rendered_by(run, cut_at(run, k).met, all);
     const auto best = method.orders_cells() ? cell_oracle<D>(truth.reference, asked) : std::nullopt;
     return frame_numbers(run, truth, k, rendered, wrong_mask(truth.reference.image, rendered), best);
-}
-
-template <int D>
-OneRun ran(const Probe<D>& p) {
-    return one_run(p.methods, p.at.scene(), p.at.cells(p.settings), p.at.view(p.view, p.settings), p.settings);
 }
 
 template <int D>
@@ -79,8 +77,7 @@ template <int D>
 double coverage_before_hidden(const Probe<D>& p) {
     Probe<D> all = with(p, {"budget=unlimited"});
     const Reference reference = p.at.truth(p.view, p.settings).reference;
-    Method<D> method;
-    const Problem<D> asked = problem(all, p.at.cells(p.settings), method);
+    const auto [method, asked] = problem(all);
     const std::unique_ptr<Run<D>> run = method.start(asked);
     Recording recording;
     Recorder recorder(recording);
@@ -118,8 +115,7 @@ double coverage_at_look(const Probe<D>& p) {
 
 template <int D>
 double shown_count(const Probe<D>& p) {
-    Method<D> method;
-    const Problem<D> asked = problem(p, p.at.cells(p.settings), method);
+    const Problem<D> asked = problem(p).problem;
     double count = 0;
     for (std::uint32_t i = 0; i < asked.primitives().size(); ++i) count += shows(asked, i);
     return count;
@@ -253,6 +249,14 @@ bool of_a_frame(const MeasureRow& row) {
 }
 
 }  // namespace
+
+template <int D>
+OneRun ran(const Probe<D>& p, const ViewSpec<D>& spec) {
+    const View<D> view = p.at.view(spec, p.settings);
+    return one_run(p.methods, p.at.scene(), p.at.cells(p.settings), view, p.settings, services(p, view));
+}
+template OneRun ran<2>(const Probe<2>&, const ViewSpec<2>&);
+template OneRun ran<3>(const Probe<3>&, const ViewSpec<3>&);
 
 template <int D>
 GalleryScene<D>::GalleryScene(std::shared_ptr<const Scene<D>> scene, DrawIds draw_ids, std::vector<CarPart> parts)

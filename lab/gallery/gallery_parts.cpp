@@ -3,7 +3,6 @@
 
 #include "core/base/error.h"
 #include "lab/gallery/gallery_functions.h"
-#include "lab/one_run.h"
 
 namespace sightline::lab {
 
@@ -21,8 +20,7 @@ PartCounts counts_of(const Probe<D>& p, CarPart part) {
     if (parts.size() != p.at.scene().primitives.size())
         throw InputError(p.at.scene().id + ": which primitive is which part of a car is not known");
     const Reference reference = p.at.truth(p.view, p.settings).reference;
-    const OneRun run =
-        one_run(p.methods, p.at.scene(), p.at.cells(p.settings), p.at.view(p.view, p.settings), p.settings);
+    const OneRun run = ran(p);
     PartCounts counts;
     for (std::size_t i = 0; i < parts.size(); ++i) {
         counts.all_rendered += run.rendered[i];

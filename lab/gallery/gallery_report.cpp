@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "core/base/number.h"
 #include "lab/gallery/gallery_measures.h"
+#include "lab/report/method_looks.h"
 #include "lab/report/page.h"
 
 namespace sightline::lab {
@@ -54,6 +56,23 @@ std::pair<std::string, std::string> parts_of(const std::string& subject) {
     const std::size_t space = subject.find(' ');
     return space == std::string::npos ? std::pair(subject, std::string())
                                       : std::pair(subject.substr(0, space), subject.substr(space + 1));
+}
+
+bool is_of_table(const std::string& id) {
+    for (const Method<2>& method : method_table<2>())
+        if (method.id == id) return true;
+    return false;
+}
+
+/// A sample of line and marker for each method and variant of an entry, by subject.
+std::map<std::string, std::string> swatches_of(const GalleryEntry& entry) {
+    std::vector<std::string> variants;
+    for (const Verdict& verdict : entry.verdicts)
+        if (is_of_table(parts_of(verdict.subject).first)) variants.push_back(verdict.subject);
+    const std::vector<VariantLook> looks = variant_looks(variants);
+    std::map<std::string, std::string> swatches;
+    for (std::size_t i = 0; i < looks.size(); ++i) swatches.emplace(variants[i], swatch(looks[i]));
+    return swatches;
 }
 
 bool is_surprise(const Verdict& verdict) { return verdict.kind == Verdict::Kind::surprise; }
@@ -176,7 +195,8 @@ std::string matrix(std::span<const GalleryEntry> entries) {
     std::string who;
     for (const Method<2>& method : method_table<2>())
         if (const auto& used = columns.groups[0]; std::find(used.begin(), used.end(), method.id) != used.end())
-            who += (who.empty() ? "<b>" : "; <b>") + std::string(method.id) + "</b>: " + escaped(method.sentence);
+            who += (who.empty() ? "" : "; ") + swatch(variant_looks(std::vector{std::string(method.id)}).front()) +
+                   "<b>" + std::string(method.id) + "</b>: " + escaped(method.sentence);
     return "<h2>Who survives what</h2><p>A mark for each thing that is asked: <span class=holds>✓</span> it keeps to "
            "the bound, <span class=not>✗</span> it does not, <span class=waits>○</span> it waits for a method that "
            "is not there yet. Small marks are with settings of their own, which the scene's table names; colours and "
@@ -191,6 +211,7 @@ std::string table_of(const GalleryEntry& entry) {
     std::string html =
         "<table><tr><th class=t>who</th><th class=t>measure</th><th>value</th><th>bound</th><th class=t>to pass means"
         "</th><th class=t>result</th></tr>";
+    std::map<std::string, std::string> swatches = swatches_of(entry);
     for (const Verdict& verdict : entry.verdicts) {
         const Expectation& e = *verdict.expectation;
         const auto [subject, settings] = parts_of(verdict.subject);
@@ -200,7 +221,7 @@ std::string table_of(const GalleryEntry& entry) {
             result += e.expect == Expect::pending
                           ? ": it exists now"
                           : std::string(": was expected to ") + (e.expect == Expect::pass ? "pass" : "fail");
-        html += "<tr><td class=t>" + escaped(subject) +
+        html += "<tr><td class=t>" + swatches[verdict.subject] + escaped(subject) +
                 (settings.empty() ? "" : " <code>" + escaped(settings) + "</code>") + "</td>" +
                 cell(unbroken(measure.name), true) +
                 cell(is_pending(verdict) ? "" : unbroken(value_text(verdict.value, measure.unit))) +

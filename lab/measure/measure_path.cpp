@@ -97,14 +97,13 @@ private:
     };
 
     /// Without a budget.
-    Problem<D> problem_of(std::size_t method, std::uint32_t i) const {
+    Problem<D> problem_of(std::size_t method, std::uint32_t i, const Services& services) const {
         const Choice& c = methods_[method];
-        return {
-            lab_.scene.get(), &lab_.on(c.choice.tessellation), lab_.views[i], none, c.variant.parameters, nullptr, {}};
+        return make_problem(c.variant.method, c.variant.parameters, *lab_.scene, lab_.on(c.choice.tessellation),
+                            lab_.views[i], none, services);
     }
-    static void give_visible_set(Problem<D>& problem, const Reference& reference) {
-        const auto visible = std::make_shared<const std::vector<std::uint8_t>>(reference.visible);
-        problem.services.visible_set = [visible] { return visible; };
+    static Services services_of(const FrameOfAll& frame) {
+        return known_services(std::make_shared<std::vector<std::uint8_t>>(frame.reference.visible));
     }
 
     FrameOfAll numbers(std::uint32_t i) {
@@ -120,11 +119,11 @@ private:
         FrameOfAll frame;
         frame.reference = truths.front().reference;
         frame.methods.resize(methods_.size());
+        const Services services = services_of(frame);
         tbb::parallel_for(std::size_t{0}, methods_.size(), [&](std::size_t m) {
             const Truth& truth = truths[truth_of[static_cast<std::size_t>(methods_[m].choice.tessellation)]];
-            Problem<D> problem = problem_of(m, i);
+            Problem<D> problem = problem_of(m, i, services);
             const Method<D>& method = methods_[m].variant.method;
-            if (method.needs.visible_set) give_visible_set(problem, truth.reference);
             const WholeRun run = whole_run<D>(method, problem, truth.reference);
             Shown& shown = frame.methods[m];
             for (const AtBudget& budget : methods_[m].budgets) {
@@ -155,13 +154,13 @@ private:
 
     void take_times(std::uint32_t i, FrameOfAll& now) {
         if (study_.repeats == 0) return;
+        const Services services = services_of(now);
         std::vector<std::uint32_t> ids;
         for (std::size_t m = 0; m < methods_.size(); ++m)
             for (std::size_t b = 0; b < methods_[m].budgets.size(); ++b) {
                 Choice& c = methods_[m];
-                Problem<D> problem = problem_of(m, i);
+                Problem<D> problem = problem_of(m, i, services);
                 problem.budget = c.budgets[b].primitives;
-                if (c.variant.method.needs.visible_set) give_visible_set(problem, now.reference);
                 TimeSamples times;
                 for (std::uint32_t repeat = 0; repeat <= study_.repeats; ++repeat) {
                     const double ms = run_milliseconds<D>(c.variant.method, problem, c.timed);

@@ -34,7 +34,7 @@ Json to_json(const Row& row) {
               {"path", row.path},
               {"frames", row.frames.size()},
               {"method", row.method.variant},
-              {"tessellation", words<Tessellation>[static_cast<std::size_t>(row.method.tessellation)]},
+              {"tessellation", tessellation_word(row.method)},
               {"approximate", row.approximate},
               {"primitives", row.primitives},
               {"error_bound", row.error_bound},
@@ -61,7 +61,7 @@ Row read_row(const Json& json) {
     row.scene = json.at("scene");
     row.path = json.at("path");
     row.method.variant = json.at("method");
-    row.method.tessellation = json.at("tessellation") == "tree" ? Tessellation::tree : Tessellation::delaunay;
+    row.method.tessellation = read_tessellation(json.at("tessellation").get<std::string>());
     row.approximate = json.at("approximate");
     row.primitives = json.at("primitives");
     row.error_bound = json.at("error_bound");
@@ -189,9 +189,8 @@ std::string results_csv(const Results& results) {
     for (const Row& row : results.rows) {
         const Json share = budget_share(row);
         text += csv_field(row.scene) + ',' + csv_field(row.path) + ',' + std::to_string(row.frames.size()) + ',' +
-                csv_field(row.method.variant) + ',' +
-                std::string(words<Tessellation>[static_cast<std::size_t>(row.method.tessellation)]) + ',' +
-                number(row.error_bound) + ',' + std::to_string(row.primitives) + ',' + std::to_string(row.cells) + ',' +
+                csv_field(row.method.variant) + ',' + tessellation_word(row.method) + ',' + number(row.error_bound) +
+                ',' + std::to_string(row.primitives) + ',' + std::to_string(row.cells) + ',' +
                 std::to_string(row.memory_bytes) + ',' + csv_field(row.budget) + ',' +
                 (share.is_null() ? "" : number(share));
         for (const MeasureRow& m : measure_table()) {

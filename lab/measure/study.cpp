@@ -54,6 +54,14 @@ std::string method_text(const MethodChoice& choice) {
     return id + std::string(on_tree) + choice.variant.substr(id.size());
 }
 
+std::string tessellation_word(const MethodChoice& choice) { return std::string(word(choice.tessellation)); }
+
+Tessellation read_tessellation(std::string_view text) {
+    for (std::size_t i = 0; i < words<Tessellation>.size(); ++i)
+        if (words<Tessellation>[i] == text) return static_cast<Tessellation>(i);
+    throw InputError("'" + std::string(text) + "' is no tessellation: " + std::string(word_list<Tessellation>()));
+}
+
 std::vector<MethodChoice> all_methods(const MethodTables& tables) {
     std::vector<MethodChoice> choices;
     for (const Method<3>& method : tables.in_3d) {

@@ -25,6 +25,9 @@ struct MethodChoice {
 /// "published@tree on_reenqueue=min". Throws InputError for what the table of neither dimension has.
 MethodChoice parse_method(std::string_view text, const MethodTables& tables = {});
 std::string method_text(const MethodChoice& choice);
+/// Its cells as results and CSV name them, "delaunay" or "tree", and back. Throws InputError for another word.
+std::string tessellation_word(const MethodChoice& choice);
+Tessellation read_tessellation(std::string_view word);
 
 /// Every row of the method table that is compared with others on Delaunay cells, and those that order cells on tree
 /// cells too.

@@ -14,23 +14,27 @@ namespace sightline::lab {
 
 namespace {
 
+/// gnuplot's number of a marker: open ones are even, the filled one of the same shape is the next.
+int number_of(const VariantLook& look) {
+    static constexpr std::array<int, marker_count> open{6, 4, 8, 12, 10, 14};
+    return open[static_cast<std::size_t>(look.marker)] + (look.filled ? 1 : 0);
+}
+
 std::string style_of(const Series& s) {
-    const std::string colour = " lc rgb " + gnuplot_quoted(s.colour) + " lw " + short_number(s.width);
-    switch (s.look) {
-        case Series::Look::line_and_dots:
-            return "with linespoints pt 7 ps 0.7 dt 1" + colour;
-        case Series::Look::dashed_and_rings:
-            return "with linespoints pt 6 ps 0.8 dt 2" + colour;
-        case Series::Look::line:
-            return "with lines dt 1" + colour;
-        case Series::Look::dashed:
-            return "with lines dt 2" + colour;
-        case Series::Look::steps:
-            return "with steps dt 1" + colour;
-        case Series::Look::dots:
-            return "with points pt 5 ps 0.9" + colour;
+    const bool line = s.shown != Series::Shown::markers, markers = s.shown != Series::Shown::line;
+    std::string text = std::string("with ") + (!markers ? "lines" : line ? "linespoints" : "points");
+    // A curve of many points has a marker here and there.
+    if (markers)
+        text += " pt " + std::to_string(number_of(s.look)) + " ps 0.8" +
+                (line && s.points.size() > 24 ? " pi " + std::to_string(s.points.size() / 12) : "");
+    if (line) {
+        constexpr double gnuplots_unit = 0.5;  // of a dash, in widths of the line
+        std::string lengths;
+        for (const float length : s.look.dash)
+            lengths += (lengths.empty() ? "" : ",") + short_number(length / gnuplots_unit);
+        text += " dt " + (lengths.empty() ? "1" : "(" + lengths + ")");
     }
-    return {};
+    return text + " lc rgb " + gnuplot_quoted(hex_colour(s.look.colour)) + " lw " + short_number(s.width);
 }
 
 }  // namespace
@@ -45,13 +49,6 @@ std::string file_stem(std::string text) {
     for (char& c : text)
         if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-' && c != '.') c = '_';
     return text;
-}
-
-std::string series_colour(std::size_t index) {
-    // Okabe and Ito's, the yellow left out on white.
-    static constexpr std::array colours{"#0072b2", "#d55e00", "#009e73", "#cc79a7",
-                                        "#000000", "#e69f00", "#56b4e9", "#7f7f7f"};
-    return colours[index % colours.size()];
 }
 
 std::string gnuplot_script(const Chart& chart) {
@@ -80,8 +77,8 @@ std::string gnuplot_script(const Chart& chart) {
             // As commands: strings among data are read by rules of their own.
             if (fits && !s.labels.empty() && !s.labels[p].empty())
                 labels += "set label " + gnuplot_quoted(s.labels[p]) + " noenhanced at " + number_text(x) + "," +
-                          number_text(y) + " left offset 0.4,0.6 font ',8' tc rgb " + gnuplot_quoted(s.colour) +
-                          " front\n";
+                          number_text(y) + " left offset 0.4,0.6 font ',8' tc rgb " +
+                          gnuplot_quoted(hex_colour(s.look.colour)) + " front\n";
         }
         text += "END\n";
         if (!any) continue;

@@ -7,13 +7,14 @@
 #include <string>
 #include <vector>
 
+#include "core/draw/variant_look.h"
+
 namespace sightline::lab {
 
 struct Series {
-    enum class Look { line_and_dots, dashed_and_rings, line, dashed, steps, dots };
     std::string name;  ///< in the key; empty: not there
-    Look look = Look::line_and_dots;
-    std::string colour = "#000000";
+    VariantLook look{};
+    enum class Shown { line_and_markers, line, markers } shown = Shown::line_and_markers;
     double width = 2;
     std::vector<std::array<double, 2>> points;  ///< not finite: a gap
     std::vector<std::string> labels;            ///< beside the points; none, or one per point
@@ -36,8 +37,5 @@ void write_chart(const Chart& chart, const std::filesystem::path& stem);
 
 /// `text` as the name of a file without a folder: letters, digits, '-', '.' and '_', not too many for an ending.
 std::string file_stem(std::string text);
-
-/// A colour that stays apart from its neighbours for the colour-blind, too; they repeat after eight.
-std::string series_colour(std::size_t index);
 
 }  // namespace sightline::lab

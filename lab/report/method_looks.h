@@ -1,36 +1,44 @@
-// How methods look in charts: a colour per variant, dashes and rings on the leaves of a tree.
+// How methods look in the lab's charts and tables: as everywhere (core/draw/variant_look.h), with open markers on the
+// leaves of a tree.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <map>
+#include <array>
 #include <string>
+#include <vector>
 
 #include "lab/measure/study.h"
 #include "lab/report/chart.h"
 
 namespace sightline::lab {
 
-/// Colours in the order in which variants come up, one chart long.
+/// Of lines that are no method's: bounds, exact sets.
+inline constexpr std::array guide_dash{3.0f, 3.0f};
+
+/// Of methods that are shown together; others look as they do alone.
 class MethodLooks {
 public:
-    /// An empty series of the variant's name, colour and look.
-    Series series(const MethodChoice& method) {
-        const auto [at, is_new] = index_.try_emplace(method.variant, index_.size());
-        Series s;
-        s.name = method_text(method);
-        s.colour = series_colour(at->second);
-        s.look =
-            method.tessellation == Tessellation::tree ? Series::Look::dashed_and_rings : Series::Look::line_and_dots;
-        return s;
+    explicit MethodLooks(const std::vector<MethodChoice>& methods);
+    /// Of anything that points to something with a method.
+    template <typename Pointers>
+    static MethodLooks of(const Pointers& rows) {
+        std::vector<MethodChoice> methods;
+        for (const auto& row : rows) methods.push_back(row->method);
+        return MethodLooks(methods);
     }
 
+    VariantLook look(const MethodChoice& method) const;
+    /// An empty series of the method's name and look.
+    Series series(const MethodChoice& method) const;
+    /// Its name as a cell of a table, its look before it.
+    std::string cell(const MethodChoice& method) const;
+
 private:
-    std::map<std::string, std::size_t> index_;
+    std::vector<std::string> variants_;
+    std::vector<VariantLook> looks_;
 };
 
-/// The same without dots.
-inline Series::Look line_of(const MethodChoice& method) {
-    return method.tessellation == Tessellation::tree ? Series::Look::dashed : Series::Look::line;
-}
+/// A piece of line with its marker, as HTML beside a name.
+std::string swatch(const VariantLook& look);
 
 }  // namespace sightline::lab

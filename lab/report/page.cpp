@@ -28,6 +28,7 @@ section { break-inside: avoid; margin-top: 2.4rem; } p.look { margin-bottom: 0; 
 .matrix th, .matrix td { padding: .1rem .45rem; } .matrix thead th { position: sticky; top: 0; }
 .matrix td.m, .matrix th.m { text-align: center; white-space: nowrap; } .matrix .group { border-left: 2px solid #ccd; }
 .matrix .up { writing-mode: vertical-rl; transform: rotate(180deg); } .matrix small { font-size: 11px; }
+.swatch { vertical-align: middle; }
 .all { background: #e6f4ea; } .some { background: #fff6da; } .nothing { background: #fce8e6; }
 .matrix .alarm { background: #b3261e; }
 )";

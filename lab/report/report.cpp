@@ -7,6 +7,7 @@
 
 #include "core/base/file.h"
 #include "core/base/number.h"
+#include "lab/report/method_looks.h"
 #include "lab/report/page.h"
 
 namespace sightline::lab {
@@ -101,8 +102,9 @@ std::string table_of_rows(const Group& group) {
                        "<th>budget</th>";
     for (const Measure m : columns) html += "<th>" + std::string(measure_row(m).title) + "</th>";
     html += "<th>worst wrong</th><th>ms</th></tr>";
+    const MethodLooks looks = MethodLooks::of(group.rows);
     for (const Row* row : group.rows) {
-        html += "<tr>" + cell(method_text(row->method), true) + cell(std::to_string(row->cells)) + cell(row->budget);
+        html += "<tr>" + looks.cell(row->method) + cell(std::to_string(row->cells)) + cell(row->budget);
         for (const Measure m : columns) html += cell(per_cent(summary(*row, m)));
         html += cell(per_cent(worst(*row, Measure::wrong))) + cell(number(summary(*row, Measure::total_ms))) + "</tr>";
     }

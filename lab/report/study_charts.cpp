@@ -6,6 +6,7 @@
 #include <map>
 
 #include "core/base/number.h"
+#include "core/draw/palette.h"
 #include "core/measure/summary.h"
 #include "lab/report/method_looks.h"
 
@@ -31,6 +32,13 @@ std::vector<std::vector<const Row*>> by_method(const Group& group) {
     return methods;
 }
 
+constexpr Colour black{0, 0, 0}, dark_grey{68, 68, 68}, light_grey{200, 200, 200};
+
+/// A line to compare methods with.
+Series guide(const std::string& name, const Colour& colour, std::span<const float> dash = {}) {
+    return {name, {colour, dash}, Series::Shown::line, 2, {}, {}};
+}
+
 std::string heading(const Group& group) { return group.scene + ", path " + group.path; }
 
 const Row* largest_budget(const std::vector<const Row*>& rows) {
@@ -45,12 +53,11 @@ Chart per_frame(const Group& group, Measure measure) {
     chart.title = heading(group) + ": " + std::string(measure_row(measure).title);
     chart.x = "frame of the path";
     chart.y = axis(measure);
-    MethodLooks looks;
+    const MethodLooks looks = MethodLooks::of(group.rows);
     for (const auto& rows : by_method(group)) {
         const Row* row = largest_budget(rows);
         Series s = looks.series(row->method);
         if (row->budget != "unlimited") s.name += " " + row->budget;
-        s.look = line_of(row->method);
         for (std::size_t i = 0; i < row->frames.size(); ++i)
             s.points.push_back({static_cast<double>(row->frames[i]), scaled(measure, row->values[i][measure])});
         chart.series.push_back(std::move(s));
@@ -64,30 +71,34 @@ Chart found_per_frame(const Group& group, const std::vector<const Row*>& rows) {
     chart.title = heading(group) + ": visible primitives found by " + method_text(rows.front()->method);
     chart.x = "frame of the path";
     chart.y = "primitives";
-    Series exact;
-    exact.name = "exact";
-    exact.look = Series::Look::line;
+    Series exact = guide("exact", black);
     exact.width = 3;
     const Row& first = *rows.front();
     for (std::size_t i = 0; i < first.frames.size(); ++i)
         exact.points.push_back({static_cast<double>(first.frames[i]), first.values[i][Measure::visible]});
     chart.series.push_back(std::move(exact));
-    const auto add = [&](const Row& row, const std::string& name, Series::Look look, const std::string& colour) {
-        Series s;
-        s.name = name;
-        s.look = look;
-        s.colour = colour;
+    const auto add = [&](const Row& row, Series s) {
         for (std::size_t i = 0; i < row.frames.size(); ++i)
             s.points.push_back({static_cast<double>(row.frames[i]),
                                 row.values[i][Measure::coverage] * row.values[i][Measure::visible]});
         chart.series.push_back(std::move(s));
     };
-    std::size_t colour = 0;
-    for (auto row = rows.rbegin(); row != rows.rend(); ++row)
-        add(**row, (*row)->budget, Series::Look::line, series_colour(colour++));
+    const MethodLooks looks = MethodLooks::of(group.rows);
+    // The method's own line, paler for smaller budgets.
+    const std::vector<Colour> pale{{225, 225, 225}, looks.look(rows.front()->method).colour};
+    for (std::size_t i = rows.size(); i-- > 0;) {
+        Series s = looks.series(rows[i]->method);
+        s.name = rows[i]->budget;
+        s.look.colour = between(pale, static_cast<double>(i + 1) / static_cast<double>(rows.size()));
+        s.look.marker = static_cast<ChartMarker>(i % marker_count);
+        add(*rows[i], std::move(s));
+    }
     for (const auto& other : by_method(group))
-        if (other.front()->method.variant == "centroid")
-            add(*largest_budget(other), "centroid " + largest_budget(other)->budget, Series::Look::dashed, "#777777");
+        if (other.front()->method.variant == "centroid") {
+            Series s = looks.series(other.front()->method);
+            s.name = "centroid " + largest_budget(other)->budget;
+            add(*largest_budget(other), std::move(s));
+        }
     return chart;
 }
 
@@ -123,11 +134,8 @@ Chart trade_off(const Group& group, Measure measure) {
     chart.log_x = true;
     if (measure_row(measure).better == Better::higher) chart.most_y = 105;
 
-    Series front;
-    front.name = "Pareto points";
-    front.colour = "#c8c8c8";
+    Series front = guide("Pareto points", light_grey);
     front.width = 7;
-    front.look = Series::Look::line;
     for (const TradeOffPoint& point : pareto_points(group.rows, measure))
         front.points.push_back({point.ms, scaled(measure, point.value)});
     chart.series.push_back(std::move(front));
@@ -142,11 +150,8 @@ Chart trade_off(const Group& group, Measure measure) {
         });
     };
 
-    MethodLooks looks;
-    Series oracle;
-    oracle.name = "oracle (drawing alone)";
-    oracle.look = Series::Look::dashed;
-    oracle.colour = "#444444";
+    const MethodLooks looks = MethodLooks::of(group.rows);
+    Series oracle = guide("oracle (drawing alone)", dark_grey, guide_dash);
     std::map<double, std::array<double, 2>> best;  ///< by budget
     for (const auto& rows : by_method(group)) {
         Series s = looks.series(rows.front()->method);

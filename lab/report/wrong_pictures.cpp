@@ -12,6 +12,7 @@
 #include "core/measure/wrong_region.h"
 #include "core/session/session.h"
 #include "core/session/settings_table.h"
+#include "core/truth/truth.h"
 #include "lab/report/session_figure.h"
 #include "shell/figure/cairo_surface.h"
 #include "shell/figure/png.h"
@@ -45,14 +46,11 @@ void write_picture(const LabScene<2>& lab, const Row& row, std::size_t frame, co
 void write_picture(const LabScene<3>& lab, const Row& row, std::size_t frame, const std::filesystem::path& file,
                    LabGraphics& graphics) {
     const Variant<3> variant = lab.variant_for(row.method);
-    const Problem<3> problem{lab.scene.get(),
-                             &lab.on(row.method.tessellation),
-                             lab.views[frame],
-                             static_cast<std::uint32_t>(row.values[frame][Measure::budget]),
-                             variant.parameters,
-                             nullptr,
-                             {}};
-    const std::unique_ptr<Run<3>> run = variant.method.start(problem);
+    const DrawIds draw_ids = graphics.draw_ids();
+    const std::unique_ptr<Run<3>> run = variant.method.start(
+        make_problem(variant.method, variant.parameters, *lab.scene, lab.on(row.method.tessellation), lab.views[frame],
+                     static_cast<std::uint32_t>(row.values[frame][Measure::budget]),
+                     exact_services(*lab.scene, lab.views[frame], lab.settings.reference_size, draw_ids)));
     run->run(none);
 
     SolidList list;
@@ -62,7 +60,7 @@ void write_picture(const LabScene<3>& lab, const Row& row, std::size_t frame, co
     rendered_ids(run->met(), list.triangles);
     list.runs = {{0, 0, static_cast<std::uint32_t>(list.triangles.size())}};
     const ImageSize size = image_size<3>(lab.settings.reference_size);
-    const IdImage exact = graphics.draw_ids()(*lab.scene, lab.views[frame], size, 1).front();
+    const IdImage exact = draw_ids(*lab.scene, lab.views[frame], size, 1).front();
     write_file(file, encode_png(image_of(missed_in_red(list, exact, graphics)).get(), screen_dpi));
 }
 

@@ -45,8 +45,9 @@ struct Outcome {
 
 template <int D>
 Outcome outcome(std::span<const Method<D>> methods, const Scene<D>& scene, const CellComplex<D>& cells,
-                const Settings& settings, const View<D>& view, std::span<const std::uint32_t> original) {
-    OneRun run = one_run<D>(methods, scene, cells, view, settings);
+                const Settings& settings, const View<D>& view, const Services& services,
+                std::span<const std::uint32_t> original) {
+    OneRun run = one_run<D>(methods, scene, cells, view, settings, services);
     Outcome result{std::move(run.order), std::move(run.rendered), 0, run.not_finite};
     if (original.empty()) return result;
     std::fill(result.rendered.begin(), result.rendered.end(), std::uint8_t{0});
@@ -67,7 +68,7 @@ public:
             const Method<D>* const method = method_of<D>(lab.tables, choice);
             // One that has no use for a budget renders what the view holds: nothing to be unstable.
             if (!method || !method->budgeted) continue;
-            for (const Budget& budget : study.budgets) methods_.push_back({choice, budget});
+            for (const Budget& budget : study.budgets) methods_.push_back({choice, budget, method->needs.visible_set});
         }
     }
 
@@ -99,6 +100,7 @@ private:
     struct Choice {
         MethodChoice method;
         Budget budget;
+        bool needs_set;
     };
     struct Stage {
         std::string name;
@@ -158,10 +160,13 @@ private:
                                   const Settings& settings, const View<D>& view, const Set& visible,
                                   std::span<const std::uint32_t> original = {}) const {
         std::vector<Outcome> all(methods_.size());
+        const Services services = exact_services(scene, view, settings.reference_size, draw_ids_);
+        if (std::any_of(methods_.begin(), methods_.end(), [](const Choice& choice) { return choice.needs_set; }))
+            services.visible_set();  // here: OpenGL is of this thread
         tbb::parallel_for(std::size_t{0}, methods_.size(), [&](std::size_t m) {
             const auto& on = *cells[static_cast<std::size_t>(methods_[m].method.tessellation)];
-            all[m] =
-                outcome<D>(lab_.tables.template of<D>(), scene, on, settings_of(methods_[m], settings), view, original);
+            all[m] = outcome<D>(lab_.tables.template of<D>(), scene, on, settings_of(methods_[m], settings), view,
+                                services, original);
             all[m].coverage = coverage_of(visible, all[m].rendered);
         });
         return all;

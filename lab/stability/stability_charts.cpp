@@ -10,9 +10,7 @@ namespace sightline::lab {
 
 namespace {
 
-constexpr const char* grey = "#888888";
-
-Series exact_set() { return {"exact set", Series::Look::dashed, grey, 3, {}, {}}; }
+Series exact_set() { return {"exact set", {{136, 136, 136}, guide_dash}, Series::Shown::line, 3, {}, {}}; }
 
 /// Over the distance that the eye moves, and grey what the exact set explains.
 Chart eye_chart(const StabilityGroup& group, bool coverage) {
@@ -20,7 +18,7 @@ Chart eye_chart(const StabilityGroup& group, bool coverage) {
     chart.x = "distance, of the scene's longest side";
     chart.y = coverage ? "mean |coverage - coverage'|, %" : "1 - Jaccard of the rendered sets, %";
     chart.log_x = true;
-    MethodLooks looks;
+    const MethodLooks looks = MethodLooks::of(group.rows);
     std::map<std::string, std::size_t> of_method;
     Series exact = exact_set();
     for (const StabilityRow* row : group.rows) {
@@ -40,7 +38,7 @@ Chart grazing_chart(const StabilityGroup& group) {
     Chart chart;
     chart.x = "degrees off the plane of the wall";
     chart.y = "coverage, %";
-    MethodLooks looks;
+    const MethodLooks looks = MethodLooks::of(group.rows);
     for (const StabilityRow* row : group.rows) {
         if (row->disturbance != Disturbance::grazing) continue;
         Series s = looks.series(row->method);
@@ -56,12 +54,14 @@ Chart path_chart(const StabilityGroup& group, const Results& along_path) {
     Chart chart;
     chart.x = "frame of the path";
     chart.y = "popping, %";
-    MethodLooks looks;
     Series exact = exact_set();
-    for (const Row& row : along_path.rows) {
-        if (row.scene != group.scene || row.path != group.path || row.budget != group.budget) continue;
+    std::vector<const Row*> rows;
+    for (const Row& row : along_path.rows)
+        if (row.scene == group.scene && row.path == group.path && row.budget == group.budget) rows.push_back(&row);
+    const MethodLooks looks = MethodLooks::of(rows);
+    for (const Row* const of : rows) {
+        const Row& row = *of;
         Series s = looks.series(row.method);
-        s.look = line_of(row.method);
         const bool first = exact.points.empty();
         for (std::size_t i = 1; i < row.frames.size(); ++i) {
             const auto frame = static_cast<double>(row.frames[i]);

@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/number.h"
+#include "lab/report/method_looks.h"
 #include "lab/report/page.h"
 #include "lab/stability/stability_charts.h"
 
@@ -19,10 +20,6 @@ using Json = nlohmann::ordered_json;
 std::string_view disturbance_word(const StabilityRow& row) {
     return disturbance_words[static_cast<std::size_t>(row.disturbance)];
 }
-std::string tessellation_word(const MethodChoice& method) {
-    return std::string(words<Tessellation>[static_cast<std::size_t>(method.tessellation)]);
-}
-
 Json rows_json(const std::vector<StabilityRow>& rows) {
     Json all = Json::array();
     for (const StabilityRow& row : rows)
@@ -70,12 +67,13 @@ std::string table(const std::vector<const StabilityRow*>& rows) {
         "<table><tr><th class=t>method</th><th class=t>what was done</th><th>samples</th><th>Jaccard</th>"
         "<th>least</th><th>exact set</th><th>coverage changes by, %</th><th>spread, %</th><th>same order"
         "</th><th>not finite</th></tr>";
+    const MethodLooks looks = MethodLooks::of(rows);
     for (const StabilityRow* row : rows)
-        html += "<tr>" + cell(method_text(row->method), true) + cell(what(*row), true) +
-                cell(std::to_string(row->samples)) + cell(short_number(row->jaccard, 5)) +
-                cell(short_number(row->jaccard_min, 5)) + cell(short_number(row->visible_jaccard, 5)) +
-                cell(per_cent(row->coverage_change)) + cell(per_cent(row->coverage_spread)) +
-                cell(row->equal ? "yes" : "no") + cell(std::to_string(row->not_finite)) + "</tr>";
+        html += "<tr>" + looks.cell(row->method) + cell(what(*row), true) + cell(std::to_string(row->samples)) +
+                cell(short_number(row->jaccard, 5)) + cell(short_number(row->jaccard_min, 5)) +
+                cell(short_number(row->visible_jaccard, 5)) + cell(per_cent(row->coverage_change)) +
+                cell(per_cent(row->coverage_spread)) + cell(row->equal ? "yes" : "no") +
+                cell(std::to_string(row->not_finite)) + "</tr>";
     return html + "</table>";
 }
 
@@ -86,11 +84,13 @@ std::string path_table(const Results& along_path) {
         "that are visible in both frames and rendered in one: no change of the exact set explains it."
         "</caption><tr><th class=t>scene</th><th class=t>method</th><th>budget</th><th>popping, %</th>"
         "<th>flipping pixels, %</th><th>the exact set changes by, %</th></tr>";
+    std::vector<MethodChoice> methods;
+    for (const Row& row : along_path.rows) methods.push_back(row.method);
+    const MethodLooks looks(methods);
     for (const Row& row : along_path.rows)
-        html += "<tr>" + cell(row.scene + ", " + row.path, true) + cell(method_text(row.method), true) +
-                cell(row.budget) + cell(per_cent(summary(row, Measure::pop))) +
-                cell(per_cent(summary(row, Measure::flip))) + cell(per_cent(summary(row, Measure::visible_change))) +
-                "</tr>";
+        html += "<tr>" + cell(row.scene + ", " + row.path, true) + looks.cell(row.method) + cell(row.budget) +
+                cell(per_cent(summary(row, Measure::pop))) + cell(per_cent(summary(row, Measure::flip))) +
+                cell(per_cent(summary(row, Measure::visible_change))) + "</tr>";
     return html + "</table>";
 }
 
@@ -121,7 +121,7 @@ std::vector<StabilityRow> read_stability_rows(const std::string& text) {
         row.scene = json.at("scene");
         row.path = json.at("path");
         row.method.variant = json.at("method");
-        row.method.tessellation = json.at("tessellation") == "tree" ? Tessellation::tree : Tessellation::delaunay;
+        row.method.tessellation = read_tessellation(json.at("tessellation").get<std::string>());
         row.budget = json.at("budget");
         const auto at =
             std::find(disturbance_words.begin(), disturbance_words.end(), json.at("disturbance").get<std::string>());

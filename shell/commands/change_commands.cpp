@@ -41,20 +41,20 @@ void preset(Workbench<D>& bench, Text text) {
 template <int D>
 std::span<const Command<D>> change_commands() {
     static constexpr std::array table{
-        Command<D>{"set", "FIELD=VALUE", "change a setting", "", set<D>},
-        Command<D>{"cycle", "FIELD", "the next word of a setting",
+        Command<D>{"set", "Set", "FIELD=VALUE", "change a setting", "", set<D>},
+        Command<D>{"cycle", "Next value", "FIELD", "change a setting to its next value",
                    D == 2 ? "H=heat L=label K=penalty N=show_normals X=show_penalties M=show_chain"
                           : "H=heat L=label K=penalty N=show_normals X=show_penalties M=show_chain Z=split "
                             "Shift+Z=inset",
                    cycle<D>},
-        Command<D>{"preset", "ID", "change a set of settings", "", preset<D>},
-        Command<D>{"method", "ID", "change the method", "",
+        Command<D>{"preset", "Preset", "ID", "apply a named set of settings", "", preset<D>},
+        Command<D>{"method", "Method", "ID", "change the method", "",
                    [](Workbench<D>& bench, Text text) { set(bench, "method=" + text); }},
-        Command<D>{"budget", "B", "change the budget: 500, 5%, 16ms or unlimited", "",
+        Command<D>{"budget", "Budget", "B", "change the budget: 500, 5%, 16ms or unlimited", "",
                    [](Workbench<D>& bench, Text text) { set(bench, "budget=" + text); }},
-        Command<D>{"undo", "", "take back a change of view, settings, scene or notes; never steps", "Ctrl+Z",
+        Command<D>{"undo", "Undo", "", "undo a change of view, settings, scene or notes; never a step", "Ctrl+Z",
                    [](Workbench<D>& bench, Text) { bench.say(undo(bench) ? "undone" : "nothing to undo"); }},
-        Command<D>{"redo", "", "make an undone change again", "Ctrl+Y Ctrl+Shift+Z",
+        Command<D>{"redo", "Redo", "", "redo the change that was undone", "Ctrl+Y Ctrl+Shift+Z",
                    [](Workbench<D>& bench, Text) { bench.say(redo(bench) ? "done again" : "nothing to redo"); }},
     };
     return table;

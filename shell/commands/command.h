@@ -12,6 +12,7 @@ namespace sightline {
 template <int D>
 struct Command {
     std::string_view id;
+    std::string_view label;      ///< in menus, a word or two
     std::string_view arguments;  ///< as help shows them
     std::string_view text;       ///< what it does, one line
     /// Keys of the window, separated by spaces: KEY runs it without an argument, KEY=ARGUMENT with one, and KEY=? opens

@@ -49,13 +49,14 @@ void align(Workbench<D>& bench, Text text) {
 template <int D>
 std::span<const Command<D>> compare_commands() {
     static constexpr std::array table{
-        Command<D>{"compare", "METHOD | FIELD=VALUE,… | preset:ID | FILE | same | off",
-                   "a second session beside this one: the same with this change, or what a file holds", "", compare<D>},
-        Command<D>{"align", "step | rendered", "move the second session to the same step, or to as many rendered", "",
-                   align<D>},
-        Command<D>{"difference", "", "both sessions to the first step that differs", "D",
+        Command<D>{"compare", "Compare with", "METHOD | FIELD=VALUE,… | preset:ID | FILE | same | off",
+                   "open a second session beside this one: with one change, or from a file", "", compare<D>},
+        Command<D>{"align", "Align by", "step | rendered",
+                   "what the two sides share: the step, or the number of rendered primitives", "", align<D>},
+        Command<D>{"difference", "First difference", "", "go to the first step that differs, on both sides", "D",
                    [](Workbench<D>& bench, Text) { go_to_difference(bench); }},
-        Command<D>{"swap", "", "exchange left and right", "", [](Workbench<D>& bench, Text) { swap_sides(bench); }},
+        Command<D>{"swap", "Swap sides", "", "exchange the left and the right side", "",
+                   [](Workbench<D>& bench, Text) { swap_sides(bench); }},
     };
     return table;
 }

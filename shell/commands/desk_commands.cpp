@@ -83,26 +83,29 @@ void flip(Workbench<D>& bench, Text) {
 template <int D>
 std::span<const Command<D>> desk_commands() {
     static constexpr std::array table{
-        Command<D>{"scenes", "", "choose a scene", "O", flip<&Desk::chooser, D>},
+        Command<D>{"scenes", "Scenes", "", "choose a scene", "O", flip<&Desk::chooser, D>},
         Command<D>{
-            "show", "PANEL", "show or hide a panel, the timeline or the legend",
+            "show", "Show panel", "PANEL", "show or hide a panel, the timeline or the legend",
             "1=why 2=code 3=front 4=inversions 5=breakpoints 6=notes 7=settings 8=trade-off Tab=timeline E=legend",
             show<D>},
         Command<D>{
-            "tool",
+            "tool", "Tool",
             D == 2 ? "select | segment | text | arrow | ring | callout" : "select | text | arrow | ring | callout",
             "what the mouse does on the picture",
             D == 2 ? "V=select G=segment T=text A=arrow R=ring C=callout" : "V=select T=text A=arrow R=ring C=callout",
             tool<D>},
-        Command<D>{"axis", "steps | primitives", "what the timeline counts", "", axis<D>},
-        Command<D>{"zoom-timeline", "FROM-TO | all", "the steps that the timeline shows", "", zoom_timeline<D>},
-        Command<D>{"projector", "", "panels away, large text, the formula as a banner", "P F11",
-                   flip<&Desk::projector, D>},
-        Command<D>{"fullscreen", "", "the whole screen, or a window again", "Alt+Enter", flip<&Desk::fullscreen, D>},
-        Command<D>{"scale", "up | down | N", "everything larger or smaller", "Ctrl+Plus=up Ctrl+Minus=down Ctrl+0=1",
-                   scale<D>},
-        Command<D>{"console", "", "a line to type any command into", ": Ctrl+P", flip<&Desk::console, D>},
-        Command<D>{"help", "", "all keys", "F1", flip<&Desk::help, D>},
+        Command<D>{"axis", "Timeline axis", "steps | primitives", "what the timeline counts: steps or primitives", "",
+                   axis<D>},
+        Command<D>{"zoom-timeline", "Timeline range", "FROM-TO | all", "which steps the timeline shows", "",
+                   zoom_timeline<D>},
+        Command<D>{"projector", "Projector mode", "", "hide the panels; large text and a banner with the formula",
+                   "P F11", flip<&Desk::projector, D>},
+        Command<D>{"fullscreen", "Full screen", "", "fill the screen, or go back to a window", "Alt+Enter",
+                   flip<&Desk::fullscreen, D>},
+        Command<D>{"scale", "Scale", "up | down | N", "make text and controls larger or smaller",
+                   "Ctrl+Plus=up Ctrl+Minus=down Ctrl+0=1", scale<D>},
+        Command<D>{"console", "Command line", "", "type a command", ": Ctrl+P", flip<&Desk::console, D>},
+        Command<D>{"help", "Keys", "", "show all keys", "F1", flip<&Desk::help, D>},
     };
     return table;
 }

@@ -25,7 +25,7 @@ void edit_segment(Workbench<2>& bench, Text text) {
     const auto [id, ends] = split_word(rest);
     const std::uint32_t index = primitive_argument(bench, id.empty() ? "selected" : id);
     if (word == 1) return move_segment(bench, index, parse_segment(ends, scene));
-    if (!ends.empty()) throw InputError("'" + ends + "' is too much");
+    if (!ends.empty()) throw InputError("unexpected '" + ends + "'");
     delete_segment(bench, index);
 }
 
@@ -47,11 +47,12 @@ void edit_scene(Workbench<2>& bench, Text text) {
 template <>
 std::span<const Command<2>> edit_commands<2>() {
     static constexpr std::array table{
-        Command<2>{"segment", "add X,Y X,Y | move ID X,Y X,Y | delete [ID]",
+        Command<2>{"segment", "Segment", "add X,Y X,Y | move ID X,Y X,Y | delete [ID]",
                    "change the segments; ID is a number or selected, delete alone takes the selected one", "",
                    edit_segment},
-        Command<2>{"delete", "", "delete the selected note or segment", "Delete", delete_selected},
-        Command<2>{"scene", "new | save FILE", "an empty scene, or write this one", "Ctrl+N=new", edit_scene},
+        Command<2>{"delete", "Delete", "", "delete the selected note or segment", "Delete", delete_selected},
+        Command<2>{"scene", "Scene file", "new | save FILE", "start an empty scene, or save this one", "Ctrl+N=new",
+                   edit_scene},
     };
     return table;
 }
@@ -60,7 +61,7 @@ std::span<const Command<2>> edit_commands<2>() {
 template <>
 std::span<const Command<3>> edit_commands<3>() {
     static constexpr std::array table{
-        Command<3>{"delete", "", "delete the selected note", "Delete",
+        Command<3>{"delete", "Delete", "", "delete the selected note", "Delete",
                    [](Workbench<3>& bench, Text) { delete_note(bench, note_argument(bench, "selected")); }},
     };
     return table;

@@ -77,34 +77,35 @@ void other_viewer(Workbench<D>& bench, Text text) {
 template <int D>
 std::span<const Command<D>> file_commands() {
     static constexpr std::array table{
-        Command<D>{"open", "SCENE | FILE", "open a scene by any name, or a state file", "Ctrl+O=?",
+        Command<D>{"open", "Open", "SCENE | FILE", "open a scene by any name, or a state file", "Ctrl+O=?",
                    [](Workbench<D>& bench, Text text) {
                        open(bench, file_argument(text));
                        note_opened<D>(bench.recent, text);
                    }},
-        Command<D>{D == 2 ? "viewer3d" : "viewer2d", "[SCENE]", "start the other viewer beside this one", "",
-                   other_viewer<D>},
-        Command<D>{"size", "84mm | WxH", "size of figures", "",
+        Command<D>{D == 2 ? "viewer3d" : "viewer2d", D == 2 ? "3D viewer" : "2D viewer", "[SCENE]",
+                   "start the other viewer beside this one", "", other_viewer<D>},
+        Command<D>{"size", "Figure size", "84mm | WxH", "set the size of figures", "",
                    [](Workbench<D>& bench, Text text) { set_figure_size(bench, text); }},
-        Command<D>{"shot", "FILE", "write a figure (.png, .svg, .pdf) and its sidecar", "Ctrl+E=?",
+        Command<D>{"shot", "Export figure", "FILE", "write a figure (.png, .svg, .pdf) and its sidecar", "Ctrl+E=?",
                    [](Workbench<D>& bench, Text text) { write_shot(bench, file_argument(text)); }},
-        Command<D>{"film", D == 2 ? "FROM-TO FILE [4fps]" : "[path] FROM-TO FILE [4fps]",
+        Command<D>{"film", "Export film", D == 2 ? "FROM-TO FILE [4fps]" : "[path] FROM-TO FILE [4fps]",
                    D == 2 ? "write steps as numbered .png, as pages of a .pdf, as .gif or as .mp4"
                           : "write steps, or frames of the path, as numbered .png, pages of a .pdf, .gif or .mp4",
-                   "", film<D>, "drawing the film: the window answers again when it is written"},
-        Command<D>{"save", "FILE", "write a state file", "Ctrl+S=?",
+                   "", film<D>, "Writing the film; the window will not respond until it is done."},
+        Command<D>{"save", "Save state", "FILE", "write a state file", "Ctrl+S=?",
                    [](Workbench<D>& bench, Text text) { write_text(file_argument(text), bench_state(bench)); }},
-        Command<D>{"cells", "FILE", "write the cells and what they hold, for --cells", "",
+        Command<D>{"cells", "Export cells", "FILE", "save the cells and their primitives, to be read by --cells", "",
                    [](Workbench<D>& bench, Text text) { write_cells(bench, file_argument(text)); }},
-        Command<D>{"trace", "FILE", "write the records of the steps so far", "",
+        Command<D>{"trace", "Export trace", "FILE", "save the records of all steps so far", "",
                    [](Workbench<D>& bench, Text text) { write_text(file_argument(text), trace_json(bench.session)); }},
-        Command<D>{"stats", "FILE", "write the statistics", "",
+        Command<D>{"stats", "Export statistics", "FILE", "save the statistics of the run", "",
                    [](Workbench<D>& bench, Text text) {
                        write_text(file_argument(text), stats_json(bench.session, bench.last_stop));
                    }},
-        Command<D>{"copy", "", "the whole state to the clipboard, as text", "Ctrl+C", copy<D>},
-        Command<D>{"paste", "", "open the state that the clipboard holds", "Ctrl+V", paste<D>},
-        Command<D>{"quit", "", "end here", "Ctrl+Q", [](Workbench<D>& bench, Text) { bench.quit = true; }},
+        Command<D>{"copy", "Copy state", "", "copy the whole state to the clipboard, as text", "Ctrl+C", copy<D>},
+        Command<D>{"paste", "Paste state", "", "open the state that the clipboard holds", "Ctrl+V", paste<D>},
+        Command<D>{"quit", "Quit", "", "close the program", "Ctrl+Q",
+                   [](Workbench<D>& bench, Text) { bench.quit = true; }},
     };
     return table;
 }

@@ -152,15 +152,16 @@ std::span<const Command<2>> flight_commands<2>() {
 template <>
 std::span<const Command<3>> flight_commands<3>() {
     static constexpr std::array table{
-        Command<3>{"orbit", "RIGHT,UP", "circle about the point that the display view looks at, by degrees",
+        Command<3>{"orbit", "Orbit", "RIGHT,UP", "circle around the point that the display view looks at, by degrees",
                    "Ctrl+Right=15,0 Ctrl+Left=-15,0 Ctrl+Up=0,15 Ctrl+Down=0,-15", orbit},
-        Command<3>{"turn", "RIGHT,UP", "turn the display view on the spot, by degrees", "", turn},
-        Command<3>{"walk", "RIGHT,UP,FORWARD", "move the display view, in scene units", "", walk},
-        Command<3>{"through", "", "look through the frozen eye", "I", through},
-        Command<3>{"fly", "[on | off]", "fly: keys and mouse move the eye, and the traversal follows it", "G", fly},
-        Command<3>{"fly-speed", "UNITS | xFACTOR", "the speed of flying, in scene units a second", "}=x2 {=x0.5",
-                   set_speed},
-        Command<3>{"path",
+        Command<3>{"turn", "Turn", "RIGHT,UP", "turn the display view in place, by degrees", "", turn},
+        Command<3>{"walk", "Walk", "RIGHT,UP,FORWARD", "move the display view, in scene units", "", walk},
+        Command<3>{"through", "Frozen eye", "", "look through the frozen eye", "I", through},
+        Command<3>{"fly", "Fly", "[on | off]", "fly: keys and mouse move the eye, and the traversal follows it", "G",
+                   fly},
+        Command<3>{"fly-speed", "Flying speed", "UNITS | xFACTOR", "the speed of flying, in scene units a second",
+                   "}=x2 {=x0.5", set_speed},
+        Command<3>{"path", "Flight path",
                    "[ID | frame N | start | step [N] | back [N] | play | stop | toggle | loop | record | save FILE | "
                    "open FILE]",
                    "flight paths, with a bar: choose one, show its frames (from 0), replay or record it",

@@ -90,13 +90,15 @@ void mark_all(Workbench<D>& bench, Text text) {
 template <int D>
 std::span<const Command<D>> mark_commands() {
     static constexpr std::array table{
-        Command<D>{"select", "ID | last | primitive:ID | note:N | none", "select a cell, a primitive or a note",
-                   "J=last", select<D>},
-        Command<D>{"bookmark", "LABEL", "name this step", "B=?", bookmark<D>},
-        Command<D>{"break", "CONDITION | selected | here | none", "set a breakpoint, or take it away",
+        Command<D>{"select", "Select", "ID | last | primitive:ID | note:N | none",
+                   "select a cell, a primitive or a note", "J=last", select<D>},
+        Command<D>{"bookmark", "Bookmark", "LABEL", "give this step a name", "B=?", bookmark<D>},
+        Command<D>{"break", "Breakpoint", "CONDITION | selected | here | none", "set a breakpoint, or remove it",
                    "F9=? Shift+F9=selected", set_breakpoint<D>},
-        Command<D>{"break-switch", "N", "switch a breakpoint off or on", "", switch_breakpoint<D>},
-        Command<D>{"mark", "CONDITION | none", "mark every step that matches on the timeline", "", mark_all<D>},
+        Command<D>{"break-switch", "Breakpoint on or off", "N", "switch a breakpoint off or on", "",
+                   switch_breakpoint<D>},
+        Command<D>{"mark", "Mark steps", "CONDITION | none", "mark every step that matches on the timeline", "",
+                   mark_all<D>},
     };
     return table;
 }

@@ -109,11 +109,11 @@ void edit_note(Workbench<D>& bench, Text text) {
 template <int D>
 std::span<const Command<D>> note_commands() {
     static constexpr std::array table{
-        Command<D>{"note", "KIND ANCHOR [[DX,DY]] [{FROM-TO}] TEXT",
+        Command<D>{"note", "Note", "KIND ANCHOR [[DX,DY]] [{FROM-TO}] TEXT",
                    "text, arrow, ring or callout at X,Y, cell:ID, cell:last or primitive:ID, text shifted in points, "
                    "shown in these steps",
                    "", note<D>},
-        Command<D>{"note-edit", "N TEXT | N [DX,DY] | N {FROM-TO} | N at ANCHOR | N delete",
+        Command<D>{"note-edit", "Edit note", "N TEXT | N [DX,DY] | N {FROM-TO} | N at ANCHOR | N delete",
                    "change, move or delete the note of this number, or the selected one", "", edit_note<D>},
     };
     return table;

@@ -1,10 +1,13 @@
 // Commands that answer in words.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/error.h"
+#include "core/base/glossary.h"
 #include "core/session/explain.h"
+#include "core/session/explanation_json.h"
 #include "shell/commands/arguments.h"
 #include "shell/commands/groups.h"
 #include "shell/desk/fly.h"
+#include "shell/desk/what_if.h"
 #include "shell/export/export.h"
 #include "shell/panels/panel_table.h"
 
@@ -17,20 +20,70 @@ void say_all(Workbench<D>& bench, const std::vector<std::string>& lines) {
     for (const std::string& line : lines) bench.say(line);
 }
 
+/// What of a command's words is left when the file that they may end with is taken off.
+struct Asked {
+    std::vector<std::string> words;
+    std::string file;
+};
+Asked read_asked(Text text) {
+    Asked asked;
+    for (std::array<std::string, 2> parts = split_word(text); !parts[0].empty(); parts = split_word(parts[1]))
+        asked.words.push_back(parts[0]);
+    if (!asked.words.empty() && asked.words.back().ends_with(".json")) {
+        asked.file = asked.words.back();
+        asked.words.pop_back();
+    }
+    return asked;
+}
+
+template <int D>
+void say_cell(Workbench<D>& bench, Text id, const std::string& file) {
+    const Session<D>& session = bench.session;
+    const std::uint32_t cell = cell_argument(bench, id);
+    const CellExplanation e = explain_cell(session, cell);
+    const Counterfactuals all = counterfactuals(session, cell_item(cell));
+    if (!file.empty()) return write_text(file, explanation_json(session, e, all));
+    say_all(bench, rows(e));
+    if (session.method().orders_cells()) say_all(bench, rows(all));
+}
+
+template <int D>
+void say_primitive(Workbench<D>& bench, Text id, bool seeds, const std::string& file) {
+    const Session<D>& session = bench.session;
+    const PrimitiveExplanation e = explain_primitive(session, primitive_argument(bench, id));
+    const Counterfactuals all = counterfactuals(session, primitive_item(e.primitive), seeds);
+    if (!file.empty()) return write_text(file, explanation_json(session, e, all));
+    say_all(bench, rows(session, e));
+    say_all(bench, rows(all));
+}
+
 template <int D>
 void explain(Workbench<D>& bench, Text text) {
     const Session<D>& session = bench.session;
-    if (text.starts_with("cell"))
-        return say_all(bench, rows(explain_cell(session, cell_argument(bench, split_word(text)[1]))));
+    const auto [words, file] = read_asked(text);
+    const std::string kind = words.empty() ? "" : words[0];
+    if (kind == "cell" && words.size() == 2) return say_cell(bench, words[1], file);
+    if (kind == "primitive" && (words.size() == 2 || (words.size() == 3 && words[2] == "seeds")))
+        return say_primitive(bench, words[1], words.size() == 3, file);
     std::uint32_t step = session.position();
-    if (text.starts_with("step")) step = whole_argument(split_word(text)[1], "a step");
-    if (!text.empty() && !text.starts_with("step"))
-        throw InputError("write explain, explain step N or explain cell ID");
+    if (kind == "step" && words.size() == 2) step = whole_argument(words[1], "a step");
+    if (!file.empty() || (!words.empty() && (kind != "step" || words.size() != 2)))
+        throw InputError("write explain, explain step N, explain cell ID or explain primitive ID");
     if (step == 0) return bench.say("Step 0: the seed cell is in the front, nothing is projected yet.");
     if (step > session.position())
         throw InputError("step " + std::to_string(step) + " is not done yet; the session stands at step " +
                          std::to_string(session.position()));
     say_all(bench, rows(explain_step(session, step)));
+}
+
+/// What one change would do to what is selected; the panel keeps it.
+template <int D>
+void what_if_changed(Workbench<D>& bench, Text text) {
+    if (!text.empty()) throw InputError("what-if takes no arguments; select a cell or a primitive first");
+    if (!selected_item(bench)) throw InputError("select a cell or a primitive first");
+    update_what_if(bench, true);
+    if (const Counterfactuals* all = what_if(bench)) return say_all(bench, rows(*all));
+    bench.say("this method orders no cells: select a primitive");
 }
 
 template <int D>
@@ -63,9 +116,25 @@ void markers(Workbench<D>& bench, Text) {
         bench.say("  step " + std::to_string(bookmark.step) + ": bookmark '" + bookmark.label + "'");
 }
 
+/// The words of the field, or one of them.
+template <int D>
+void say_glossary(Workbench<D>& bench, Text text) {
+    const auto say = [&](const GlossaryEntry& entry) {
+        bench.say(std::string(entry.term) + ": " + std::string(entry.sentence) +
+                  (entry.source == "here" ? "" : " (" + std::string(entry.source) + ")"));
+    };
+    if (!text.empty()) {
+        const GlossaryEntry* const entry = find_term(text);
+        if (!entry) throw InputError("the glossary has no '" + text + "'; glossary lists its terms");
+        return say(*entry);
+    }
+    for (const GlossaryEntry& entry : glossary()) say(entry);
+}
+
 /// What all panels say, for readers of the screen and for scripts.
 template <int D>
 void panels(Workbench<D>& bench, Text text) {
+    update_what_if(bench);
     if (!text.empty()) return write_text(text, panels_text(bench));
     bench.say(panels_text(bench));
 }
@@ -75,13 +144,19 @@ void panels(Workbench<D>& bench, Text text) {
 template <int D>
 std::span<const Command<D>> say_commands() {
     static constexpr std::array table{
-        Command<D>{"explain", "[step N | cell ID | cell last]", "say why: this step, another, or where a cell stands",
-                   "", explain<D>},
-        Command<D>{"front", "", "list the front", "", front<D>},
-        Command<D>{"inversions", "", "list hidden cells projected before visible ones", "", list_inversions<D>},
-        Command<D>{"markers", "", "list penalties, inversions, the first wrong pixel, budget ticks, pops and bookmarks",
-                   "", markers<D>},
-        Command<D>{"panels", "[FILE]", "what all panels of the window say, as text", "F12=panels.txt", panels<D>},
+        Command<D>{"explain", "Explain", "[step N | cell ID | primitive ID [seeds]] [FILE.json]",
+                   "explain a step, where a cell stands, or how a primitive is seen", "", explain<D>},
+        Command<D>{"what-if", "What if", "", "run each single change of the parameters, for what is selected", "",
+                   what_if_changed<D>},
+        Command<D>{"front", "List front", "", "list the front", "", front<D>},
+        Command<D>{"inversions", "List inversions", "", "list hidden cells projected before visible ones", "",
+                   list_inversions<D>},
+        Command<D>{"markers", "List markers", "",
+                   "list penalties, inversions, the first wrong pixel, budget ticks, pops and bookmarks", "",
+                   markers<D>},
+        Command<D>{"glossary", "Glossary", "[TERM]", "explain the words of the field", "", say_glossary<D>},
+        Command<D>{"panels", "Panels as text", "[FILE]", "write what all panels say, as text", "F12=panels.txt",
+                   panels<D>},
     };
     return table;
 }

@@ -59,7 +59,8 @@ void trade_off(Workbench<D>& bench, Text text) {
 template <int D>
 std::span<const Command<D>> trade_off_commands() {
     static constexpr std::array table{
-        Command<D>{"trade-off", "METHOD BUDGET | add METHOD | stop | go | restart | finish | wrong | coverage",
+        Command<D>{"trade-off", "Trade-off",
+                   "METHOD BUDGET | add METHOD | stop | go | restart | finish | wrong | coverage",
                    "set method and budget of a dot; measure one more method or variant; stop, go on, restart, finish; "
                    "choose the vertical axis",
                    "", trade_off<D>},

@@ -62,18 +62,20 @@ void pan_by(Workbench<D>& bench, Text text) {
 template <int D>
 std::span<const Command<D>> view_commands() {
     static constexpr std::array table{
-        Command<D>{"eye", D == 2 ? "X,Y" : "X,Y,Z", "move the eye; while frozen, of the display view only", "", eye<D>},
-        Command<D>{"look", D == 2 ? "X,Y" : "X,Y,Z", "turn the view towards a point", "", look<D>},
-        Command<D>{"fov", "DEGREES", D == 2 ? "open the view; 360 looks all round" : "open the view", "", fov<D>},
-        Command<D>{"fit", "", "show the whole scene again", "0", [](Workbench<D>& bench, Text) { fit(bench); }},
-        Command<D>{"zoom", "FACTOR", "magnify the picture about its middle", "+=1.25 -=0.8",
+        Command<D>{"eye", "Move eye", D == 2 ? "X,Y" : "X,Y,Z",
+                   "move the eye; while frozen, moves only the display view's eye", "", eye<D>},
+        Command<D>{"look", "Look at", D == 2 ? "X,Y" : "X,Y,Z", "turn the view towards a point", "", look<D>},
+        Command<D>{"fov", "Field of view", "DEGREES",
+                   D == 2 ? "set the angle of the view; 360 looks all round" : "set the angle of the view", "", fov<D>},
+        Command<D>{"fit", "Fit scene", "", "show the whole scene again", "0",
+                   [](Workbench<D>& bench, Text) { fit(bench); }},
+        Command<D>{"zoom", "Zoom", "FACTOR", "magnify the picture about its middle", "+=1.25 -=0.8",
                    [](Workbench<D>& bench, Text text) { zoom(bench, number_argument(text, "a factor")); }},
-        Command<D>{"pan", "DX,DY", "move over the scene, by shares of what is shown: 0.1,0 to the right",
+        Command<D>{"pan", "Pan", "DX,DY", "move over the scene, by shares of what is shown: 0.1,0 to the right",
                    "Alt+Right=0.1,0 Alt+Left=-0.1,0 Alt+Up=0,0.1 Alt+Down=0,-0.1", pan_by<D>},
-        Command<D>{"freeze", "[all | eye | direction]",
-                   "keep the culling view, or its eye or its direction alone; eye, look and fov move the display view",
-                   "F", freeze<D>},
-        Command<D>{"unfreeze", "", "the display view is the culling view again", "Shift+F", unfreeze<D>},
+        Command<D>{"freeze", "Freeze", "[all | eye | direction]",
+                   "keep the culling view, its eye or its direction; then only the display view moves", "F", freeze<D>},
+        Command<D>{"unfreeze", "Unfreeze", "", "use one view again for culling and display", "Shift+F", unfreeze<D>},
     };
     return table;
 }

@@ -15,7 +15,7 @@ namespace sightline {
 template <int D>
 void change_settings(Workbench<D>& bench, const Settings& settings, const std::string& gesture = "");
 
-/// The culling view; while frozen the display view. Throws InputError for a view that cannot be.
+/// The culling view; while frozen the display view. Throws InputError for an invalid view.
 template <int D>
 void change_view(Workbench<D>& bench, const ViewSpec<D>& view, const std::string& gesture = "");
 

@@ -132,6 +132,17 @@ std::string trade_off_command(const Workbench<D>& bench, const TradeOffDot& dot)
 }
 
 template <int D>
+std::vector<VariantLook> trade_off_looks(const Workbench<D>& bench) {
+    const std::vector<Variant<D>>& variants = bench.trade_off.study.task().variants;
+    std::vector<std::string> texts;
+    for (const Variant<D>& variant : variants) texts.push_back(variant.text);
+    std::vector<VariantLook> looks = variant_looks(texts);
+    const bool tree = bench.session.settings().tessellation == Tessellation::tree;
+    for (std::size_t i = 0; i < looks.size(); ++i) looks[i].filled = !(tree && variants[i].method.orders_cells());
+    return looks;
+}
+
+template <int D>
 Variant<D> current_variant(const Workbench<D>& bench) {
     return variant_of(bench.session.method(), bench.session.settings().parameters, bench.trade_off.base);
 }
@@ -160,6 +171,7 @@ std::vector<std::size_t> pareto_dots(const Workbench<D>& bench) {
     template std::string trade_off_work_text<D>(const Workbench<D>&);                       \
     template std::string trade_off_time_text<D>(const Workbench<D>&);                       \
     template std::string trade_off_command<D>(const Workbench<D>&, const TradeOffDot& dot); \
+    template std::vector<VariantLook> trade_off_looks<D>(const Workbench<D>&);              \
     template Variant<D> current_variant<D>(const Workbench<D>&);                            \
     template bool is_current<D>(const Workbench<D>&, const TradeOffDot& dot);               \
     template std::vector<std::size_t> pareto_dots<D>(const Workbench<D>&);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/draw/variant_look.h"
 #include "shell/desk/workbench.h"
 
 namespace sightline {
@@ -46,6 +47,10 @@ std::string trade_off_time_text(const Workbench<D>& bench);
 /// The command that sets the method and the budget of a dot.
 template <int D>
 std::string trade_off_command(const Workbench<D>& bench, const TradeOffDot& dot);
+
+/// How the variants that are measured look, in their order; with open markers on the leaves of a tree.
+template <int D>
+std::vector<VariantLook> trade_off_looks(const Workbench<D>& bench);
 
 /// The session's method, written with the parameters that are not those that all methods share.
 template <int D>

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "core/session/counterfactual.h"
 #include "core/session/figure_spec.h"
 #include "core/session/session.h"
 #include "shell/desk/comparison.h"
@@ -28,10 +29,16 @@ struct Clipboard {
     std::function<void(const std::string&)> set;
 };
 
-/// Where something stands in the window, in its units, y down: for scripts and for readers of the screen.
+/// Position of a named widget of the window, in its units, y down: for scripts and screen readers.
 struct Place {
     std::string name;
     double x = 0, y = 0, w = 0, h = 0;
+};
+
+/// What one change would make of what was selected in a traversal (what_if.h).
+struct WhatIf {
+    std::uint64_t run = 0;  ///< Workbench::run
+    Counterfactuals all;
 };
 
 template <int D>
@@ -59,6 +66,7 @@ struct Workbench {
     std::vector<Place> places{};        ///< written anew by each frame of the window
     Graphics graphics{};                ///< 3D
     TradeOff<D> trade_off{};
+    std::optional<WhatIf> what_if{};
 
     /// Counts the traversals: what was derived from the recording is made again when this has changed.
     std::uint64_t run = 0;

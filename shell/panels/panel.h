@@ -41,6 +41,7 @@ struct Panel {
     Column column = Column::right;
     std::vector<Row> (*rows)(const Workbench<D>&);
     Body body = Body::rows;
+    bool fixed = false;  ///< says the same whatever is on the bench
 };
 
 template <int D>
@@ -50,7 +51,7 @@ std::span<const Panel<D>> panel_table();
 template <int D>
 const Panel<D>* find_panel(std::string_view id);
 
-/// All panels as text, each under its title.
+/// All panels that are not fixed as text, each under its title.
 template <int D>
 std::string panels_text(const Workbench<D>& bench);
 

@@ -25,6 +25,8 @@ std::span<const Panel<D>> panel_table() {
                  trade_off_rows<D>, Body::chart},
         Panel<D>{"breakpoints", "Breakpoints", "where a run stops, and marks", Column::right, breakpoint_rows<D>},
         Panel<D>{"notes", "Notes", "notes and bookmarks", Column::right, note_rows<D>},
+        Panel<D>{"words", "Words", "what each term means and where it is defined", Column::right, glossary_rows<D>,
+                 Body::rows, true},
     };
     return table;
 }
@@ -40,6 +42,7 @@ template <int D>
 std::string panels_text(const Workbench<D>& bench) {
     std::string text;
     for (const Panel<D>& panel : panel_table<D>()) {
+        if (panel.fixed) continue;
         text += "== " + std::string(panel.title) + " ==\n";
         for (const Row& row : panel.rows(bench))
             text += std::string(2 * static_cast<std::size_t>(row.indent), ' ') + row.text + "\n";

@@ -9,6 +9,8 @@ namespace sightline {
 template <int D>
 std::vector<Row> run_rows(const Workbench<D>& bench);
 template <int D>
+std::vector<Row> glossary_rows(const Workbench<D>& bench);
+template <int D>
 std::vector<Row> why_rows(const Workbench<D>& bench);
 template <int D>
 std::vector<Row> code_rows(const Workbench<D>& bench);

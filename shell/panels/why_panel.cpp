@@ -6,6 +6,7 @@
 #include "core/session/explain.h"
 #include "core/session/explain_primitive.h"
 #include "shell/desk/into.h"
+#include "shell/desk/what_if.h"
 #include "shell/panels/panel_table.h"
 
 namespace sightline {
@@ -81,10 +82,8 @@ void write_step(Writer& to, const StepExplanation& step, bool partly) {
     std::string rendered = "rendered " + counted(step.rendered, "primitive");
     if (step.rendered > 0) rendered += ", " + std::to_string(step.visible) + " of them visible";
     to.add(rendered, 0, step.rendered == 0 ? Tone::plain : step.visible > 0 ? Tone::good : Tone::bad);
-    if (step.cell != none && step.visible_share > 0)
-        to.add("it holds " + short_number(step.visible_share * 100) + " % of what is visible", 0, Tone::good);
-    else if (step.cell != none)
-        to.add("nothing in it is visible", 0, Tone::bad);
+    if (step.cell != none)
+        to.add(share_words(step.visible_share, step.visible), 0, step.visible_share > 0 ? Tone::good : Tone::bad);
     if (!step.looked_at.empty()) to.heading(step.cell != none ? "Across its facets" : "What it looked at");
     for (const Considered& c : step.looked_at) write_considered(to, c, step.digits);
 }
@@ -108,19 +107,55 @@ void write_cell(Writer& to, const CellExplanation& cell, std::string_view key_na
     if (cell.mark.state == CellState::projected || cell.mark.state == CellState::enqueued)
         to.add(std::string(key_name) + " (key) " + short_number(cell.mark.key, cell.digits) +
                (cell.rank > 0 ? ", number " + std::to_string(cell.rank) + " in the front" : ""));
-    if (cell.visible_share > 0)
-        to.add("holds " + short_number(cell.visible_share * 100) + " % of what is visible", 0, Tone::good);
-    else
-        to.add("hidden: nothing in it is visible", 0, Tone::faint);
-    if (!cell.held_back_by.empty())
-        to.add((cell.rank > 0 ? "held back by: " : "not in the front: ") + cell.held_back_by);
+    to.add(share_words(cell.visible_share, 0), 0, cell.visible_share > 0 ? Tone::good : Tone::faint);
+    if (cell.verdict) {
+        const std::string text = std::string(verdict_title(cell)) + ": " + cell.verdict.sentence;
+        if (const std::uint32_t about = id_of(cell.verdict.about, Kind::cell); about != none)
+            to.cell(text, about, 0, Tone::lit);
+        else
+            to.add(text, 0, Tone::lit);
+    }
     if (!cell.reached.empty())
         to.heading("Reached through " + counted(static_cast<std::uint32_t>(cell.reached.size()), "facet"));
     for (const ChainLink& link : cell.reached) write_link(to, link);
     if (cell.chain.size() > 1) {
-        to.heading("The chain of updates from the seed");
-        for (const ChainLink& link : cell.chain) write_link(to, link);
+        to.heading("The chain of updates, back to the seed");
+        for (const ChainPart& part : chain_parts(cell.chain))
+            if (part.count == 1)
+                write_link(to, cell.chain[part.first]);
+            else
+                to.add(folded_words(cell.chain, part), 1, Tone::faint);
     }
+}
+
+template <int D>
+void write_primitive(Writer& to, const Session<D>& s, const PrimitiveExplanation& e) {
+    to.heading(std::string("Selected ") + (D == 2 ? "segment" : "triangle"));
+    to.add(sight_sentence(s, e));
+    Row& met = to.add(met_sentence(e, s.position()), 0, e.visible && e.met_at == 0 ? Tone::bad : Tone::plain);
+    if (e.met_at > 0) met.command = "seek " + std::to_string(e.met_at);
+    for (std::size_t i = 0; i < std::min(e.cells.size(), most_cells_told); ++i)
+        to.cell("in " + name(e.cells[i]) + ": " + place_words(s, e.cells[i]), e.cells[i], 1);
+    if (e.cells.size() > most_cells_told)
+        to.add(counted(static_cast<std::uint32_t>(e.cells.size() - most_cells_told), "more cell"), 1, Tone::faint);
+}
+
+/// What one change would do to what is selected; a click compares the run with it.
+template <int D>
+void write_what_if(Writer& to, const Workbench<D>& bench) {
+    const Item item = selected_item(bench);
+    if (!item || (item.kind == Kind::cell && !bench.session.method().orders_cells())) return;
+    to.heading("With one thing changed");
+    const Counterfactuals* all = what_if(bench);
+    if (!all) {
+        to.add("run each single change: this may take seconds", 0, Tone::lit).command = "what-if";
+        return;
+    }
+    const std::vector<std::string> lines = rows(*all);
+    to.add("as it is: " + outcome_words(all->now));
+    for (const auto& [change, outcome] : all->changes)
+        if (differs(outcome, all->now)) to.add(change + ": " + outcome_words(outcome), 1).command = "compare " + change;
+    if (lines.back().starts_with("  no difference")) to.add(lines.back().substr(2), 1, Tone::faint);
 }
 
 }  // namespace
@@ -141,13 +176,10 @@ std::vector<Row> why_rows(const Workbench<D>& bench) {
     } else {
         write_step(to, explain_step(s, s.position()), bench.substep.has_value());
     }
-    if (s.selected_primitive != none) {
-        to.heading(std::string("Selected ") + (D == 2 ? "segment" : "triangle"));
-        to.add(sentence<D>(explain_primitive(bench.session, s.selected_primitive), s.position()));
-    }
-    if (s.selected_cell != none)
-        write_cell(to, explain_cell(s, s.selected_cell), key_title(s));
-    else if (s.selected_primitive == none)
+    if (s.selected_primitive != none) write_primitive(to, s, explain_primitive(bench.session, s.selected_primitive));
+    if (s.selected_cell != none) write_cell(to, explain_cell(s, s.selected_cell), key_title(s));
+    write_what_if(to, bench);
+    if (s.selected_cell == none && s.selected_primitive == none)
         to.add("Click a cell or a primitive in the picture to see why it is where it is.", 0, Tone::faint);
     return to.rows;
 }

@@ -143,7 +143,7 @@ void read_numbers(const Typed& typed, Options& o) {
 }
 
 void check_path(const Options& o) {
-    if ((o.frame || o.frames) && o.path.empty()) throw InputError("--frame and --frames are of a path: write --path");
+    if ((o.frame || o.frames) && o.path.empty()) throw InputError("--frame and --frames need --path");
     if (!o.path.empty() && !(o.eye.empty() && o.look_at.empty()))
         throw InputError("--path says where to look from: leave out --eye and --look-at");
     if (o.frames && (*o.frames == 0 || o.frame || !o.headless || o.stats.empty() || o.steps || !o.until.empty() ||
@@ -161,7 +161,7 @@ void read_window(const Typed& typed, Options& o) {
                              short_number(largest_scale));
     }
     if (!typed.window.empty()) o.window = window_size(typed.window);
-    if (o.headless && (o.scale || o.window)) throw InputError("--scale and --window: with --headless there is none");
+    if (o.headless && (o.scale || o.window)) throw InputError("--scale and --window need a window; remove --headless");
 }
 
 void check_scene(const Options& o) {

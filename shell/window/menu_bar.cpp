@@ -30,15 +30,19 @@ float menu_bar(Ui& ui, Workbench<D>& bench) {
         if (!open) continue;
         for (const Command<D>& command : group.commands) {
             const bool needs = !command.arguments.empty() && !command.arguments.starts_with('[');
-            const std::string label = std::string(command.text) + (needs ? " …" : "");
-            if (ImGui::MenuItem(label.c_str(), keys_of(command.id, command.keys).c_str())) {
+            const std::string label = std::string(command.label) + (needs ? " …" : "");
+            ImGui::PushFont(ui.fonts.bold);
+            const bool chosen = ImGui::MenuItem(label.c_str(), keys_of(command.id, command.keys).c_str());
+            ImGui::PopFont();
+            if (chosen) {
                 if (needs)
                     ask(bench, std::string(command.id));
                 else
                     ui.act(std::string(command.id));
             }
-            if (needs && ImGui::IsItemHovered())
+            if (ImGui::IsItemHovered())
                 ImGui::SetTooltip("%s %s", std::string(command.id).c_str(), std::string(command.arguments).c_str());
+            ImGui::TextDisabled("  %s", std::string(command.text).c_str());
         }
         if (title == "File" && !bench.recent.empty()) {
             ImGui::Separator();

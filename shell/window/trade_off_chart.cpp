@@ -10,18 +10,13 @@
 #include "shell/window/theme.h"
 #include "shell/window/timeline_lanes.h"
 #include "shell/window/trade_off_plot.h"
+#include "shell/window/variant_marks.h"
 
 namespace sightline {
 
 namespace {
 
-/// Okabe and Ito's, the yellow left out on white; in the order of the lab's charts.
-constexpr std::array method_colours{Colour{0, 114, 178},   Colour{213, 94, 0},   Colour{0, 158, 115},
-                                    Colour{204, 121, 167}, Colour{0, 0, 0},      Colour{230, 159, 0},
-                                    Colour{86, 180, 233},  Colour{127, 127, 127}};
 constexpr Colour front_colour{200, 200, 200};
-
-ImU32 method_colour(std::size_t method) { return colour(method_colours[method % method_colours.size()]); }
 
 template <int D>
 void progress_bar(Ui& ui, Workbench<D>& bench) {
@@ -30,7 +25,7 @@ void progress_bar(Ui& ui, Workbench<D>& bench) {
     std::string wanted;
     if (ImGui::Button(wrong ? "wrong pixels" : "coverage")) wanted = wrong ? "trade-off coverage" : "trade-off wrong";
     note_place(bench, "trade-off measure");
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("what is up: a click shows the other one");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Vertical axis; click to switch");
     ImGui::SameLine();
     if (!trade_off.study.finished()) {
         if (ImGui::Button(trade_off.stopped ? "go on" : "stop"))
@@ -92,15 +87,15 @@ void draw_dots(ImDrawList& list, const Ui& ui, const Workbench<D>& bench, const 
     list.AddPolyline(front.data(), static_cast<int>(front.size()), colour(front_colour), 0, 7 * ui.unit);
     for (const ImVec2& p : front) list.AddCircleFilled(p, 7 * ui.unit, colour(front_colour));
     const std::string now = current_variant(bench).text;
+    const std::vector<VariantLook> looks = trade_off_looks(bench);
     for (std::size_t m = 0; m < study.task().variants.size(); ++m) {
-        std::vector<TradeOffPlot::Dot> dots;
+        std::vector<ImVec2> line;
         for (const TradeOffPlot::Dot& dot : plot.dots)
-            if (study.dots()[dot.index].variant == m) dots.push_back(dot);
-        const bool current = study.task().variants[m].text == now;
-        for (std::size_t i = 0; i + 1 < dots.size(); ++i)
-            list.AddLine(dots[i].at, dots[i + 1].at, method_colour(m), (current ? 3.0f : 1.5f) * ui.unit);
-        for (const TradeOffPlot::Dot& dot : dots) {
-            list.AddCircleFilled(dot.at, 4 * ui.unit, method_colour(m));
+            if (study.dots()[dot.index].variant == m) line.push_back(dot.at);
+        draw_line(list, line, looks[m], (study.task().variants[m].text == now ? 3.0f : 1.5f) * ui.unit);
+        for (const TradeOffPlot::Dot& dot : plot.dots) {
+            if (study.dots()[dot.index].variant != m) continue;
+            draw_marker(list, dot.at, looks[m], 4 * ui.unit, theme::paper);
             if (is_current(bench, study.dots()[dot.index]))
                 list.AddCircle(dot.at, 8 * ui.unit, colour(theme::ink), 0, 2 * ui.unit);
         }
@@ -132,20 +127,23 @@ void key(const Ui& ui, const Workbench<D>& bench) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const auto& variants = bench.trade_off.study.task().variants;
     const std::string now = current_variant(bench).text;
-    const float text = ImGui::GetFontSize(), swatch = 1.2f * text, gap = 0.8f * text;
+    const float text = ImGui::GetFontSize(), swatch = 2.2f * text, gap = 0.8f * text;
     const ImVec2 from = ImGui::GetCursorScreenPos();
     const float right = from.x + ImGui::GetContentRegionAvail().x;
     ImVec2 at = from;
-    const auto entry = [&](const std::string& name, ImU32 c, float width) {
+    const auto entry = [&](const std::string& name, const VariantLook& look, float width, bool marker) {
         const float w = swatch + 4 * ui.unit + ImGui::CalcTextSize(name.c_str()).x;
         if (at.x > from.x && at.x + w > right) at = {from.x, at.y + 1.2f * text};
-        list.AddLine({at.x, at.y + text / 2}, {at.x + swatch, at.y + text / 2}, c, width);
+        const std::array ends{ImVec2{at.x, at.y + text / 2}, ImVec2{at.x + swatch, at.y + text / 2}};
+        draw_line(list, ends, look, width);
+        if (marker) draw_marker(list, {at.x + swatch / 2, at.y + text / 2}, look, 4 * ui.unit, theme::paper);
         list.AddText({at.x + swatch + 4 * ui.unit, at.y}, colour(theme::ink), name.c_str());
         at.x += w + gap;
     };
+    const std::vector<VariantLook> looks = trade_off_looks(bench);
     for (std::size_t m = 0; m < variants.size(); ++m)
-        entry(variants[m].text, method_colour(m), (variants[m].text == now ? 3.0f : 1.5f) * ui.unit);
-    entry("Pareto points", colour(front_colour), 7 * ui.unit);
+        entry(variants[m].text, looks[m], (variants[m].text == now ? 3.0f : 1.5f) * ui.unit, true);
+    entry("Pareto points", {front_colour}, 7 * ui.unit, false);
     ImGui::Dummy({1, at.y + 1.3f * text - from.y});
     ImGui::PushStyleColor(ImGuiCol_Text, colour(theme::faint));
     ImGui::TextWrapped("A dot is one budget, the ringed one yours. A click on a dot sets its method and budget.");

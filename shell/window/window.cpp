@@ -13,6 +13,7 @@
 #include "shell/desk/measure_trade_off.h"
 #include "shell/desk/moved.h"
 #include "shell/desk/play.h"
+#include "shell/desk/what_if.h"
 #include "shell/window/imgui_backend.h"
 #include "shell/window/keys.h"
 #include "shell/window/screen_density.h"
@@ -291,6 +292,8 @@ void Window<D>::frame(double seconds) {
     }
     ui_.revision += advance_flight(bench_, seconds);
     measure();
+    // Not while an eye is dragged: each place would run every change again.
+    if (!ImGui::IsAnyMouseDown() && stands_still(bench_)) ui_.revision += update_what_if(bench_);
     if (fullscreen_ != bench_.desk.fullscreen) {
         fullscreen_ = bench_.desk.fullscreen;
         SDL_SetWindowFullscreen(context_.window(), fullscreen_ ? SDL_WINDOW_FULLSCREEN_DESKTOP : 0);

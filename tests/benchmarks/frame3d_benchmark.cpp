@@ -9,10 +9,12 @@
 #include "core/base/stopwatch.h"
 #include "core/methods/method_table.h"
 #include "core/scene/make/generators_3d.h"
+#include "core/session/settings.h"
 #include "core/space/builders.h"
 #include "shell/gl/context.h"
 #include "shell/gl/solid_renderer.h"
 #include "shell/gl/target.h"
+#include "tests/run/run_support.h"
 
 namespace sightline {
 namespace {
@@ -72,7 +74,7 @@ void BM_WholeFrame3(benchmark::State& run) {
         list.runs = {{0, 0, static_cast<std::uint32_t>(list.triangles.size())}};
     }
     renderer.set(list);
-    State<3> state;
+    OwnRun<3> traversed;
     std::vector<std::uint32_t> ids;
     const std::vector<View<3>>& views = here.views[static_cast<std::size_t>(run.range(2))];
     std::size_t next = 0;
@@ -83,14 +85,14 @@ void BM_WholeFrame3(benchmark::State& run) {
         next = (next + 1) % views.size();
         if (!all) {
             const Stopwatch traversal;
-            Frame<3> frame = make_frame<3>(here.scene->primitives, here.cells, view, Settings{}, here.scene->two_sided);
-            frame.budget = static_cast<std::uint32_t>(triangles / 100 * static_cast<std::size_t>(run.range(1)));
-            method.start(frame, state);
-            benchmark::DoNotOptimize(method.run(frame, state, none));
+            Problem<3> problem = test::problem_of(*here.scene, here.cells, view, Settings{});
+            problem.budget = static_cast<std::uint32_t>(triangles / 100 * static_cast<std::size_t>(run.range(1)));
+            traversed.start(problem, method.start);
+            benchmark::DoNotOptimize(traversed->run(none));
             traverse += traversal.milliseconds();
             ids.clear();
-            for (std::uint32_t i = 0; i < state.touched_count; ++i)
-                if (!(state.touched[i] & State<3>::culled_bit)) ids.push_back(state.touched[i]);
+            for (const Met met : traversed->met())
+                if (!met.culled()) ids.push_back(met.primitive());
             const SolidList::Run one{0, 0, static_cast<std::uint32_t>(ids.size())};
             renderer.set_triangles({&one, 1}, ids);
         }

@@ -30,7 +30,7 @@ City make_city() {
         const std::vector<ViewSpec<3>>& frames = made.paths[i].frames;
         city.views[i] = make_view(frames[frames.size() / 4], static_cast<double>(size.width) / size.height);
     }
-    city.cells = build_cells(city.scene, Settings{});
+    city.cells = build_cells(city.scene, TessellationSettings{});
     return city;
 }
 

@@ -11,7 +11,9 @@
 
 #include "core/methods/method_table.h"
 #include "core/scene/make/generators_3d.h"
+#include "core/session/settings.h"
 #include "core/space/builders.h"
+#include "tests/run/run_support.h"
 
 namespace sightline {
 namespace {
@@ -20,18 +22,18 @@ constexpr std::size_t usual = 500'000;
 
 /// A city of so many triangles with leaves as large as those of the usual size, and the path along its street.
 struct City {
-    Generated made;
+    Scene<3> scene;
     Settings settings;
     CellComplex<3> cells;
     std::vector<View<3>> views;
 
-    explicit City(std::size_t triangles) : made(generate::city(1, triangles)) {
+    explicit City(std::size_t triangles) {
+        Generated made = generate::city(1, triangles);
         static const double leaf = 0.05 * bounds<3>(generate::city(1, usual).triangles).longest_side();
         settings.error_bound = leaf / bounds<3>(made.triangles).longest_side();
-        Scene<3> scene;
         scene.primitives = std::move(made.triangles);
+        scene.two_sided = std::move(made.two_sided);
         cells = build_cells(scene, settings);
-        made.triangles = std::move(scene.primitives);
         for (const FlightPath<3>& path : made.paths)
             if (path.id == "street")
                 for (std::size_t frame = 0; frame < path.frames.size(); ++frame)
@@ -47,19 +49,18 @@ const City& city(std::size_t triangles) {
 /// Each iteration is one frame; they go through the views in turn.
 void frames(benchmark::State& run, const City& city, const char* method_id, std::uint32_t budget) {
     const Method<3>& method = find_method<3>(method_table<3>(), method_id);
-    State<3> state;
+    OwnRun<3> traversal;
     std::size_t next = 0, steps = 0, rendered = 0, met = 0, count = 0;
     for (auto _ : run) {
-        Frame<3> frame =
-            make_frame<3>(city.made.triangles, city.cells, city.views[next], city.settings, city.made.two_sided);
-        frame.budget = budget;
-        method.start(frame, state);
-        benchmark::DoNotOptimize(method.run(frame, state, none));
+        Problem<3> problem = test::problem_of(city.scene, city.cells, city.views[next], city.settings);
+        problem.budget = budget;
+        traversal.start(problem, method.start);
+        benchmark::DoNotOptimize(traversal->run(none));
         next = (next + 1) % city.views.size();
         ++count;
-        steps += state.step;
-        rendered += state.rendered_count;
-        met += state.touched_count;
+        steps += traversal->steps();
+        rendered += traversal->counters().rendered_count;
+        met += traversal->counters().touched_count;
     }
     run.counters["cells"] = city.cells.cell_count();
     run.counters["steps"] = static_cast<double>(steps) / static_cast<double>(count);
@@ -97,7 +98,7 @@ BENCHMARK(BM_Tessellate3)->Unit(benchmark::kMillisecond);
 
 void BM_Assign3(benchmark::State& run) {
     CellComplex<3> cells = city(usual).cells;
-    const auto& triangles = city(usual).made.triangles;
+    const auto& triangles = city(usual).scene.primitives;
     for (auto _ : run) assign_primitives(cells, triangles);
     run.counters["bytes_per_triangle"] =
         static_cast<double>(cells.reference_memory_bytes()) / static_cast<double>(triangles.size());
@@ -109,7 +110,7 @@ std::string city_as_obj() {
     std::string points, faces;
     std::map<std::tuple<double, double, double>, std::size_t> known;
     char line[120];
-    for (const Primitive<3>& triangle : city(usual).made.triangles) {
+    for (const Primitive<3>& triangle : city(usual).scene.primitives) {
         faces += 'f';
         for (const Vec<3>& p : triangle) {
             const auto [at, is_new] = known.try_emplace({p.x, p.y, p.z}, known.size() + 1);

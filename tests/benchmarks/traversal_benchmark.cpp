@@ -5,10 +5,12 @@
 #include <chrono>
 
 #include "core/base/random.h"
+#include "core/methods/cells/seed_cells.h"
 #include "core/scene/make/generators.h"
-#include "core/session/session.h"
+#include "core/session/explain.h"
 #include "core/space/builders.h"
 #include "tests/run/reference_traversal.h"
+#include "tests/run/run_support.h"
 
 namespace sightline {
 namespace {
@@ -27,7 +29,7 @@ struct Town {
         const Box<2> box = bounds<2>(scene.primitives);
         view = make_view(ViewSpec<2>{box.centre(), box.max, 360});
     }
-    Frame<2> frame() const { return make_frame<2>(scene.primitives, cells, view, settings); }
+    Problem<2> problem() const { return test::problem_of(scene, cells, view, settings); }
 };
 
 const Town& town() {
@@ -43,46 +45,46 @@ void count_cells(benchmark::State& run, std::size_t projected) {
 
 /// Argument: budget in primitives; 0: none, the front empties.
 void BM_TraversalFlat(benchmark::State& run) {
-    Frame<2> frame = town().frame();
-    if (run.range(0) > 0) frame.budget = static_cast<std::uint32_t>(run.range(0));
+    Problem<2> problem = town().problem();
+    if (run.range(0) > 0) problem.budget = static_cast<std::uint32_t>(run.range(0));
     const Method<2>& method = find_method<2>(method_table<2>(), "published");
-    State<2> state;
+    OwnRun<2> traversal;
     for (auto _ : run) {
-        method.start(frame, state);
-        benchmark::DoNotOptimize(method.run(frame, state, none));
+        traversal.start(problem, method.start);
+        benchmark::DoNotOptimize(traversal->run(none));
     }
-    count_cells(run, state.step);
+    count_cells(run, traversal->steps());
 }
 BENCHMARK(BM_TraversalFlat)->Arg(0)->Arg(5000)->Unit(benchmark::kMillisecond);
 
 void BM_TraversalPapersStructure(benchmark::State& run) {
-    const Frame<2> frame = town().frame();
+    const Problem<2> problem = town().problem();
     test::PaperTraversal paper(town().scene, town().cells);
     const std::size_t budget = run.range(0) > 0 ? static_cast<std::size_t>(run.range(0)) : none;
     std::vector<std::uint32_t> projected, rendered;
     for (auto _ : run) {
         projected.clear();
         rendered.clear();
-        paper.run(town().view, seed_cells(frame).front(), budget, projected, rendered);
+        paper.run(town().view, seed_cells(problem).front(), budget, projected, rendered);
     }
     count_cells(run, projected.size());
 }
 BENCHMARK(BM_TraversalPapersStructure)->Arg(0)->Arg(5000)->Unit(benchmark::kMillisecond);
 
 void BM_TraversalRecorded(benchmark::State& run) {
-    const Frame<2> frame = town().frame();
+    const Problem<2> problem = town().problem();
     const Method<2>& method = find_method<2>(method_table<2>(), "published");
-    State<2> state;
-    Timeline timeline;
+    OwnRun<2> traversal;
+    Timeline<2> timeline;
     for (auto _ : run) {
+        traversal.start(problem, method.start);
         timeline = {};
-        method.start(frame, state);
-        timeline.seed_count = state.front_size;
-        while (method.record(frame, state, timeline) == Stop::none) {
+        timeline.begin(*traversal);
+        while (timeline.forward(traversal) == Stop::none) {
         }
     }
-    count_cells(run, state.step);
-    run.counters["bytes_per_step"] = static_cast<double>(timeline.memory_bytes()) / state.step;
+    count_cells(run, traversal->steps());
+    run.counters["bytes_per_step"] = static_cast<double>(timeline.memory_bytes()) / traversal->steps();
 }
 BENCHMARK(BM_TraversalRecorded)->Unit(benchmark::kMillisecond);
 
@@ -132,6 +134,23 @@ void BM_Seek(benchmark::State& run) {
     run.counters["longest_ms"] = longest;
 }
 BENCHMARK(BM_Seek)->Unit(benchmark::kMillisecond)->Iterations(200);
+
+/// Where a cell of about 25,000 stands, and each single change for it: a fifth of a second is asked for.
+void BM_ExplainCell(benchmark::State& run) {
+    Settings settings = town().settings;
+    settings.error_bound = 0.014;
+    const Box<2> box = bounds<2>(town().scene.primitives);
+    Session<2> session(std::make_shared<const Scene<2>>(town().scene), {box.centre(), box.max, 90}, settings);
+    session.seek(session.cells().cell_count() / 20);
+    session.reference();
+    const std::uint32_t cell = session.traversal().front().back().first.id;
+    for (auto _ : run) {
+        benchmark::DoNotOptimize(rows(explain_cell(session, cell)).size());
+        benchmark::DoNotOptimize(counterfactuals(session, cell_item(cell)).changes.size());
+    }
+    run.counters["cells"] = session.cells().cell_count();
+}
+BENCHMARK(BM_ExplainCell)->Unit(benchmark::kMillisecond);
 
 /// From one end of the recording to the other.
 void BM_SeekWholeRecording(benchmark::State& run) {

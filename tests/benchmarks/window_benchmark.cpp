@@ -5,6 +5,7 @@
 
 #include "core/draw/cell_number.h"
 #include "core/draw/picture.h"
+#include "core/methods/plp/plp_parameters.h"
 #include "core/scene/make/generators.h"
 #include "shell/desk/change.h"
 #include "shell/desk/moved.h"
@@ -121,7 +122,7 @@ void BM_SettingsChange(benchmark::State& run) {
         if (run.range(0))
             settings.error_bound = flip ? 0.045 : 0.05;
         else
-            settings.penalty = flip ? Penalty::none : Penalty::multiply;
+            settings.parameters.set(penalty_row(), flip ? "none" : "multiply");
         change_settings(bench, settings);
         benchmark::DoNotOptimize(bench.session.reference().count);
         benchmark::DoNotOptimize(make_picture(bench.session).shapes.size());

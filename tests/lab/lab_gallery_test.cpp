@@ -236,6 +236,38 @@ TEST(LabGallery, HoldsAMethodOfOnesOwnToWhatIsAskedOfPublished) {
     EXPECT_GT(asked, 4u);
 }
 
+/// One that needs the exact visible set is given it, wherever the scene and the eye are.
+template <int D>
+void expect_perfect_is_measured(const DrawIds& draw_ids, std::initializer_list<int> numbers) {
+    const std::array<std::string, 1> also{"perfect"};
+    std::size_t asked = 0, best = 0;
+    for (const GalleryRow<D>& row : gallery<D>()) {
+        if (std::find(numbers.begin(), numbers.end(), row.number) == numbers.end()) continue;
+        for (const Verdict& verdict : measure_row<D>(row, draw_ids, method_table<D>(), also)) {
+            if (verdict.kind != Verdict::Kind::asked) continue;
+            ++asked;
+            if (std::string(verdict.expectation->measure) != "coverage") continue;
+            EXPECT_EQ(verdict.value, 1) << row.id << ": the visible ones fit the budgets of these scenes";
+            ++best;
+        }
+    }
+    EXPECT_GE(asked, numbers.size());
+    EXPECT_GE(best, 1u);
+}
+
+TEST(LabGallery, GivesTheExactVisibleSetToAMethodThatNeedsIt) {
+    expect_perfect_is_measured<2>({}, {1, 2, 3});
+    std::string out;
+    EXPECT_EQ(run({"--also", "perfect", "2d:forget"}, out), 0);
+    EXPECT_NE(out.find("perfect: coverage 1,"), std::string::npos) << out;
+    try {
+        LabGraphics opengl;
+        expect_perfect_is_measured<3>(opengl.draw_ids(), {1});
+    } catch (const WorkError& error) {
+        GTEST_SKIP() << "no OpenGL here: " << error.what();
+    }
+}
+
 // Known answers.
 
 Probe<2> probe_of(GalleryScene<2>& at, std::initializer_list<const char*> settings = {}) {

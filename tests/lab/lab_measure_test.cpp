@@ -305,7 +305,7 @@ Alone alone(const LabScene<D>& lab, std::size_t frame, const Row& row, const Dra
     Settings settings = lab.settings_for(row.method);
     settings.budget = parse_budget(row.budget);
     Alone result{truth.reference.visible,
-                 one_run<D>(lab.tables.template of<D>(), *lab.scene, *cells, lab.views[frame], settings).rendered,
+                 one_run<D>(lab.tables.template of<D>(), *lab.scene, *cells, lab.views[frame], settings, {}).rendered,
                  {}};
     for (const std::uint32_t id : truth.reference.image.ids) result.wrong.push_back(id != none && !result.rendered[id]);
     return result;
@@ -374,9 +374,10 @@ TEST(LabPixels, ByIdsAreThoseOfARerender) {
         for (const View<3>& view : lab.views) {
             const CellComplex<3>* cells = &lab.on(Tessellation::delaunay);
             const Truth truth = make_truths<3>(*lab.scene, {&cells, 1}, view, study.size, draw_ids).front();
-            const Problem<3> problem{lab.scene.get(), cells, view, none, lab.settings.parameters, nullptr, {}};
+            const Method<3>& layers = find_method<3>(method_table<3>(), "layers");
             const WholeRun run =
-                whole_run<3>(find_method<3>(method_table<3>(), "layers"), problem, truth.reference, false);
+                whole_run<3>(layers, make_problem(layers, lab.settings.parameters, *lab.scene, *cells, view),
+                             truth.reference, false);
             const auto budget = static_cast<std::uint32_t>(lab.scene->primitives.size() / 400);
             const auto rendered = rendered_by(run, cut_at(run, budget).met, lab.scene->primitives.size());
             Scene<3> part;

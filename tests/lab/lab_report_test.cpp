@@ -120,9 +120,8 @@ TEST_F(LabFiles, ChartsAreDrawnByGnuplot) {
     chart.x = "x";
     chart.y = "y";
     chart.log_x = true;
-    chart.series.push_back(
-        {"one", Series::Look::line_and_dots, series_colour(0), 2, {{1, 2}, {10, NAN}, {100, 3}}, {"1%", "", "10 %"}});
-    chart.series.push_back({"two", Series::Look::dashed_and_rings, series_colour(1), 2, {{0, 2}, {-1, 3}}, {}});
+    chart.series.push_back({"one", {}, {}, 2, {{1, 2}, {10, NAN}, {100, 3}}, {"1%", "", "10 %"}});
+    chart.series.push_back({"two", {}, {}, 2, {{0, 2}, {-1, 3}}, {}});
     write_chart(chart, folder_ / "chart");
     const std::string svg = read_file(folder_ / "chart.svg");
     EXPECT_NE(svg.find("a \"title\" with \\ and ρ, _not_ {enhanced}"), std::string::npos) << svg.substr(0, 3000);
@@ -137,6 +136,13 @@ TEST_F(LabFiles, ChartsAreDrawnByGnuplot) {
     EXPECT_EQ(read_file(elsewhere / "chart.svg"), svg) << "the script needs its folder only";
     write_chart({}, folder_ / "empty");
     EXPECT_NE(read_file(folder_ / "empty.svg").find("nothing to show"), std::string::npos);
+}
+
+TEST(StudyWords, ATessellationIsReadAsItIsWrittenAndNoOtherWordIs) {
+    for (const Tessellation cells : {Tessellation::delaunay, Tessellation::tree})
+        EXPECT_EQ(read_tessellation(tessellation_word({"published", cells})), cells);
+    EXPECT_THROW(read_tessellation("leaves"), InputError);
+    EXPECT_THROW(read_tessellation(""), InputError);
 }
 
 TEST(FileStem, StaysInItsFolder) {

@@ -1,5 +1,5 @@
-// The trade-off panel's numbers are those of lab measure: same scene, path, frames, methods, budgets and reference
-// size. SPDX-License-Identifier: GPL-3.0-or-later
+// The trade-off panel's numbers are those of lab measure: same scene, path, frames, methods, budgets, reference size.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,6 +8,7 @@
 #include "lab/lab_graphics.h"
 #include "lab/measure/lab_scene.h"
 #include "lab/measure/measure_path.h"
+#include "lab/report/method_looks.h"
 #include "shell/commands/command_table.h"
 #include "shell/desk/measure_trade_off.h"
 #include "shell/desk/open_scene.h"
@@ -92,6 +93,37 @@ TEST(TradeOffAndLab, GiveTheSameNumbersIn3D) {
         for (const char* name : {"bottleneck", "city:10k"}) expect_numbers_of_the_lab<3>(name, {160, 120});
     } catch (const WorkError& error) {
         GTEST_SKIP() << "no OpenGL here: " << error.what();
+    }
+}
+
+TEST(TradeOffAndLab, VariantsLookTheSame) {
+    Workbench<2> bench{
+        open_scene<2>("rooms", start_settings<2>("rooms"), method_table<2>(), [](const std::string&) {})};
+    bench.say = [](const std::string&) {};
+    run_commands(bench, "trade-off add published on_reenqueue=min; trade-off add published penalty=add");
+    for (const char* tessellation : {"delaunay", "tree"}) {
+        run_commands(bench, std::string("set tessellation=") + tessellation + "; trade-off restart");
+        const auto& variants = bench.trade_off.study.task().variants;
+        ASSERT_GE(variants.size(), 7u);
+        const std::vector<VariantLook> panel = trade_off_looks(bench);
+        // The lab lists others too, in another order.
+        std::vector<lab::MethodChoice> methods{lab::parse_method("published outside_view=enqueue"),
+                                               lab::parse_method("layers@tree")};
+        for (std::size_t i = variants.size(); i-- > 0;)
+            methods.push_back({variants[i].text, variants[i].method.orders_cells()
+                                                     ? bench.session.settings().tessellation
+                                                     : Tessellation::delaunay});
+        const lab::MethodLooks looks(methods);
+        for (std::size_t i = 0; i < variants.size(); ++i) {
+            const lab::Series series = looks.series(methods[methods.size() - 1 - i]);
+            EXPECT_TRUE(series.look == panel[i]) << series.name;
+            EXPECT_EQ(series.name.find("@tree") == std::string::npos, series.look.filled) << series.name;
+            lab::Chart chart;
+            chart.series.push_back(series);
+            chart.series.back().points = {{1, 2}, {2, 3}};
+            EXPECT_NE(lab::gnuplot_script(chart).find(hex_colour(panel[i].colour)), std::string::npos) << series.name;
+            EXPECT_EQ(lab::gnuplot_script(chart).find(" dt 1 ") == std::string::npos, !panel[i].dash.empty());
+        }
     }
 }
 

@@ -49,7 +49,8 @@ void check_all(const TradeOffStudy<D>& study) {
         const auto truths = make_truths<D>(*task.scene, {&cells, 1}, task.views[v], task.reference_size, task.draw_ids);
         for (const TradeOffDot& dot : study.dots()) {
             const Variant<D>& variant = task.variants[dot.variant];
-            const Problem<D> problem{task.scene.get(), cells, task.views[v], none, variant.parameters, nullptr, {}};
+            const Problem<D> problem =
+                make_problem(variant.method, variant.parameters, *task.scene, *cells, task.views[v]);
             const WholeRun run = whole_run<D>(variant.method, problem, truths[0].reference);
             const auto all = static_cast<std::uint32_t>(task.scene->primitives.size());
             const std::uint32_t k = std::min(all, dot.budget.primitives(all));

@@ -28,8 +28,8 @@ struct RunHash {
 template <int D>
 RunHash run_hash(const Scene<D>& scene, const CellComplex<D>& cells, const View<D>& view, const Method<D>& method,
                  const Settings& settings) {
-    const auto run = method.start(
-        {&scene, &cells, view, settings.budget.primitives(scene.primitives.size()), settings.parameters, nullptr, {}});
+    const auto run = method.start(make_problem(method, settings.parameters, scene, cells, view,
+                                               settings.budget.primitives(scene.primitives.size())));
     run->run(none);
     return {run->steps(), run->hash()};
 }

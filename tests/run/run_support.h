@@ -15,13 +15,10 @@ namespace sightline::test {
 template <int D>
 Problem<D> problem_of(const Scene<D>& scene, const CellComplex<D>& cells, const View<D>& view,
                       const Settings& settings) {
-    Problem<D> problem{&scene,  &cells, view, settings.budget.primitives(scene.primitives.size()), settings.parameters,
-                       nullptr, {}};
-    if constexpr (D == 2)
-        problem.services.visible_set = [&scene, view] {
-            return std::make_shared<const std::vector<std::uint8_t>>(visible_set<2>(scene, view, {}, {}));
-        };
-    return problem;
+    Method<D> any;
+    any.needs = {true, true, true};
+    return make_problem(any, settings.parameters, scene, cells, view,
+                        settings.budget.primitives(scene.primitives.size()), exact_services(scene, view, {}, {}));
 }
 
 /// The value of a method's parameter.

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
-#include "core/run/run.h"
+#include "core/run/method.h"
 #include "tests/scene/random_scene.h"
 #include "tests/soak.h"
 
@@ -98,10 +98,10 @@ TEST(View3, OneSidedTrianglesAreShownFromTheirFrontTwoSidedOnesFromBothSides) {
     const CellComplex<3> cells;
     for (const double z : {3.0, -3.0}) {
         const View<3> view = make_view(ViewSpec<3>{{0.2, 0.2, z}, {0.2, 0.2, 0}, 60}, 1);
-        const Problem<3> one_sided{&plain, &cells, view, none, {}, nullptr, {}};
+        const Problem<3> one_sided = make_problem<3>({}, {}, plain, cells, view);
         EXPECT_EQ(shows(one_sided, 0), z > 0);
         EXPECT_EQ(shows(one_sided, 1), z < 0);
-        const Problem<3> mixed{&second_two_sided, &cells, view, none, {}, nullptr, {}};
+        const Problem<3> mixed = make_problem<3>({}, {}, second_two_sided, cells, view);
         EXPECT_EQ(shows(mixed, 0), z > 0);
         EXPECT_TRUE(shows(mixed, 1));
     }

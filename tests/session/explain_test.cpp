@@ -157,7 +157,7 @@ TEST(Explain, ACellsChainLeadsFromASeedToItsKey) {
             ASSERT_EQ(e.visible_share, session.reference().cell_share[cell]);
             const auto place = std::find_if(front.begin(), front.end(), [&](const auto& f) { return f.cell == cell; });
             ASSERT_EQ(e.rank, place == front.end() ? 0u : static_cast<std::uint32_t>(place - front.begin()) + 1);
-            ASSERT_EQ(e.held_back_by.empty(), marks[cell].state == CellState::projected);
+            ASSERT_EQ(!e.verdict, marks[cell].state == CellState::projected);
             ASSERT_EQ(e.projected_at > 0, marks[cell].state == CellState::projected);
             if (e.projected_at > 0) {
                 ASSERT_LE(e.projected_at, session.position());
@@ -209,10 +209,22 @@ TEST(Explain, ACellsChainLeadsFromASeedToItsKey) {
             const auto text = rows(e);
             for (const std::string& row : text) ASSERT_TRUE(!row.empty() && row.find('\n') == std::string::npos) << row;
             const bool more = found > 1;
-            ASSERT_EQ(text.size(), 1 + !e.held_back_by.empty() + e.chain.size() + (more ? 1 + found : 0));
+            // The chain from its end, which decides; what is about nothing beside it in one line.
+            const auto parts = chain_parts(e.chain);
+            double largest = 0;
+            for (const ChainLink& link : e.chain) largest = std::max(largest, link.update.key->key);
+            std::size_t end = e.chain.size();
+            for (const ChainPart& part : parts) {
+                ASSERT_EQ(part.first + part.count, end);
+                ASSERT_TRUE(part.count == 1 || end < e.chain.size());
+                end = part.first;
+                for (std::size_t k = 0; part.count > 1 && k < part.count; ++k)
+                    ASSERT_LE(e.chain[part.first + k].update.key->key, largest / 100);
+            }
+            ASSERT_EQ(end, 0u);
+            ASSERT_EQ(text.size(), 1 + !!e.verdict + parts.size() + (more ? 1 + found : 0));
             if (!e.chain.empty()) {
-                const std::string wanted = e.chain.back().update.key->formula();
-                ASSERT_TRUE(text[e.chain.size() + !e.held_back_by.empty()].ends_with(wanted));
+                ASSERT_TRUE(text[1 + !!e.verdict].ends_with(e.chain.back().update.key->formula()));
             }
             for (std::size_t k = 0; more && k < found; ++k) {
                 const std::string& row = text[text.size() - found + k];

@@ -32,7 +32,10 @@ public:
         return Stop::steps;
     }
     bool finished() const override { return steps_ == order_.size() || counters_.spent >= problem_.budget; }
-    std::unique_ptr<Run<2>> clone() const override { return std::make_unique<Again>(*this); }
+    std::unique_ptr<Run<2>> clone() const override {
+        ++clones;
+        return std::make_unique<Again>(*this);
+    }
     std::size_t memory_bytes() const override { return order_.size() * 4 + drawn_.memory_bytes(); }
     std::uint64_t hash() const override {
         Hash hash;
@@ -43,9 +46,12 @@ public:
         return std::make_shared<const FrameHistory>(FrameHistory{rendered_mask(met(), order_.size())});
     }
 
+    static int clones;  ///< made so far
+
 private:
     std::vector<std::uint32_t> order_;
 };
+int Again::clones = 0;
 
 std::vector<Method<2>> table_with_again() {
     std::vector<Method<2>> table(method_table<2>().begin(), method_table<2>().end());
@@ -113,6 +119,29 @@ TEST(Lane, AFrameDependsOnThoseBeforeItAndIsMadeAgainFromTheirViews) {
         EXPECT_EQ(session.problem().history, nullptr);
     }
     EXPECT_GT(decided, 5);
+}
+
+TEST(Lane, AFlightKeepsNoKeyframes) {
+    const std::vector<Method<2>> table = table_with_again();
+    Random random(31);
+    test::Start start = test::random_start(random, 80);
+    start.settings.method = "again";
+    start.settings.budget = {};
+    Session<2> session(start.scene, start.view, start.settings, table);
+    const int before = Again::clones;
+    for (int frame = 0; frame < 10; ++frame) session.fly(test::random_view(random));
+    EXPECT_EQ(Again::clones, before) << "nothing is recorded, so that there is nothing to go back to";
+    EXPECT_EQ(session.timeline().keyframes().size(), 0u);
+    const std::uint64_t flown = session.hash();
+    session.land();
+    ASSERT_EQ(session.hash(), flown);
+    EXPECT_GT(Again::clones, before);
+    ASSERT_GT(session.position(), 2u);
+    session.seek(1);
+    session.seek(0);
+    EXPECT_EQ(session.position(), 0u);
+    session.run();
+    EXPECT_EQ(session.hash(), flown);
 }
 
 }  // namespace

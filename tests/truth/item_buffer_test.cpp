@@ -19,7 +19,7 @@ View<2> look_ahead(const Vec<2>& eye) {
     return {eye, eye + Vec<2>(1, 0), 90, false, {eye + Vec<2>(1, -1), eye + Vec<2>(1, 1)}};
 }
 
-std::vector<Primitive<2>> random_scene(Random& random, std::size_t count, std::uint64_t size) {
+std::vector<Primitive<2>> random_segments(Random& random, std::size_t count, std::uint64_t size) {
     const auto point = [&] { return Vec<2>(random.below(size), random.below(size)); };
     std::vector<Primitive<2>> scene;
     while (scene.size() < count) scene.push_back({point(), point()});
@@ -99,14 +99,14 @@ TEST(ItemBuffer, EveryPixelHasTheNearestPrimitive) {
     Random random(1);
     for (int i = 0; i < test::soak_count(3000); ++i) {
         SCOPED_TRACE(i);
-        const auto scene = random_scene(random, 1 + random.below(12), 1 << 16);
+        const auto scene = random_segments(random, 1 + random.below(12), 1 << 16);
         View<2> view;
         do
             view = {Vec<2>(random.below(1 << 16), random.below(1 << 16)),
                     {},
                     90,
                     false,
-                    random_scene(random, 1, 1 << 16)[0]};
+                    random_segments(random, 1, 1 << 16)[0]};
         while (orient(view.eye, view.corners[0], view.corners[1]) <= 0);
         ASSERT_EQ(item_buffer(scene, view, 64).ids, exact_buffer(scene, view, 64));
     }
@@ -117,7 +117,7 @@ TEST(ItemBuffer, GrowsToTheExactVisibleSet) {
     std::size_t coarse = 0, fine = 0, exact = 0;
     for (int i = 0; i < test::soak_count(60); ++i) {
         SCOPED_TRACE(i);
-        auto scene = random_scene(random, 200, 1 << 16);
+        auto scene = random_segments(random, 200, 1 << 16);
         for (auto& [a, b] : scene) b = a + glm::round((b - a) / 16.0);
         const Vec<2> eye(random.below(1 << 16), random.below(1 << 16));
         const View<2> view = i % 2 == 0 ? see_round(eye) : look_ahead(eye);
@@ -140,7 +140,7 @@ TEST(ItemBuffer, AVisiblePieceOwnsThePixelsItCovers) {
     constexpr int width = 1 << 14;
     for (int i = 0; i < test::soak_count(100); ++i) {
         SCOPED_TRACE(i);
-        const auto scene = random_scene(random, 20, 1 << 16);
+        const auto scene = random_segments(random, 20, 1 << 16);
         const View<2> view = look_ahead(Vec<2>(random.below(1 << 16), random.below(1 << 16)));
         const ItemBuffer buffer = item_buffer(scene, view, width);
         std::vector<double> expected(scene.size(), 0), pieces(scene.size(), 0);
@@ -161,7 +161,7 @@ TEST(ItemBuffer, DegenerateScenesAndScalesDoNoHarm) {
     Random random(4);
     for (int i = 0; i < test::soak_count(2000); ++i) {
         SCOPED_TRACE(i);
-        auto scene = random_scene(random, 8, 5);
+        auto scene = random_segments(random, 8, 5);
         View<2> view =
             i % 2 == 0 ? see_round({random.below(5), random.below(5)}) : look_ahead({random.below(5), random.below(5)});
         const Ids ids = item_buffer(scene, view, 256).ids;

@@ -25,7 +25,7 @@ View<2> look_between(const Vec<2>& eye, const Vec<2>& right, const Vec<2>& left)
 
 /// All round, or a cone through two random points.
 template <typename RandomPoint>
-View<2> random_view(Random& random, const Vec<2>& eye, RandomPoint random_point) {
+View<2> random_case_view(Random& random, const Vec<2>& eye, RandomPoint random_point) {
     for (int tries = 0; random.below(8) > 2 && tries < 20; ++tries) {
         const Vec<2> right = random_point(), left = random_point();
         if (orient(eye, right, left) > 0) return look_between(eye, right, left);
@@ -45,7 +45,7 @@ Case degenerate_case(Random& random, int size, std::size_t most = 12) {
         // A polyline goes on.
         if (random.below(3) == 0) c.primitives.push_back({c.primitives.back()[1], point()});
     }
-    c.view = random_view(random, point(), point);
+    c.view = random_case_view(random, point(), point);
     return c;
 }
 
@@ -60,7 +60,7 @@ Case generic_case(Random& random, bool with_long_ones, std::size_t most = 12) {
                           static_cast<double>(random.below(1 << 14)) - (1 << 13));
         c.primitives.push_back({a, with_long_ones ? point() : a + step});
     }
-    c.view = random_view(random, point(), point);
+    c.view = random_case_view(random, point(), point);
     return c;
 }
 
@@ -91,7 +91,7 @@ Case rounded_case(Random& random) {
         const Vec<2> a = near_point(), b = near_point();
         c.primitives.push_back({a, b});
     }
-    c.view = random_view(random, eye, near_point);
+    c.view = random_case_view(random, eye, near_point);
     return c;
 }
 

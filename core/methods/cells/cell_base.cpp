@@ -172,34 +172,6 @@ std::vector<Considered> CellBase<D>::considered(const Step& step, std::span<cons
     return all;
 }
 
-template <int D>
-std::string CellBase<D>::why_not(const Item& item) const {
-    if (item.kind != Kind::cell) return {};
-    const Mark own = marks_[item.id];
-    if (own.state == CellState::projected || own.state == CellState::enqueued) return {};
-    if (own.state == CellState::unseen) return "it lies outside the view";
-    std::uint32_t best = none, unseen = 0, neighbours = 0;
-    for (const HalfFacet& half : this->problem_.cells->facets_of(item.id)) {
-        if (half.neighbour == none) continue;
-        ++neighbours;
-        const Mark mark = marks_[half.neighbour];
-        unseen += mark.state == CellState::unseen;
-        if (mark.state == CellState::enqueued && (best == none || comes_before(mark, marks_[best])))
-            best = half.neighbour;
-    }
-    if (best != none) {
-        std::uint32_t rank = 1;
-        for (std::uint32_t other = 0; other < marks_.size(); ++other)
-            rank += marks_[other].state == CellState::enqueued && comes_before(marks_[other], marks_[best]);
-        return "no neighbour is projected yet; the first will be cell " + std::to_string(best) + ", number " +
-               std::to_string(rank) + " in the front";
-    }
-    if (unseen == neighbours) return "all its neighbours lie outside the view";
-    if (this->counters_.partial_cell != none)
-        return "the budget ended before the neighbours of the last cell were added";
-    return "the front has not come near: none of its neighbours is in it";
-}
-
 template class CellBase<2>;
 template class CellBase<3>;
 

@@ -33,7 +33,7 @@ public:
 
     std::string_view rule_words(std::uint8_t rule) const override { return sightline::rule_words[rule]; }
     std::vector<Considered> considered(const Step&, std::span<const Change>, int digits) const override;
-    std::string why_not(const Item&) const override;
+    Verdict why_not(const Item&) const override;
     std::vector<CodeLine> code(const CodePlace&) const override;
 
 protected:
@@ -69,6 +69,7 @@ protected:
 private:
     void set_state(std::uint32_t cell, CellState to);
     void set_counters(const Counters& counters);
+    Verdict why_clean(std::uint32_t cell) const;
     /// Facets of the popped cell that the step looked across, from the first on.
     std::size_t facets_looked_across(const Step& step) const;
 

@@ -85,8 +85,9 @@ Misses OrderRun<D>::misses() const {
 }
 
 template <int D>
-std::string OrderRun<D>::why_not(const Item& item) const {
-    return item.kind == Kind::cell ? "the method orders primitives, not cells" : "";
+Verdict OrderRun<D>::why_not(const Item& item) const {
+    if (item.kind != Kind::cell) return {};
+    return {"no-cells", "the method orders primitives, not cells"};
 }
 
 template <int D>

@@ -36,7 +36,7 @@ public:
     std::size_t memory_bytes() const override;
     std::uint64_t hash() const override;
     Misses misses() const override;
-    std::string why_not(const Item& item) const override;
+    Verdict why_not(const Item& item) const override;
     std::vector<CodeLine> code(const CodePlace&) const override;
 
 private:

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/methods/plp/published.h"
 
+#include <algorithm>
+
 #include "core/base/number.h"
 
 namespace sightline {
@@ -9,13 +11,20 @@ namespace {
 
 /// The part of a key that weighs most, for people.
 std::string weightiest(const SolidityTerms& t) {
-    const double transferred = t.angle * t.handed_on, penalty = t.key - t.unpenalised;
-    if (penalty > t.content && penalty > transferred)
-        return "the penalty (+" + short_number(penalty) + "): the ray from the eye to its centre misses the facet";
-    if (transferred > t.content)
-        return "the solidity handed on by the cell it was reached from (" + short_number(transferred) + ")";
-    if (t.content > 0) return "the content of the cell it was reached from (|A| = " + std::to_string(t.count) + ")";
-    return "nothing but its stamp: its key is 0";
+    const double passed = t.angle * t.handed_on, penalty = t.key - t.unpenalised;
+    const double most = std::max({t.content, passed, penalty});
+    if (!(most > 0)) return "its stamp alone: its key is " + short_number(t.key) + ", made of nothing above 0";
+    std::string parts;
+    const auto add = [&](double part, const std::string& words) {
+        if (part == most) parts += (parts.empty() ? "" : ", and as much ") + words;
+    };
+    add(penalty, "the penalty (+" + short_number(penalty) + "): the ray from the eye to its centre misses the facet");
+    add(passed, "what was handed on (" + short_number(passed) +
+                         "): the key of the cell that it was reached " + "from, " + short_number(t.handed_on) +
+                         ", times the angle, " + short_number(t.angle));
+    add(t.content, "the content (" + short_number(t.content) +
+                       ") of the cell that it was reached from: |A| = " + std::to_string(t.count));
+    return parts;
 }
 
 /// By the names of KeyExplanation::terms, which the lines of code read back.

@@ -1,11 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <nlohmann/json.hpp>
+
+#include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/base/glossary.h"
+#include "core/session/explain.h"
+#include "shell/desk/what_if.h"
 #include "tests/shell/commands/commands_support.h"
 
 namespace sightline {
 namespace {
 
 using test::EachCommand;
+using Explained = EachCommand;
 
 TEST_F(EachCommand, explain) {
     run("explain");
@@ -16,6 +23,63 @@ TEST_F(EachCommand, explain) {
     EXPECT_EQ(said.at(0).find("Cell 3: "), 0u);
     run("seek 0; explain");
     EXPECT_EQ(said.at(0).find("Step 0: "), 0u);
+    run("explain primitive 10");
+    EXPECT_EQ(said.at(0), "Segment 10 is hidden by segment 0 (100 %).");
+    EXPECT_EQ(std::count_if(said.begin(), said.end(), [](const auto& s) { return s.find("seed=") != s.npos; }), 0);
+    run("explain primitive 10 seeds");
+    EXPECT_GT(std::count_if(said.begin(), said.end(), [](const auto& s) { return s.find("seed=") != s.npos; }), 0);
+    for (const char* wrong : {"explain cell", "explain primitive 10 seed", "explain step 4 5", "explain why.json"})
+        EXPECT_THROW(run(wrong), InputError) << wrong;
+}
+
+TEST_F(EachCommand, what_if) {
+    EXPECT_THROW(run("what-if"), InputError) << "nothing is selected";
+    run("select 3; what-if");
+    const std::vector<std::string> wanted = rows(counterfactuals(session(), cell_item(3)));
+    EXPECT_EQ(said, wanted);
+    ASSERT_TRUE(bench->what_if);
+    // The selection counts, and the traversal.
+    run("select primitive:10");
+    EXPECT_EQ(what_if(*bench), nullptr);
+    run("what-if");
+    ASSERT_NE(what_if(*bench), nullptr);
+    run("step");
+    EXPECT_NE(what_if(*bench), nullptr) << "the position does not matter";
+    run("set on_reenqueue=min");
+    EXPECT_EQ(what_if(*bench), nullptr);
+    run("select none; method everything; select 3; what-if");
+    EXPECT_EQ(said.back(), "this method orders no cells: select a primitive");
+}
+
+TEST_F(EachCommand, glossary) {
+    run("glossary");
+    EXPECT_EQ(said.size(), glossary().size());
+    run("glossary Penalty");
+    ASSERT_EQ(said.size(), 1u);
+    EXPECT_EQ(said[0].find("penalty: "), 0u);
+    EXPECT_THROW(run("glossary frontier"), InputError);
+}
+
+/// What is written as JSON is what is said.
+TEST_F(Explained, AsJson) {
+    run("run; explain cell 26 " + file("cell.json") + "; explain primitive 10 " + file("primitive.json"));
+    const auto cell = nlohmann::json::parse(read_file(file("cell.json")));
+    const CellExplanation e = explain_cell(session(), 26);
+    EXPECT_EQ(cell["cell"], 26);
+    EXPECT_EQ(cell["chain"].size(), e.chain.size());
+    EXPECT_EQ(cell["reached"].size(), e.reached.size());
+    const Counterfactuals all = counterfactuals(session(), cell_item(26));
+    ASSERT_EQ(cell["changes"].size(), all.changes.size());
+    for (std::size_t i = 0; i < all.changes.size(); ++i) {
+        const auto& row = cell["changes"][i];
+        EXPECT_EQ(row["change"], all.changes[i].change);
+        EXPECT_EQ(row["step"].is_null() ? 0u : row["step"].get<std::uint32_t>(), all.changes[i].outcome.step);
+    }
+    const auto primitive = nlohmann::json::parse(read_file(file("primitive.json")));
+    EXPECT_EQ(primitive["visible"], false);
+    ASSERT_EQ(primitive["hidden_by"].size(), 1u);
+    EXPECT_EQ(primitive["hidden_by"][0]["primitive"], 0);
+    EXPECT_EQ(primitive["hidden_by"][0]["share"], 1);
 }
 
 TEST_F(EachCommand, front) {
