@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/lab_graphics.h"
 
+#include <iostream>
+
 #include "core/session/settings_table.h"
 #include "shell/gl/context.h"
 #include "shell/gl/draw_clock.h"
+#include "shell/gl/draw_ids.h"
 #include "shell/gl/id_renderer.h"
 #include "shell/gl/solid_renderer.h"
 
@@ -25,9 +28,8 @@ LabGraphics::Made& LabGraphics::made() {
 }
 
 DrawIds LabGraphics::draw_ids() {
-    return [this](const Scene<3>& scene, const View<3>& view, const ImageSize& size, int layers) {
-        return made().ids.draw(scene, view, size, layers);
-    };
+    return draw_ids_with([this]() -> IdRenderer& { return made().ids; },
+                         [](const std::string& line) { std::cerr << "lab: warning: " << line << "\n"; });
 }
 
 DrawSolid LabGraphics::draw_solid() {

@@ -20,8 +20,9 @@ public:
     LabGraphics(const LabGraphics&) = delete;
     LabGraphics& operator=(const LabGraphics&) = delete;
 
-    /// Throws WorkError where there is no OpenGL 3.3.
+    /// Where there is no OpenGL 3.3, in software, and says so on standard error.
     DrawIds draw_ids();
+    /// Throws WorkError where there is no OpenGL 3.3.
     DrawSolid draw_solid();
     /// Lit, at this size.
     TimeDrawing time_drawing(const ImageSize& size);

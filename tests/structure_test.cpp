@@ -124,8 +124,9 @@ TEST(Structure, JsonStaysOutOfHeaders) {
 }
 
 TEST(Structure, ArrowsInCorePointDown) {
-    constexpr std::array order{"base", "process",       "geometry", "scene", "scene/make", "scene/read", "space",
-                               "run",  "methods/cells", "methods",  "truth", "measure",    "session",    "draw"};
+    constexpr std::array order{"base",       "process", "geometry", "scene",   "scene/make",
+                               "scene/read", "space",   "raster",   "run",     "methods/cells",
+                               "methods",    "truth",   "measure",  "session", "draw"};
     const auto rank = [&](const std::string& path) {  // core/FOLDER/…
         const std::size_t begin = path.find('/') + 1, end = path.rfind('/');
         std::string folder = path.substr(begin, end - begin);

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "viewer3d/renderers.h"
 
+#include <iostream>
+
 #include "core/session/settings_table.h"
+#include "shell/gl/draw_ids.h"
 
 namespace sightline {
 
@@ -16,9 +19,8 @@ Renderers::Made& Renderers::made() {
 
 Graphics graphics_of(const std::shared_ptr<Renderers>& renderers) {
     Graphics graphics;
-    graphics.draw_ids = [renderers](const Scene<3>& scene, const View<3>& view, const ImageSize& size, int layers) {
-        return renderers->ids().draw(scene, view, size, layers);
-    };
+    graphics.draw_ids = draw_ids_with([renderers]() -> IdRenderer& { return renderers->ids(); },
+                                      [](const std::string& line) { std::cerr << "warning: " << line << "\n"; });
     graphics.draw_solid = [renderers](const SolidList& list, int width, int height, double px_per_pt) {
         return renderers->solids().picture(list, width, height, px_per_pt);
     };

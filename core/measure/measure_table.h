@@ -29,6 +29,7 @@ enum class Measure : std::uint8_t {
     zeta,
     fused,
     steps,
+    zero_keys,
     front,
     pop,
     flip,

@@ -23,7 +23,7 @@ struct TradeOffTask {
     ImageSize reference_size{};
     std::vector<View<D>> views{};
     std::vector<Variant<D>> variants{};
-    DrawIds draw_ids{};          ///< 3D
+    DrawIds draw_ids{};          ///< 3D; empty: in software
     TimeDrawing time_drawing{};  ///< 3D; empty: drawing is not timed
 };
 
@@ -47,7 +47,7 @@ public:
     void ask(const Variant<D>& variant, const Budget& budget);
 
     /// One slice: the exact image of a view, a piece of a run, the numbers of one budget, or one timed traversal or
-    /// drawing. False when there is nothing left to do. Throws WorkError where there is no OpenGL.
+    /// drawing. False when there is nothing left to do. Throws WorkError where drawing is timed and there is no OpenGL.
     bool advance();
 
     const TradeOffTask<D>& task() const { return task_; }

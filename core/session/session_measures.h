@@ -9,6 +9,7 @@
 #include "core/methods/cells/cell_rules.h"
 #include "core/session/session.h"
 #include "core/session/timed.h"
+#include "core/truth/software_ids.h"
 #include "core/truth/truth.h"
 
 namespace sightline {
@@ -22,8 +23,8 @@ template <int D>
 const Reference& Session<D>::reference() const {
     if (!reference_)
         reference_ = timed(times_.reference, [&] {
-            return std::make_shared<const Reference>(
-                make_reference(*scene_, *cells_, view_, settings_.reference_size, draw_ids_));
+            return std::make_shared<const Reference>(make_reference(*scene_, *cells_, view_, settings_.reference_size,
+                                                                    drawing_of(settings_.reference, draw_ids_)));
         });
     return *reference_;
 }
@@ -32,7 +33,7 @@ template <int D>
 const std::vector<std::uint32_t>& Session<D>::layering() const {
     if (!layering_)
         layering_ = std::make_shared<const std::vector<std::uint32_t>>(
-            make_layering(*scene_, view_, settings_.reference_size, draw_ids_));
+            make_layering(*scene_, view_, settings_.reference_size, drawing_of(settings_.reference, draw_ids_)));
     return *layering_;
 }
 

@@ -10,6 +10,7 @@
 #include "core/run/parameters.h"
 #include "core/session/picture_settings.h"
 #include "core/space/tessellation.h"
+#include "core/truth/reference_by.h"
 
 namespace sightline {
 
@@ -21,6 +22,7 @@ struct Settings : TessellationSettings, PictureSettings {
     Budget budget;
     Parameters parameters;  ///< of methods: what differs from their defaults
     ImageSize reference_size;
+    ReferenceBy reference = ReferenceBy::opengl;
 
     bool operator==(const Settings&) const = default;
 };

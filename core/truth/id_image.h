@@ -1,4 +1,5 @@
-// Images whose pixels are primitive ids: the reference in 3D (TVCG section 4.4). OpenGL draws them (shell/gl).
+// Images whose pixels are primitive ids: the reference in 3D (TVCG section 4.4). OpenGL draws them (shell/gl), or the
+// rasteriser of core (software_ids.h).
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -15,6 +16,7 @@ namespace sightline {
 struct IdImage {
     int width = 0, height = 0;
     std::vector<std::uint32_t> ids;
+    bool software = false;  ///< drawn without OpenGL
 
     std::uint32_t at(int x, int y) const {
         return ids[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];

@@ -94,7 +94,8 @@ Vec<3> pixel_centre(const View<3>& view, const ImageSize& size, int x, int y) {
 
 Reference image_reference(IdImage image, const Scene<3>& scene, const CellComplex<3>& cells, const View<3>& view) {
     Reference reference;
-    reference.name = "item buffer " + image_size_text({image.width, image.height});
+    reference.name =
+        (image.software ? "software item buffer " : "item buffer ") + image_size_text({image.width, image.height});
     reference.visible.assign(scene.primitives.size(), 0);
     reference.pixels.assign(scene.primitives.size(), 0);
     CellPixels cell_pixels(image, scene, cells, view);

@@ -13,7 +13,7 @@
 namespace sightline {
 
 struct Reference {
-    std::string name;                   ///< "exact" or "item buffer WxH"
+    std::string name;                   ///< "exact", "item buffer WxH" or "software item buffer WxH"
     std::vector<std::uint8_t> visible;  ///< per primitive
     std::size_t count = 0;              ///< |V|
     /// Per cell: the part of the visible angle (2D) or pixels (3D) that lies inside it; 0: hidden. A piece on the

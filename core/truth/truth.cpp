@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <mutex>
 
-#include "core/base/error.h"
 #include "core/truth/hiding.h"
 #include "core/truth/item_buffer.h"
+#include "core/truth/software_ids.h"
 
 namespace sightline {
 
@@ -14,8 +14,7 @@ namespace {
 
 std::vector<IdImage> draw_images(const Scene<3>& scene, const View<3>& view, const ImageSize& size,
                                  const DrawIds& draw_ids, int layers) {
-    if (!draw_ids) throw WorkError("the exact image cannot be drawn: there is no OpenGL");
-    return draw_ids(scene, view, image_size<3>(size), layers);
+    return drawing_of(ReferenceBy::opengl, draw_ids)(scene, view, image_size<3>(size), layers);
 }
 
 }  // namespace

@@ -14,8 +14,8 @@
 
 namespace sightline {
 
-// 3D: `draw_ids` draws the images and `up_axis` of the scene is that of the view. All that need it throw WorkError
-// where there is no OpenGL.
+// 3D: `draw_ids` draws the images, where it is empty core's own rasteriser, and `up_axis` of the scene is that of the
+// view.
 
 /// The exact visible set; 3D: from an image of that size.
 template <int D>

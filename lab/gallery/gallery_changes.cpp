@@ -8,6 +8,7 @@
 #include "core/measure/frame_change.h"
 #include "core/scene/clean.h"
 #include "core/scene/scene_view.h"
+#include "core/truth/software_ids.h"
 #include "lab/gallery/gallery_functions.h"
 
 namespace sightline::lab {
@@ -41,8 +42,9 @@ OneRun ran_elsewhere(const Probe<D>& p, double scale, const Vec<D>& offset, bool
     view.look_at -= scene.origin;
     const CellComplex<D> cells = build_cells(scene, p.settings);
     const View<D> seen = scene_view(view, scene, p.settings.reference_size);
-    return one_run(p.methods, scene, cells, seen, p.settings,
-                   exact_services(scene, seen, p.settings.reference_size, p.at.draw_ids()));
+    return one_run(
+        p.methods, scene, cells, seen, p.settings,
+        exact_services(scene, seen, p.settings.reference_size, drawing_of(p.settings.reference, p.at.draw_ids())));
 }
 
 /// 0 where the other run has lost primitives: two of them fell together.

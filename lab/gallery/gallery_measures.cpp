@@ -12,6 +12,7 @@
 #include "core/session/condition.h"
 #include "core/session/settings_table.h"
 #include "core/space/cell_complex.h"
+#include "core/truth/software_ids.h"
 #include "lab/gallery/gallery_functions.h"
 
 namespace sightline::lab {
@@ -24,7 +25,8 @@ double ratio(double part, double whole) { return whole > 0 ? part / whole : no_v
 
 template <int D>
 Services services(const Probe<D>& p, const View<D>& view) {
-    return exact_services(p.at.scene(), view, p.settings.reference_size, p.at.draw_ids());
+    return exact_services(p.at.scene(), view, p.settings.reference_size,
+                          drawing_of(p.settings.reference, p.at.draw_ids()));
 }
 
 template <int D>
@@ -278,7 +280,9 @@ View<D> GalleryScene<D>::view(const ViewSpec<D>& spec, const Settings& settings)
 template <int D>
 Truth GalleryScene<D>::truth(const ViewSpec<D>& spec, const Settings& settings) {
     const CellComplex<D>* of[] = {&cells(settings)};
-    return make_truths<D>(*scene_, of, view(spec, settings), settings.reference_size, draw_ids_).front();
+    return make_truths<D>(*scene_, of, view(spec, settings), settings.reference_size,
+                          drawing_of(settings.reference, draw_ids_))
+        .front();
 }
 
 template <int D>

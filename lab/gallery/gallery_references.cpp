@@ -7,6 +7,7 @@
 #include "core/measure/frame_change.h"
 #include "core/session/settings_table.h"
 #include "core/truth/item_buffer.h"
+#include "core/truth/software_ids.h"
 #include "lab/gallery/gallery_functions.h"
 
 namespace sightline::lab {
@@ -24,7 +25,8 @@ IdImage ids_of(const Scene<3>& scene, const View<3>& view, const ImageSize& aske
 
 template <int D>
 IdImage ids_of(const Probe<D>& p, const ViewSpec<D>& view) {
-    return ids_of(p.at.scene(), p.at.view(view, p.settings), p.settings.reference_size, p.at.draw_ids());
+    return ids_of(p.at.scene(), p.at.view(view, p.settings), p.settings.reference_size,
+                  drawing_of(p.settings.reference, p.at.draw_ids()));
 }
 
 std::vector<std::uint8_t> shown_primitives(const IdImage& image, std::size_t count) {
@@ -129,7 +131,8 @@ IdImage reverse_image(const Probe<D>& p) {
     Scene<D> scene = p.at.scene();
     std::reverse(scene.primitives.begin(), scene.primitives.end());
     std::reverse(scene.two_sided.begin(), scene.two_sided.end());
-    IdImage image = ids_of(scene, p.at.view(p.view, p.settings), p.settings.reference_size, p.at.draw_ids());
+    IdImage image = ids_of(scene, p.at.view(p.view, p.settings), p.settings.reference_size,
+                           drawing_of(p.settings.reference, p.at.draw_ids()));
     for (std::uint32_t& id : image.ids)
         if (id != none) id = static_cast<std::uint32_t>(scene.primitives.size()) - 1 - id;
     return image;

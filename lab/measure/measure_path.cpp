@@ -11,6 +11,7 @@
 #include "core/measure/frame_numbers.h"
 #include "core/measure/wrong_region.h"
 #include "core/session/settings_table.h"
+#include "core/truth/software_ids.h"
 
 namespace sightline::lab {
 
@@ -71,6 +72,8 @@ public:
             } else {
                 if (i > 0 && !has_before) before = numbers(i - 1);
                 FrameOfAll now = numbers(i);
+                if (D == 3)
+                    for (Row& row : rows) row.reference = now.reference.name;  // who drew it
                 if (i > 0) compare(before, now);
                 take_times(i, now);
                 for (const Shown& shown : now.methods)
@@ -111,14 +114,15 @@ private:
 
     FrameOfAll numbers(std::uint32_t i) {
         std::vector<const CellComplex<D>*> tessellations;
-        std::array<std::size_t, 2> truth_of{};
-        for (std::size_t t = 0; t < 2; ++t)
+        std::array<std::size_t, tessellation_count> truth_of{};
+        for (std::size_t t = 0; t < tessellation_count; ++t)
             if (lab_.cells[t]) {
                 truth_of[t] = tessellations.size();
                 tessellations.push_back(&*lab_.cells[t]);
             }
-        const std::vector<Truth> truths = make_truths<D>(*lab_.scene, tessellations, lab_.views[i],
-                                                         lab_.settings.reference_size, instruments_.draw_ids);
+        const std::vector<Truth> truths =
+            make_truths<D>(*lab_.scene, tessellations, lab_.views[i], lab_.settings.reference_size,
+                           drawing_of(lab_.settings.reference, instruments_.draw_ids));
         FrameOfAll frame;
         frame.reference = truths.front().reference;
         frame.methods.resize(methods_.size());
@@ -202,7 +206,7 @@ private:
 
     std::vector<Row> empty_rows() const {
         std::vector<Row> rows;
-        std::array<std::optional<CellNumbers>, 2> numbers;
+        std::array<std::optional<CellNumbers>, tessellation_count> numbers;
         const std::string size = image_size_text(image_size<D>(lab_.settings.reference_size));
         for (std::size_t m = 0; m < methods_.size(); ++m)
             for (const AtBudget& budget : methods_[m].budgets) {

@@ -36,7 +36,7 @@ struct Row {
     std::uint32_t primitives = 0, cells = 0;
     std::size_t memory_bytes = 0;  ///< tessellation and references
     CellNumbers tessellation{};
-    std::string reference;              ///< "exact, item buffer 8192" or "item buffer 1024x768"
+    std::string reference;  ///< "exact, item buffer 8192", "item buffer 1024x768" or "software item buffer …"
     std::vector<std::uint32_t> frames;  ///< of the path
     std::vector<Values> values;         ///< one per frame
 };

@@ -12,6 +12,7 @@
 #include "core/measure/wrong_region.h"
 #include "core/session/session.h"
 #include "core/session/settings_table.h"
+#include "core/truth/software_ids.h"
 #include "core/truth/truth.h"
 #include "lab/report/session_figure.h"
 #include "shell/figure/cairo_surface.h"
@@ -46,7 +47,7 @@ void write_picture(const LabScene<2>& lab, const Row& row, std::size_t frame, co
 void write_picture(const LabScene<3>& lab, const Row& row, std::size_t frame, const std::filesystem::path& file,
                    LabGraphics& graphics) {
     const Variant<3> variant = lab.variant_for(row.method);
-    const DrawIds draw_ids = graphics.draw_ids();
+    const DrawIds draw_ids = drawing_of(lab.settings.reference, graphics.draw_ids());
     const std::unique_ptr<Run<3>> run = variant.method.start(
         make_problem(variant.method, variant.parameters, *lab.scene, lab.on(row.method.tessellation), lab.views[frame],
                      static_cast<std::uint32_t>(row.values[frame][Measure::budget]),
@@ -94,7 +95,8 @@ FramePicture draw_frame(const LabScene<D>& lab, const Study& study, const Row& r
                     " --eye=" + point_text<D>(view.eye, lab.scene->origin) +
                     " --look-at=" + point_text<D>(view.look_at, lab.scene->origin) + " --fov " + number_text(view.fov) +
                     " --method " + shell_quoted(row.method.variant) + " --budget " + shell_quoted(row.budget);
-    if (row.method.tessellation == Tessellation::tree) drawn.command += " --set tessellation=tree";
+    if (row.method.tessellation != Tessellation::delaunay)
+        drawn.command += " --set tessellation=" + std::string(word(row.method.tessellation));
     if (study.size != ImageSize{})
         drawn.command += " --set reference_size=" + setting_row("reference_size").get(lab.settings);
     for (const std::string& setting : study.settings) drawn.command += " --set " + shell_quoted(setting);

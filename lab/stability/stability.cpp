@@ -17,6 +17,7 @@
 #include "core/scene/scene_view.h"
 #include "core/session/settings_table.h"
 #include "core/space/builders.h"
+#include "core/truth/software_ids.h"
 #include "core/truth/truth.h"
 #include "lab/one_run.h"
 
@@ -62,7 +63,7 @@ template <int D>
 class StabilityStudy {
 public:
     StabilityStudy(const LabScene<D>& lab, const Study& study, const StabilityOptions& options, const DrawIds& draw_ids)
-        : lab_(lab), options_(options), draw_ids_(draw_ids), random_(options.seed) {
+        : lab_(lab), options_(options), draw_ids_(drawing_of(lab.settings.reference, draw_ids)), random_(options.seed) {
         size_ = bounds<D>(lab.scene->primitives).longest_side();
         for (const MethodChoice& choice : study.methods) {
             const Method<D>* const method = method_of<D>(lab.tables, choice);
@@ -156,7 +157,8 @@ private:
     }
 
     /// All methods in one view; their coverage is against `visible`.
-    std::vector<Outcome> outcomes(const Scene<D>& scene, const std::array<std::optional<CellComplex<D>>, 2>& cells,
+    std::vector<Outcome> outcomes(const Scene<D>& scene,
+                                  const std::array<std::optional<CellComplex<D>>, tessellation_count>& cells,
                                   const Settings& settings, const View<D>& view, const Set& visible,
                                   std::span<const std::uint32_t> original = {}) const {
         std::vector<Outcome> all(methods_.size());
@@ -225,8 +227,8 @@ private:
     /// Runs on another scene, whose exact set is that of the undisturbed one.
     void compare(Disturbance disturbance, double amount, const Scene<D>& scene, const Settings& settings,
                  std::span<const std::uint32_t> original, const std::function<ViewSpec<D>(ViewSpec<D>)>& moved) {
-        std::array<std::optional<CellComplex<D>>, 2> cells;
-        for (std::size_t t = 0; t < 2; ++t)
+        std::array<std::optional<CellComplex<D>>, tessellation_count> cells;
+        for (std::size_t t = 0; t < tessellation_count; ++t)
             if (lab_.cells[t]) {
                 Settings s = settings;
                 s.tessellation = static_cast<Tessellation>(t);
@@ -342,7 +344,7 @@ private:
     static constexpr int graze_steps = 10;
     const LabScene<D>& lab_;
     StabilityOptions options_;
-    const DrawIds& draw_ids_;
+    DrawIds draw_ids_;
     Random random_;
     double size_ = 1;
     std::vector<Choice> methods_;

@@ -9,7 +9,7 @@
 
 namespace sightline {
 
-/// Empty functions where there is no OpenGL: references and pictures in 3D then throw WorkError.
+/// Empty functions where there is no OpenGL: references in 3D are then drawn in software, and pictures throw WorkError.
 struct Graphics {
     DrawIds draw_ids{};
     DrawSolid draw_solid{};

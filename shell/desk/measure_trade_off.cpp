@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "core/base/number.h"
 #include "core/scene/scene_view.h"
+#include "core/truth/software_ids.h"
 
 namespace sightline {
 
@@ -21,6 +22,7 @@ std::string what_changed(const Workbench<D>& bench, const std::vector<ViewSpec<D
     if (task.scene != bench.session.shared_scene()) return "another scene";
     if (task.cells != bench.session.shared_cells()) return "another tessellation";
     if (!(task.reference_size == bench.session.settings().reference_size)) return "another reference size";
+    if (trade_off.reference != bench.session.settings().reference) return "another reference";
     if (trade_off.path != path) return "another path";
     if (trade_off.views != views) return bench.flight.path.frames.empty() ? "the view moved" : "another path";
     return "";
@@ -56,12 +58,13 @@ void update_trade_off(Workbench<D>& bench) {
             if (method.compared)
                 task.variants.push_back(
                     variant_of(method, session.settings().parameters, session.settings().parameters));
-        task.draw_ids = bench.graphics.draw_ids;
+        task.draw_ids = drawing_of(session.settings().reference, bench.graphics.draw_ids);
         if (D == 3 && bench.graphics.time_drawing)
             task.time_drawing = bench.graphics.time_drawing(session.settings().reference_size);
         const bool begun = trade_off.study.done() > 0;
         trade_off.study = TradeOffStudy<D>(std::move(task));
         trade_off.base = session.settings().parameters;
+        trade_off.reference = session.settings().reference;
         trade_off.path = std::move(path);
         trade_off.views = std::move(views);
         trade_off.word = begun ? "restarted: " + why : "";
@@ -137,7 +140,7 @@ std::vector<VariantLook> trade_off_looks(const Workbench<D>& bench) {
     std::vector<std::string> texts;
     for (const Variant<D>& variant : variants) texts.push_back(variant.text);
     std::vector<VariantLook> looks = variant_looks(texts);
-    const bool tree = bench.session.settings().tessellation == Tessellation::tree;
+    const bool tree = bench.session.settings().tessellation != Tessellation::delaunay;
     for (std::size_t i = 0; i < looks.size(); ++i) looks[i].filled = !(tree && variants[i].method.orders_cells());
     return looks;
 }

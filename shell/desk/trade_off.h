@@ -9,6 +9,7 @@
 #include "core/base/stopwatch.h"
 #include "core/measure/trade_off.h"
 #include "core/scene/flight_path.h"
+#include "core/truth/reference_by.h"
 
 namespace sightline {
 
@@ -18,6 +19,7 @@ struct TradeOff {
     bool stopped = false;            ///< by a person, or by an error
     std::string word{};              ///< why it began anew or ended; empty: nothing to say
     TradeOffStudy<D> study{};
+    ReferenceBy reference{};           ///< what it is measured against
     Parameters base{};                 ///< what all methods share: the session's when it began
     std::vector<std::string> added{};  ///< variants that are measured beside the methods of the table
     std::string path{};                ///< what it goes along, for people

@@ -2,7 +2,7 @@
 #include "shell/figure/cover.h"
 
 #include "core/draw/solid_list.h"
-#include "core/truth/image_plane.h"
+#include "core/raster/image_plane.h"
 #include "shell/figure/inset.h"
 #include "shell/figure/label.h"
 #include "shell/figure/outline.h"

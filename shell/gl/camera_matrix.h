@@ -4,7 +4,7 @@
 
 #include <glm/mat4x4.hpp>
 
-#include "core/truth/image_plane.h"
+#include "core/raster/image_plane.h"
 
 namespace sightline {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/truth/id_image.h"
-#include "core/truth/image_triangles.h"
+#include "core/raster/image_triangles.h"
 #include "shell/gl/handles.h"
 
 namespace sightline {

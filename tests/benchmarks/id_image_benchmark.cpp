@@ -4,7 +4,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <benchmark/benchmark.h>
 
+#include "core/base/stopwatch.h"
+#include "core/raster/depth_image.h"
 #include "core/scene/make/generators_3d.h"
+#include "core/space/builders.h"
 #include "core/truth/reference.h"
 #include "shell/gl/context.h"
 #include "shell/gl/id_renderer.h"
@@ -80,6 +83,38 @@ BENCHMARK(BM_IdImage)
     ->Unit(benchmark::kMillisecond)
     ->MeasureProcessCPUTime()
     ->UseRealTime();
+
+/// By the rasteriser of core. Arguments: view, layers.
+void BM_SoftwareImage(benchmark::State& run) {
+    for (auto _ : run)
+        benchmark::DoNotOptimize(draw_layers(city().scene, view(run), size, static_cast<int>(run.range(1))));
+    count(run);
+}
+BENCHMARK(BM_SoftwareImage)
+    ->ArgsProduct({{0, 1}, {1, 8}})
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
+
+/// OpenGL's image and the software's in turn: `ratio` is the software's time by OpenGL's, `differ` how many pixels do.
+void BM_SoftwareByOpenGl(benchmark::State& run) {
+    const GlContext context(GlContext::Place::off_screen, "benchmark", 64, 64);
+    IdRenderer renderer;
+    double gl = 0, software = 0, differ = 0;
+    for (auto _ : run) {
+        Stopwatch watch;
+        const IdImage by_gl = renderer.draw(city().scene, view(run), size, 1)[0];
+        gl += watch.milliseconds();
+        watch = {};
+        const DepthImage drawn = draw_layers(city().scene, view(run), size, 1)[0];
+        software += watch.milliseconds();
+        differ = 0;
+        for (std::size_t i = 0; i < drawn.ids.size(); ++i) differ += by_gl.ids[i] != drawn.ids[i];
+    }
+    run.counters["ratio"] = software / gl;
+    run.counters["differ"] = differ;
+}
+BENCHMARK(BM_SoftwareByOpenGl)->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond)->Iterations(20);
 
 void BM_ImageReference(benchmark::State& run) {
     const GlContext context(GlContext::Place::off_screen, "benchmark", 64, 64);

@@ -34,6 +34,34 @@ TEST_F(Viewer3d, MeasuresAndReportsTheConditions) {
     EXPECT_FALSE(stats.contains("item_buffer"));
 }
 
+TEST_F(Viewer3d, ReferencesAreDrawnInSoftwareWhereAPersonWantsItOrThereIsNoOpenGl) {
+    const std::vector<std::string> usual{"city:10k", "--budget", "10%", "--set", "reference_size=320x240",
+                                         "--stats",  "s.json"};
+    const auto stats = [&] { return Json::parse(read("s.json")); };
+    good(usual);
+    const Json opengl = stats();
+    std::vector<std::string> asked = usual;
+    asked.insert(asked.end(), {"--set", "reference=software"});
+    good(asked);
+    const Json software = stats();
+    EXPECT_EQ(software["reference"], "software item buffer 320x240");
+    EXPECT_EQ(software["state_hash"], opengl["state_hash"]);
+    EXPECT_NEAR(software["visible"].get<double>(), opengl["visible"].get<double>(), 3);
+    EXPECT_NEAR(software["wrong_pixels"].get<double>(), opengl["wrong_pixels"].get<double>(), 0.001);
+    // An OpenGL that is too old.
+    setenv("MESA_GL_VERSION_OVERRIDE", "2.1", 1);
+    setenv("MESA_GLSL_VERSION_OVERRIDE", "120", 1);
+    const Result blind = headless(usual);
+    unsetenv("MESA_GL_VERSION_OVERRIDE");
+    unsetenv("MESA_GLSL_VERSION_OVERRIDE");
+    EXPECT_EQ(blind.status, 0) << blind.err;
+    if (stats()["reference"] == opengl["reference"]) GTEST_SKIP() << "OpenGL is not Mesa's here";
+    EXPECT_EQ(stats()["visible"], software["visible"]);
+    EXPECT_EQ(stats()["reference"], software["reference"]);
+    EXPECT_EQ(blind.error_lines(), 1u) << blind.err;
+    EXPECT_EQ(blind.err.find("warning: the reference is drawn in software: OpenGL 3.3 is needed"), 0u) << blind.err;
+}
+
 TEST_F(Viewer3d, DrawingEverythingInViewMissesNothing) {
     for (const char* method : {"view", "everything", "published", "layers", "centroid"}) {
         good({"city:10k", "--method", method, "--budget", "unlimited", "--set", "reference_size=320x240", "--stats",

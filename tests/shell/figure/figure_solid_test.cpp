@@ -9,7 +9,7 @@
 #include <filesystem>
 
 #include "core/base/file.h"
-#include "core/truth/image_plane.h"
+#include "core/raster/image_plane.h"
 #include "shell/figure/cover.h"
 #include "shell/figure/figure.h"
 #include "shell/figure/lay_out.h"

@@ -1,8 +1,10 @@
-// The item buffer against Embree's rays through the pixels' centres, and its layers against all hits along them.
+// The item buffer, drawn by OpenGL and in software, against Embree's rays through the pixels' centres; and the two
+// against each other.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <array>
 
+#include "core/raster/depth_image.h"
 #include "shell/gl/id_renderer.h"
 #include "tests/scene/soup_scenes.h"
 #include "tests/shell/gl/embree_caster.h"
@@ -58,9 +60,17 @@ protected:
         const auto images = renderer->draw(scene, view, asked_size, 1);
         ASSERT_EQ(images.size(), 1u);
         const EmbreeCaster rays(scene, view.eye);
-        expect(compare(images[0], ImageJudge(scene, view, asked_size),
-                       [&](int x, int y) { return rays.first(through(view, x, y)); }),
-               covered, undecided);
+        const ImageJudge judge(scene, view, asked_size);
+        const auto ray = [&](int x, int y) { return rays.first(through(view, x, y)); };
+        const IdImage software = in_software(scene, view);
+        expect(compare(images[0], judge, ray), covered, undecided);
+        expect(compare(software, judge, ray), covered, undecided);
+        expect(compare(images[0], judge, [&](int x, int y) { return software.at(x, y); }), covered, undecided);
+    }
+    static IdImage in_software(const Scene<3>& scene, const View<3>& view) {
+        DepthImage image(asked_size);
+        draw_depth(image, scene, view);
+        return {image.width, image.height, image.ids};
     }
     static void expect(const Comparison& found, double covered, double undecided) {
         constexpr double pixels = asked_size.width * asked_size.height;

@@ -1,7 +1,7 @@
 // What the renderer of solids puts where, read back off screen.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/trig.h"
-#include "core/truth/image_plane.h"
+#include "core/raster/image_plane.h"
 #include "tests/draw/solid_samples.h"
 #include "tests/shell/gl/gl_solid_support.h"
 

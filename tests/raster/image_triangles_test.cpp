@@ -1,6 +1,6 @@
 // Triangles as an image shows them: cut alike along shared edges, in order, in parts of any size.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/truth/image_triangles.h"
+#include "core/raster/image_triangles.h"
 
 #include <gtest/gtest.h>
 

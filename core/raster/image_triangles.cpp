@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/truth/image_triangles.h"
+#include "core/raster/image_triangles.h"
 
 #include <span>
 
@@ -67,36 +67,42 @@ bool meets_centre(std::span<const Vec<3>> seen, const ImageSize& size) {
 
 }  // namespace
 
+void append_image_triangle(const Scene<3>& scene, const View<3>& view, const ImagePlane& plane, const ImageSize& size,
+                           std::size_t primitive, std::vector<ImageCorner>& corners) {
+    const Primitive<3>& triangle = scene.primitives[primitive];
+    const std::array<Vec<3>, 3> projected{plane.project(triangle[0]), plane.project(triangle[1]),
+                                          plane.project(triangle[2])};
+    if (beyond(projected)) return;
+    const int side = orient(triangle[0], triangle[1], triangle[2], view.eye);
+    // Edge-on: what the image then shows of it is rounding.
+    if (side == 0 || (side < 0 && (scene.two_sided.empty() || !scene.two_sided[primitive]))) return;
+    Polygon polygon;
+    std::size_t count = 3;
+    if (within_reach(projected))
+        std::copy(projected.begin(), projected.end(), polygon.begin());
+    else
+        count = cut_to_cone(projected, polygon);
+    const auto seen = std::span(polygon).first(count);
+    // Only one that holds the eye comes so near; it is seen edge-on.
+    if (std::any_of(seen.begin(), seen.end(), [](const Vec<3>& p) { return !(p.z > nearness_unit); })) return;
+    for (Vec<3>& p : seen) p = {p.x / p.z, -p.y / p.z, nearness_unit / p.z};
+    if (!meets_centre(seen, size)) return;
+    const auto append = [&](const Vec<3>& p) {
+        corners.push_back({static_cast<float>(p.x), static_cast<float>(p.y),
+                           static_cast<float>(std::max(p.z, 0x1p-126)), static_cast<std::uint32_t>(primitive)});
+    };
+    for (std::size_t i = 2; i < count; ++i) {
+        append(seen[0]);
+        append(seen[i - 1]);
+        append(seen[i]);
+    }
+}
+
 void append_image_triangles(const Scene<3>& scene, const View<3>& view, const ImageSize& size, std::size_t& next,
                             std::size_t limit, std::vector<ImageCorner>& corners) {
     const ImagePlane plane = image_plane(view);
-    Polygon polygon;
-    for (; next < scene.primitives.size() && corners.size() < limit; ++next) {
-        const Primitive<3>& triangle = scene.primitives[next];
-        const std::array<Vec<3>, 3> projected{plane.project(triangle[0]), plane.project(triangle[1]),
-                                              plane.project(triangle[2])};
-        if (beyond(projected)) continue;
-        if (!faces(view, triangle) && (scene.two_sided.empty() || !scene.two_sided[next])) continue;
-        std::size_t count = 3;
-        if (within_reach(projected))
-            std::copy(projected.begin(), projected.end(), polygon.begin());
-        else
-            count = cut_to_cone(projected, polygon);
-        const auto seen = std::span(polygon).first(count);
-        // Only one that holds the eye comes so near; it is seen edge-on.
-        if (std::any_of(seen.begin(), seen.end(), [](const Vec<3>& p) { return !(p.z > nearness_unit); })) continue;
-        for (Vec<3>& p : seen) p = {p.x / p.z, -p.y / p.z, nearness_unit / p.z};
-        if (!meets_centre(seen, size)) continue;
-        const auto append = [&](const Vec<3>& p) {
-            corners.push_back({static_cast<float>(p.x), static_cast<float>(p.y),
-                               static_cast<float>(std::max(p.z, 0x1p-126)), static_cast<std::uint32_t>(next)});
-        };
-        for (std::size_t i = 2; i < count; ++i) {
-            append(seen[0]);
-            append(seen[i - 1]);
-            append(seen[i]);
-        }
-    }
+    for (; next < scene.primitives.size() && corners.size() < limit; ++next)
+        append_image_triangle(scene, view, plane, size, next, corners);
 }
 
 }  // namespace sightline

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/base/image_size.h"
-#include "core/truth/image_plane.h"
+#include "core/raster/image_plane.h"
 
 namespace sightline {
 
@@ -18,11 +18,15 @@ struct ImageCorner {
 };
 
 /// Appends three corners for each triangle that may cover the centre of a pixel, by ascending id: those of the
-/// primitives from `next` on that turn a seen side to the eye, cut to the view's cone (a little beyond the image's
-/// border). There is no near plane: what is seen from however near is there. Neighbours that share an edge share its
-/// corners, also where they are cut. Stops when `limit` corners or a few more are there; moves `next` on, to the number
-/// of primitives at the end.
+/// primitives from `next` on that turn a seen side to the eye (none where it is exactly edge-on), cut to the view's
+/// cone (a little beyond the image's border). There is no near plane: what is seen from however near is there.
+/// Neighbours that share an edge share its corners, also where they are cut. Stops when `limit` corners or a few more
+/// are there; moves `next` on, to the number of primitives at the end.
 void append_image_triangles(const Scene<3>& scene, const View<3>& view, const ImageSize& size, std::size_t& next,
                             std::size_t limit, std::vector<ImageCorner>& corners);
+
+/// The same for one primitive. `plane`: image_plane(view).
+void append_image_triangle(const Scene<3>& scene, const View<3>& view, const ImagePlane& plane, const ImageSize& size,
+                           std::size_t primitive, std::vector<ImageCorner>& corners);
 
 }  // namespace sightline

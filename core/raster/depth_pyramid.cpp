@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/raster/depth_pyramid.h"
+
+#include <algorithm>
+
+namespace sightline {
+
+namespace {
+
+float farthest_pixel(const DepthImage& image, int block_x, int block_y) {
+    constexpr int side = DepthPyramid::block;
+    float farthest = std::numeric_limits<float>::infinity();
+    for (int y = block_y * side; y < std::min((block_y + 1) * side, image.height); ++y)
+        for (int x = block_x * side; x < std::min((block_x + 1) * side, image.width); ++x)
+            farthest = std::min(farthest, image.nearness[image.index(x, y)]);
+    return farthest;
+}
+
+float farthest_below(const DepthPyramid::Level& below, int block_x, int block_y) {
+    float farthest = std::numeric_limits<float>::infinity();
+    for (int y = 2 * block_y; y < std::min(2 * block_y + 2, below.height); ++y)
+        for (int x = 2 * block_x; x < std::min(2 * block_x + 2, below.width); ++x)
+            farthest = std::min(farthest, below.at(x, y));
+    return farthest;
+}
+
+int halved(int n, int by) { return (n + by - 1) / by; }
+
+}  // namespace
+
+DepthPyramid::DepthPyramid(const DepthImage& image) {
+    int width = halved(image.width, block), height = halved(image.height, block);
+    while (true) {
+        levels.push_back({width, height, {}});
+        levels.back().farthest.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+        if (width <= 1 && height <= 1) break;
+        width = halved(width, 2);
+        height = halved(height, 2);
+    }
+    update(image, 0, 0, image.width, image.height);
+}
+
+void DepthPyramid::update(const DepthImage& image, int left, int top, int right, int bottom) {
+    left = std::max(left, 0);
+    top = std::max(top, 0);
+    right = std::min(right, image.width);
+    bottom = std::min(bottom, image.height);
+    if (left >= right || top >= bottom) return;
+    int size = block;
+    for (std::size_t i = 0; i < levels.size(); ++i, size *= 2)
+        for (int y = top / size; y <= (bottom - 1) / size; ++y)
+            for (int x = left / size; x <= (right - 1) / size; ++x)
+                levels[i].farthest[static_cast<std::size_t>(y) * static_cast<std::size_t>(levels[i].width) +
+                                   static_cast<std::size_t>(x)] =
+                    i == 0 ? farthest_pixel(image, x, y) : farthest_below(levels[i - 1], x, y);
+}
+
+}  // namespace sightline

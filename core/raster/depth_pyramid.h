@@ -1,0 +1,33 @@
+// Hierarchical z: the farthest depth of blocks of pixels, and of blocks of blocks.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "core/raster/depth_image.h"
+
+namespace sightline {
+
+/// Level 0 has blocks of 8 x 8 pixels; each block of a level has four of the level below, and the last level is one
+/// block. What is nowhere nearer than the farthest of a block is hidden in all of it.
+class DepthPyramid {
+public:
+    static constexpr int block = 8;
+    struct Level {
+        int width = 0, height = 0;  ///< in blocks
+        std::vector<float> farthest{};
+        float at(int x, int y) const {
+            return farthest[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                            static_cast<std::size_t>(x)];
+        }
+    };
+
+    DepthPyramid() = default;
+    explicit DepthPyramid(const DepthImage& image);
+    /// After pixels [left, right) x [top, bottom) of the image have changed.
+    void update(const DepthImage& image, int left, int top, int right, int bottom);
+
+    std::vector<Level> levels;
+};
+
+}  // namespace sightline
