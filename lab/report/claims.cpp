@@ -25,7 +25,7 @@ bool disagree(const std::vector<Regime>& regimes, const std::function<bool(const
 }
 
 /// Some regimes of the family hold, or some do not.
-std::set<bool> seen(const std::vector<Regime>& regimes, const std::string& of) {
+std::set<bool> outcomes_in(const std::vector<Regime>& regimes, const std::string& of) {
     std::set<bool> found;
     for (const Regime& regime : regimes)
         if (family(regime.scene) == of) found.insert(regime.holds);
@@ -42,7 +42,7 @@ std::vector<std::string> causes(const std::vector<Regime>& regimes) {
         return same_family(a, b) && !same_size(a, b) && same_path(a, b);
     });
     const bool scene = disagree(regimes, [&](const auto& a, const auto& b) {
-        return seen(regimes, family(a.scene)).size() == 1 && seen(regimes, family(b.scene)).size() == 1;
+        return outcomes_in(regimes, family(a.scene)).size() == 1 && outcomes_in(regimes, family(b.scene)).size() == 1;
     });
     if (!path && !size && !scene) {
         // Only pairs that differ in several things disagree.

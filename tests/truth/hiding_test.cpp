@@ -53,7 +53,7 @@ OnRays on_rays(const Scene<3>& scene, const View<3>& view) {
 TEST(HidingByPixels, IsExactWhereTheLayersGoThroughAndNeverCallsFusedWhatOneHides) {
     std::size_t exact = 0, deep = 0, fused = 0, alone = 0;
     for (std::uint64_t seed = 1; seed <= 40; ++seed) {
-        Scene<3> scene = soup(seed % 2 == 0 ? 14 : 60, {0, 0, 0}, seed % 3 == 0 ? 1.2 : 0.6, seed);
+        Scene<3> scene = soup(seed % 2 == 0 ? 20 : 400, {0, 0, 0}, seed % 3 == 0 ? 1.2 : 0.6, seed);
         scene.two_sided.assign(scene.primitives.size(), 1);
         const OnRays all = on_rays(scene, make_view({{-2.5, 0.4, 0.3}, {0, 0, 0}, 50}, 4.0 / 3));
         const std::vector<Hiding> found = hiding(all.layers, scene.primitives.size());
