@@ -133,6 +133,8 @@ Values frame_numbers(const WholeRun& run, const Truth& truth, std::uint32_t budg
     v[M::efficiency] = ratio(static_cast<double>(found), static_cast<double>(count));
     v[M::zeta] = ratio(static_cast<double>(ranks), static_cast<double>(hit));
 
+    v[M::fused] = truth.fused;
+
     const std::size_t steps = cut_at(run, budget).steps;
     v[M::steps] = static_cast<double>(steps);
     if (steps > 0 && run.zero_keys_after.size() >= steps)

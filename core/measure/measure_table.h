@@ -27,6 +27,7 @@ enum class Measure : std::uint8_t {
     mis_ranked,
     unreached,
     zeta,
+    fused,
     steps,
     zero_keys,
     front,

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <mutex>
 
+#include "core/truth/hiding.h"
 #include "core/truth/item_buffer.h"
 #include "core/truth/software_ids.h"
 
@@ -94,10 +95,14 @@ std::vector<Truth> make_truths<2>(const Scene<2>& scene, std::span<const CellCom
                                   const View<2>& view, const ImageSize& size, const DrawIds& draw_ids, bool with_zeta) {
     const IdImage image = item_row(scene, view, size);
     auto zeta = std::make_shared<std::vector<std::uint32_t>>(scene.primitives.size());
-    if (with_zeta) *zeta = make_layering(scene, view, size, draw_ids);
+    double fused = std::numeric_limits<double>::quiet_NaN();
+    if (with_zeta) {
+        *zeta = make_layering(scene, view, size, draw_ids);
+        fused = fused_share(hiding(scene.primitives, view, *zeta));
+    }
     std::vector<Truth> truths;
     for (const CellComplex<2>* cells : tessellations) {
-        truths.push_back({make_reference(scene, *cells, view, size, draw_ids), zeta});
+        truths.push_back({make_reference(scene, *cells, view, size, draw_ids), zeta, fused});
         truths.back().reference.image = image;
         truths.back().reference.pixels = pixels_of(image, scene.primitives.size());
     }
@@ -109,10 +114,14 @@ std::vector<Truth> make_truths<3>(const Scene<3>& scene, std::span<const CellCom
                                   const View<3>& view, const ImageSize& size, const DrawIds& draw_ids, bool with_zeta) {
     const std::vector<IdImage> layers = draw_images(scene, view, size, draw_ids, with_zeta ? most_layers : 1);
     auto zeta = std::make_shared<std::vector<std::uint32_t>>(scene.primitives.size());
-    if (with_zeta) *zeta = layering_numbers(layers, scene.primitives.size());
+    double fused = std::numeric_limits<double>::quiet_NaN();
+    if (with_zeta) {
+        *zeta = layering_numbers(layers, scene.primitives.size());
+        fused = fused_share(hiding(layers, scene.primitives.size()));
+    }
     std::vector<Truth> truths;
     for (const CellComplex<3>* cells : tessellations)
-        truths.push_back({image_reference(layers.front(), scene, *cells, view), zeta});
+        truths.push_back({image_reference(layers.front(), scene, *cells, view), zeta, fused});
     return truths;
 }
 

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
@@ -47,10 +48,12 @@ struct Truth {
     /// In 2D too with an image: item_row. 2D: V is the exact set, so that a primitive may be visible and own no pixel.
     Reference reference;
     std::shared_ptr<const std::vector<std::uint32_t>> zeta;  ///< per primitive
+    /// fused_share (hiding.h); 3D: of what the first layers show. NaN: nothing is hidden, or it was not asked for.
+    double fused = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// One per tessellation; what does not depend on cells is made once. `with_zeta`: false leaves the layering numbers
-/// out, all 0, which is quicker.
+/// One per tessellation; what does not depend on cells is made once. `with_zeta`: false leaves out what needs more
+/// than the nearest primitive, the layering numbers, all 0, and `fused`, which is quicker.
 template <int D>
 std::vector<Truth> make_truths(const Scene<D>& scene, std::span<const CellComplex<D>* const> tessellations,
                                const View<D>& view, const ImageSize& size, const DrawIds& draw_ids,

@@ -2,6 +2,7 @@
 #include "lab/cells/cells_report.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/base/file.h"
 #include "core/base/number.h"
@@ -40,16 +41,47 @@ std::string table_of(const CellsCurve& curve, Measure measure, double within) {
     std::string html =
         "<h3>" + escaped(method_text(curve.method)) +
         "</h3><table><tr><th>error bound</th><th>cells</th><th>memory, KB</th><th>coverage, %</th>"
-        "<th>wrong pixels, %</th><th>worst, %</th><th>traversal, ms</th><th>ms per frame</th><th></th></tr>";
+        "<th>wrong pixels, %</th><th>worst, %</th><th>traversal, ms</th><th>ms per frame</th>"
+        "<th>a line crosses</th><th>an eye ray</th><th>empty, %</th><th>|c|</th><th>spread</th><th></th></tr>";
     for (std::size_t i = 0; i < curve.points.size(); ++i) {
         const Row& row = curve.points[i].row;
+        const CellNumbers& numbers = row.tessellation;
         html += "<tr>" + cell(short_number(curve.points[i].error_bound)) + cell(std::to_string(row.cells)) +
                 cell(std::to_string(row.memory_bytes / 1024)) + cell(per_cent(summary(row, Measure::coverage))) +
                 cell(per_cent(summary(row, Measure::wrong))) + cell(per_cent(worst(row, Measure::wrong))) +
                 cell(number(summary(row, Measure::traverse_ms))) + cell(number(summary(row, Measure::total_ms))) +
-                cell(i == at ? "knee" : "", true) + "</tr>";
+                cell(number(numbers.lines.mean)) + cell(number(numbers.eye_rays.mean)) +
+                cell(per_cent(numbers.density.empty)) + cell(number(numbers.density.mean)) +
+                cell(number(numbers.density.deviation)) + cell(i == at ? "knee" : "", true) + "</tr>";
     }
     return html + "</table><p>Knee: " + knee_text(curve, at) + ".</p>";
+}
+
+/// How many cells hold how many primitives, on each kind of cells at the first curve's knee.
+Chart density_chart(const std::vector<const CellsCurve*>& curves, Measure measure, double within) {
+    Chart chart;
+    chart.title = curves.front()->scene + ": primitives in a cell";
+    chart.x = "|c|, from this to twice as many";
+    chart.y = "cells, % of those that hold any";
+    chart.log_x = true;
+    const MethodLooks looks = MethodLooks::of(curves);
+    std::vector<Tessellation> done;
+    for (const CellsCurve* curve : curves) {
+        const Tessellation kind = curve->method.tessellation;
+        if (std::find(done.begin(), done.end(), kind) != done.end()) continue;
+        done.push_back(kind);
+        const Row& row = curve->points[knee(*curve, measure, within)].row;
+        const std::vector<std::uint32_t>& histogram = row.tessellation.density.histogram;
+        double all = 0;
+        for (std::size_t i = 1; i < histogram.size(); ++i) all += histogram[i];
+        Series s = looks.series(curve->method);
+        s.name = std::string(words<Tessellation>[static_cast<std::size_t>(kind)]) + ", " + std::to_string(row.cells) +
+                 " cells";
+        for (std::size_t i = 1; i < histogram.size(); ++i)
+            s.points.push_back({std::ldexp(1.0, static_cast<int>(i) - 1), 100 * histogram[i] / all});
+        chart.series.push_back(std::move(s));
+    }
+    return chart;
 }
 
 /// Curves of one scene, path and budget, in their order.
@@ -75,7 +107,10 @@ void write_cells_report(const std::vector<CellsCurve>& curves, Measure measure, 
         "<p>Accuracy and time against the number of cells, mean over the frames of the path. The knee is "
         "the coarsest tessellation whose " +
         escaped(std::string(measure_row(measure).title)) + " is within " + per_cent(within) +
-        " points of the best.</p>";
+        " points of the best.</p><p>A random line crosses so many cells in the mean (the stabbing number of TVCG 3.1: "
+        "the fewer, the cheaper the way to what is visible), a ray from an eye of the path to the border so many. "
+        "TVCG 3 wants about the same number of primitives in every cell: |c| is its mean over the cells that hold any, "
+        "the spread its standard deviation over that mean, 0 if all hold the same.</p>";
     std::vector<Measure> shown{measure};
     for (const Measure m : {Measure::coverage, Measure::traverse_ms, Measure::total_ms})
         if (m != measure) shown.push_back(m);
@@ -89,6 +124,10 @@ void write_cells_report(const std::vector<CellsCurve>& curves, Measure measure, 
             write_chart(chart_of(group, m, within, m == measure), stem);
             html += picture(stem.string() + ".svg", "");
         }
+        const std::filesystem::path stem =
+            folder / "charts" / file_stem("cells-" + first.scene + "-" + first.path + "-" + first.budget + "-density");
+        write_chart(density_chart(group, measure, within), stem);
+        html += picture(stem.string() + ".svg", "");
         for (const CellsCurve* curve : group) html += table_of(*curve, measure, within);
     }
     write_file(folder / "cells.html", page("How many cells a scene needs", html));

@@ -8,6 +8,7 @@
 #include "core/base/file.h"
 #include "core/base/hash.h"
 #include "core/base/number.h"
+#include "core/base/stopwatch.h"
 #include "core/base/trig.h"
 #include "core/scene/read/load.h"
 #include "core/scene/scene_view.h"
@@ -51,6 +52,16 @@ Scene<D> load(const std::string& file, const Settings& settings, const Progress&
 
 template <int D>
 FlightPath<D> find_path(const Scene<D>& scene, const std::string& name) {
+    std::error_code error;
+    if (const std::optional<PathPart> part = part_of_path(name); part && !std::filesystem::exists(name, error)) {
+        FlightPath<D> path = find_path<D>(scene, part->path);
+        const std::size_t count = path.frames.size();
+        if (part->last >= count)
+            throw InputError("path '" + name + "': " + part->path + " has frames 0 to " + std::to_string(count - 1));
+        const auto begin = path.frames.begin();
+        path.frames = {begin + part->first, begin + part->last + 1};
+        return path;
+    }
     const auto of_scene = [&](const std::string& id) -> const FlightPath<D>* {
         for (const FlightPath<D>& path : scene.paths)
             if (path.id == id) return &path;
@@ -69,7 +80,6 @@ FlightPath<D> find_path(const Scene<D>& scene, const std::string& name) {
         }
         return path;
     }
-    std::error_code error;
     if (!std::filesystem::exists(name, error)) {
         std::string known = "turn, start";
         for (const FlightPath<D>& path : scene.paths) known += ", " + path.id;
@@ -107,7 +117,10 @@ LabScene<D> load_lab_scene(const std::string& name, const std::string& path_name
     }
     for (const MethodChoice& choice : study.methods) {
         auto& cells = lab.cells[static_cast<std::size_t>(choice.tessellation)];
-        if (!cells) cells = build_cells(*lab.scene, lab.settings_for(choice));
+        if (cells) continue;
+        const Stopwatch stopwatch;
+        cells = build_cells(*lab.scene, lab.settings_for(choice));
+        lab.build_seconds[static_cast<std::size_t>(choice.tessellation)] = stopwatch.milliseconds() / 1000;
     }
     return lab;
 }

@@ -23,6 +23,7 @@ struct LabScene {
     std::shared_ptr<const Scene<D>> scene;
     Settings settings;  ///< of the catalogue and the study; method and budget aside
     std::array<std::optional<CellComplex<D>>, tessellation_count> cells;  ///< by Tessellation
+    std::array<double, tessellation_count> build_seconds{};               ///< of cells, with the primitives assigned
     std::string path;
     std::vector<std::uint32_t> frames;  ///< of the path, those that are measured
     std::vector<View<D>> views;         ///< one per measured frame
@@ -55,7 +56,8 @@ template <int D>
 std::string checkpoint_key(const LabScene<D>& lab);
 
 /// The frames of a path of the scene by its id, of a file, of "start" (the start view alone) or of "turn": the start
-/// view's eye, which looks once all round in 8 frames. Empty: "test", where the scene has it, else "turn".
+/// view's eye, which looks once all round in 8 frames. Empty: "test", where the scene has it, else "turn". With a part
+/// behind it, as in "street:60-67", those frames alone. Throws InputError for what is not there.
 template <int D>
 FlightPath<D> find_path(const Scene<D>& scene, const std::string& name);
 

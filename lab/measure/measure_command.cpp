@@ -96,6 +96,7 @@ int measure_command(int argc, const char* const* argv, const MethodTables& table
     app.add_option("--markdown", markdown,
                    "also a page of documentation, FILE.md, with its charts in images/ beside it");
     if (!parse(app, argc, argv)) return 0;
+    ask_for_claims(options);
     const Study study = study_of(options, tables);
     StudyRun run;
     if (!shard.empty()) {
@@ -111,7 +112,7 @@ int measure_command(int argc, const char* const* argv, const MethodTables& table
     const std::uintmax_t before = size_of(std::filesystem::path(out) / "frames.jsonl");
     const Results results = run_study(study, out, graphics, run);
     const bool all_kept = before > 0 && before == size_of(std::filesystem::path(out) / "frames.jsonl");
-    write_results(results, out);
+    write_results(results, out, claims_json(judge_claims(results)));
     if (interrupted()) return stopped();
     if (!results.rows.empty()) {
         write_report_of(results, study, out, graphics);
@@ -135,7 +136,7 @@ int merge_command(int argc, const char* const* argv, const MethodTables& tables)
     for (const std::string& part : parts) read.push_back(load_results(part));
     std::filesystem::create_directories(out);
     const Results all = merge(read);
-    write_results(all, out);
+    write_results(all, out, claims_json(judge_claims(all)));
     LabGraphics graphics;
     write_report_of(all, read_study(all.conditions.study, tables), out, graphics);
     say("");

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <tuple>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/base/file.h"
@@ -29,6 +29,44 @@ Json budget_share(const Row& row) {
     return row.values.front()[Measure::budget] / row.primitives;
 }
 
+Json to_json(const Stabbing& s) { return {{"mean", or_null(s.mean)}, {"most", s.most}, {"lines", s.lines}}; }
+
+Json to_json(const CellNumbers& t) {
+    return {{"seconds", or_null(t.seconds)},
+            {"cell_bytes", t.cell_bytes},
+            {"reference_bytes", t.reference_bytes},
+            {"scene_bytes", t.scene_bytes},
+            {"references", t.references},
+            {"stabbing", to_json(t.lines)},
+            {"eye_rays", to_json(t.eye_rays)},
+            {"density",
+             {{"empty", or_null(t.density.empty)},
+              {"mean", or_null(t.density.mean)},
+              {"deviation", or_null(t.density.deviation)},
+              {"median", or_null(t.density.median)},
+              {"histogram", t.density.histogram}}}};
+}
+
+double number_or_nan(const Json& json) {
+    return json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
+}
+
+Stabbing read_stabbing(const Json& json) { return {number_or_nan(json.at("mean")), json.at("most"), json.at("lines")}; }
+
+CellNumbers read_cell_numbers(const Json& json) {
+    const Json& density = json.at("density");
+    return {
+        number_or_nan(json.at("seconds")),
+        json.at("cell_bytes"),
+        json.at("reference_bytes"),
+        json.at("scene_bytes"),
+        json.at("references"),
+        read_stabbing(json.at("stabbing")),
+        read_stabbing(json.at("eye_rays")),
+        {number_or_nan(density.at("empty")), number_or_nan(density.at("mean")), number_or_nan(density.at("deviation")),
+         number_or_nan(density.at("median")), density.at("histogram").get<std::vector<std::uint32_t>>()}};
+}
+
 Json to_json(const Row& row) {
     Json json{{"scene", row.scene},
               {"path", row.path},
@@ -40,6 +78,7 @@ Json to_json(const Row& row) {
               {"error_bound", row.error_bound},
               {"cells", row.cells},
               {"memory_bytes", row.memory_bytes},
+              {"cell_numbers", to_json(row.tessellation)},
               {"reference", row.reference},
               {"budget_text", row.budget},
               {"budget_share", budget_share(row)}};
@@ -67,6 +106,8 @@ Row read_row(const Json& json) {
     row.error_bound = json.at("error_bound");
     row.cells = json.at("cells");
     row.memory_bytes = json.at("memory_bytes");
+    // Older results do without.
+    if (const auto found = json.find("cell_numbers"); found != json.end()) row.tessellation = read_cell_numbers(*found);
     row.reference = json.at("reference");
     row.budget = json.at("budget_text");
     row.frames = json.at("per_frame").at("frame").get<std::vector<std::uint32_t>>();
@@ -135,7 +176,7 @@ double likeness(const Row& row) {
     return xx > 0 && yy > 0 ? xy / std::sqrt(xx * yy) : unknown;
 }
 
-std::string results_json(const Results& results) {
+std::string results_json(const Results& results, const std::string& claims) {
     const Conditions& c = results.conditions;
     Json json{{"format", "sightline-results"},
               {"version", 1},
@@ -147,6 +188,7 @@ std::string results_json(const Results& results) {
                 {"renderer", c.renderer},
                 {"date", c.date}}},
               {"rows", Json::array()}};
+    if (!claims.empty()) json["claims"] = Json::parse(claims);
     for (const Row& row : results.rows) json["rows"].push_back(to_json(row));
     return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -202,8 +244,8 @@ std::string results_csv(const Results& results) {
     return text;
 }
 
-void write_results(const Results& results, const std::filesystem::path& folder) {
-    write_file(folder / "results.json", results_json(results));
+void write_results(const Results& results, const std::filesystem::path& folder, const std::string& claims) {
+    write_file(folder / "results.json", results_json(results, claims));
     write_file(folder / "results.csv", results_csv(results));
 }
 
@@ -231,14 +273,18 @@ Results merge(const std::vector<Results>& parts) {
     for (const std::string& machine : machines)
         all.conditions.machine += (all.conditions.machine.empty() ? "" : " and ") + machine;
     const Study study = read_study(all.conditions.study);
+    const std::vector<SceneOnPath> on_paths = scenes_on_paths(study);
     const auto place = [&](const Row& row) {
-        const auto in = [](const auto& list, const auto& value) {
-            return std::find(list.begin(), list.end(), value) - list.begin();
+        const auto along = [&](const std::string& path) {
+            return std::find_if(on_paths.begin(), on_paths.end(),
+                                [&](const SceneOnPath& one) { return one.scene == row.scene && one.path == path; }) -
+                   on_paths.begin();
         };
         // A path that was asked for by no name is that which none of the others names.
-        auto path = in(study.paths, row.path);
-        if (static_cast<std::size_t>(path) == study.paths.size()) path = in(study.paths, "");
-        return std::tuple(in(study.scenes, row.scene), path, in(study.error_bounds, row.error_bound));
+        auto at = along(row.path);
+        if (static_cast<std::size_t>(at) == on_paths.size()) at = along("");
+        const auto& bounds = study.error_bounds;
+        return std::pair(at, std::find(bounds.begin(), bounds.end(), row.error_bound) - bounds.begin());
     };
     std::stable_sort(all.rows.begin(), all.rows.end(), [&](const Row& a, const Row& b) { return place(a) < place(b); });
     return all;

@@ -4,15 +4,27 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/measure/measure_table.h"
+#include "core/space/density.h"
+#include "core/space/stabbing.h"
 #include "lab/measure/conditions.h"
 #include "lab/measure/study.h"
 
 namespace sightline::lab {
+
+/// The tessellation of a row.
+struct CellNumbers {
+    double seconds = std::numeric_limits<double>::quiet_NaN();  ///< to build it and to assign the primitives
+    std::size_t cell_bytes = 0, reference_bytes = 0, scene_bytes = 0;
+    std::size_t references = 0;  ///< from cells to primitives
+    Stabbing lines, eye_rays;    ///< random lines; rays from the eyes of the frames
+    Density density;
+};
 
 /// One scene, path, method and budget.
 struct Row {
@@ -23,7 +35,8 @@ struct Row {
     double error_bound = 0;  ///< of the tessellation
     std::uint32_t primitives = 0, cells = 0;
     std::size_t memory_bytes = 0;  ///< tessellation and references
-    std::string reference;         ///< "exact, item buffer 8192", "item buffer 1024x768" or "software item buffer …"
+    CellNumbers tessellation{};
+    std::string reference;  ///< "exact, item buffer 8192", "item buffer 1024x768" or "software item buffer …"
     std::vector<std::uint32_t> frames;  ///< of the path
     std::vector<Values> values;         ///< one per frame
 };
@@ -44,8 +57,9 @@ std::size_t worst_frame(const Row& row, Measure measure);
 double likeness(const Row& row);
 
 /// {"format": "sightline-results", "version": 1, "conditions": {…}, "rows": […]}, fields as in design.md: each row has
-/// the summaries by id, ID_min or ID_max of the worst frame and per_frame arrays. NaN is null.
-std::string results_json(const Results& results);
+/// the summaries by id, ID_min or ID_max of the worst frame and per_frame arrays. NaN is null. `claims`: a JSON value
+/// that says what the rows make of the papers' claims, left out where it is empty and not read back.
+std::string results_json(const Results& results, const std::string& claims = {});
 /// Throws InputError "name: place: reason".
 Results read_results(std::string_view text, const std::string& name);
 
@@ -58,7 +72,7 @@ bool has_results(const std::string& name);
 std::string results_csv(const Results& results);
 
 /// results.json and results.csv. Throws WorkError.
-void write_results(const Results& results, const std::filesystem::path& folder);
+void write_results(const Results& results, const std::filesystem::path& folder, const std::string& claims = {});
 
 /// Rows of several parts of one study, e.g. shards, in the order of the study. Throws InputError where two parts belong
 /// to different studies, were measured by different builds or hold the same row.

@@ -2,6 +2,7 @@
 #include "lab/measure/run_study.h"
 
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -48,11 +49,10 @@ std::vector<Unit> units_of(const Study& study, const Shard& shard) {
     const std::vector<double> bounds = study.error_bounds.empty() ? std::vector<double>{0} : study.error_bounds;
     std::vector<Unit> units;
     std::size_t index = 0;
-    for (const std::string& scene : study.scenes)
-        for (const std::string& path : study.paths)
-            for (const double bound : bounds)
-                if (index++ % shard.count == shard.index)
-                    units.push_back({scene, path, bound, at_error_bound(study, bound)});
+    for (const auto& [scene, path] : scenes_on_paths(study))
+        for (const double bound : bounds)
+            if (index++ % shard.count == shard.index)
+                units.push_back({scene, path, bound, at_error_bound(study, bound)});
     return units;
 }
 
@@ -110,17 +110,23 @@ Shard parse_shard(const std::string& text) {
 }
 
 void check_scenes(const Study& study, const std::function<void(const std::string& line)>& say) {
-    for (const std::string& scene : study.scenes) {
+    std::vector<std::string> scenes;
+    std::map<std::string, std::vector<std::string>> paths;
+    for (const auto& [scene, path] : scenes_on_paths(study)) {
+        if (paths[scene].empty()) scenes.push_back(scene);
+        paths[scene].push_back(path);
+    }
+    for (const std::string& scene : scenes) {
         if (say) say(scene + ": checking");
         if (parse_scene(scene).dimension == 2)
-            check_scene<2>(scene, study.paths, study);
+            check_scene<2>(scene, paths[scene], study);
         else
-            check_scene<3>(scene, study.paths, study);
+            check_scene<3>(scene, paths[scene], study);
     }
 }
 
 Results run_study(const Study& study, const std::filesystem::path& folder, LabGraphics& graphics, const StudyRun& run) {
-    if (study.scenes.size() * study.paths.size() > 1) check_scenes(study, run.say);
+    if (scenes_on_paths(study).size() > 1) check_scenes(study, run.say);
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     if (error) throw WorkError(folder.string() + ": " + error.message());

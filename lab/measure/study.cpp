@@ -93,9 +93,32 @@ SceneName parse_scene(const std::string& text) {
     return {find_in_catalogue<2>(text) || is_2d_file(text) ? 2 : 3, text};
 }
 
+std::vector<SceneOnPath> scenes_on_paths(const Study& study) {
+    std::vector<SceneOnPath> all;
+    for (const std::string& scene : study.scenes) {
+        const std::size_t at = scene.rfind('@');
+        std::error_code error;
+        if (at != std::string::npos && !std::filesystem::exists(parse_scene(scene).name, error))
+            all.push_back({scene.substr(0, at), scene.substr(at + 1)});
+        else
+            for (const std::string& path : study.paths) all.push_back({scene, path});
+    }
+    return all;
+}
+
+std::optional<PathPart> part_of_path(const std::string& name) {
+    const std::size_t colon = name.rfind(':'), dash = name.rfind('-');
+    if (colon == std::string::npos || dash == std::string::npos || dash < colon) return std::nullopt;
+    const std::string_view text = name;
+    const auto first = parse_whole(text.substr(colon + 1, dash - colon - 1)), last = parse_whole(text.substr(dash + 1));
+    if (!first || !last || *last < *first) return std::nullopt;
+    return PathPart{name.substr(0, colon), *first, *last};
+}
+
 bool has_3d(const Study& study) {
-    return std::any_of(study.scenes.begin(), study.scenes.end(),
-                       [](const std::string& scene) { return parse_scene(scene).dimension == 3; });
+    const std::vector<SceneOnPath> all = scenes_on_paths(study);
+    return std::any_of(all.begin(), all.end(),
+                       [](const SceneOnPath& one) { return parse_scene(one.scene).dimension == 3; });
 }
 
 Study at_error_bound(const Study& study, double error_bound) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -40,8 +41,8 @@ const Method<D>* method_of(const MethodTables& tables, const MethodChoice& choic
 
 struct Study {
     MethodTables tables;
-    std::vector<std::string> scenes;        ///< SceneName each
-    std::vector<std::string> paths = {""};  ///< find_path (lab_scene.h) each
+    std::vector<std::string> scenes;        ///< SceneName each; SCENE@PATH: along that path alone
+    std::vector<std::string> paths = {""};  ///< find_path (lab_scene.h) each, for scenes without one of their own
     std::uint32_t frames = 0;               ///< so many, spread evenly over the path; 0: all
     std::vector<MethodChoice> methods = all_methods();
     /// For methods that have a use for one; others are measured without, once.
@@ -59,6 +60,21 @@ struct SceneName {
     std::string name;  ///< as load_scene takes it
 };
 SceneName parse_scene(const std::string& text);
+
+/// One scene along one path.
+struct SceneOnPath {
+    std::string scene, path;
+};
+/// In the order of the study. A file that is there keeps an @ in its name.
+std::vector<SceneOnPath> scenes_on_paths(const Study& study);
+
+/// Frames of a path that follow one another, as "street:60-67" asks for.
+struct PathPart {
+    std::string path;
+    std::uint32_t first = 0, last = 0;
+};
+/// Nothing for a name that asks for a whole path.
+std::optional<PathPart> part_of_path(const std::string& name);
 
 /// Whether OpenGL is needed.
 bool has_3d(const Study& study);

@@ -14,6 +14,20 @@ namespace {
 
 /// The five generated scenes of the papers' kind, at a size that a study of minutes can bear.
 const std::vector<std::string> default_scenes{"city", "cars", "room", "jungle", "plant"};
+/// The same as the papers' claims need them.
+const std::vector<std::string> scenes_of_the_papers{"city:100k@street",
+                                                    "city:100k@air",
+                                                    "city:500k@street",
+                                                    "city:500k@air",
+                                                    "city:500k@street:60-67",
+                                                    "city:500k@air:60-67",
+                                                    "cars@round",
+                                                    "cars@round:60-67",
+                                                    "room@walk",
+                                                    "room@outside",
+                                                    "jungle",
+                                                    "plant"};
+constexpr std::uint32_t frames_of_the_papers = 8;
 
 /// What a settings file says where the command line says nothing.
 void add_file(StudyOptions& o, const std::vector<std::string>& assignments) {
@@ -35,12 +49,13 @@ void add_file(StudyOptions& o, const std::vector<std::string>& assignments) {
 }  // namespace
 
 void add_study_options(CLI::App& app, StudyOptions& o) {
-    app.add_option("SCENE", o.scenes,
-                   "catalogue ids, with a size if you like (city:100k), or files; 2d: or 3d: before a name that both "
-                   "dimensions have; default: city cars room jungle plant");
+    app.add_option(
+        "SCENE", o.scenes,
+        "catalogue ids, with a size if you like (city:100k), or files; 2d: or 3d: before a name that both "
+        "dimensions have; @PATH puts one on a path of its own: city@air; default: city cars room jungle plant");
     app.add_option("--path", o.paths,
                    "id of a path of the scene, a file, start (the start view) or turn (once round on the spot); "
-                   "default: test, else turn; may be given several times")
+                   "a part of one: street:60-67; default: test, else turn; may be given several times")
         ->allow_extra_args(false);
     app.add_option("--frames", o.frames, "so many frames, spread evenly over the path; default: all");
     app.add_option("--methods", o.methods,
@@ -56,6 +71,12 @@ void add_study_options(CLI::App& app, StudyOptions& o) {
                    "asked for, and its other settings");
     app.add_option("--repeats", o.repeats, "timed runs a frame, of which the median counts; 0: nothing is timed")
         ->check(CLI::Range(0, 1000));
+}
+
+void ask_for_claims(StudyOptions& options) {
+    if (!options.scenes.empty() || !options.paths.empty()) return;
+    options.scenes = scenes_of_the_papers;
+    if (options.frames == 0) options.frames = frames_of_the_papers;
 }
 
 Study study_of(const StudyOptions& options, const MethodTables& tables) {

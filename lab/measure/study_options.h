@@ -20,6 +20,11 @@ struct StudyOptions {
 /// Adds SCENE…, --path, --frames, --methods, --budgets, --size, --set, --settings and --repeats to a command line.
 void add_study_options(CLI::App& app, StudyOptions& options);
 
+/// Where neither scenes nor paths are asked for: what the papers' claims are judged on (lab/report/claims.h). CITY from
+/// the street and from the air at two sizes, ROOM from inside and outside, and neighbouring frames for what changes
+/// between them; 8 frames of each path unless others are asked for.
+void ask_for_claims(StudyOptions& options);
+
 /// Throws InputError that names the option.
 Study study_of(const StudyOptions& options, const MethodTables& tables);
 

@@ -47,8 +47,9 @@ std::shared_ptr<const Scene<3>> written(const Scene<3>& scene, const fs::path& f
 }
 
 template <int D>
-int run(const Study& study, const Wanted& wanted, const fs::path& folder, LabGraphics& graphics) {
-    const LabScene<D> lab = load_lab_scene<D>(study.scenes.front(), study.paths.front(), study);
+int run(const Study& study, const SceneOnPath& where, const Wanted& wanted, const fs::path& folder,
+        LabGraphics& graphics) {
+    const LabScene<D> lab = load_lab_scene<D>(where.scene, where.path, study);
     const MethodChoice method = study.methods.front();
     const DrawIds draw_ids = graphics.draw_ids();
     const auto count = static_cast<std::uint32_t>(lab.scene->primitives.size());
@@ -106,11 +107,13 @@ int reduce_command(int argc, const char* const* argv, const MethodTables& tables
     app.add_option("--out", out, "folder of the reduced scene")->capture_default_str();
     if (!parse(app, argc, argv)) return 0;
     const Study study = study_of(options, tables);
-    if (options.scenes.size() != 1 || study.methods.size() != 1 || study.budgets.size() != 1 || study.paths.size() != 1)
+    const std::vector<SceneOnPath> on_paths = scenes_on_paths(study);
+    if (options.scenes.size() != 1 || study.methods.size() != 1 || study.budgets.size() != 1 || on_paths.size() != 1)
         throw InputError("reduce: one scene, one method, one budget and one path");
     LabGraphics graphics;
-    return parse_scene(study.scenes.front()).dimension == 2 ? run<2>(study, wanted, out, graphics)
-                                                            : run<3>(study, wanted, out, graphics);
+    const SceneOnPath& where = on_paths.front();
+    return parse_scene(where.scene).dimension == 2 ? run<2>(study, where, wanted, out, graphics)
+                                                   : run<3>(study, where, wanted, out, graphics);
 }
 
 }  // namespace sightline::lab

@@ -3,126 +3,136 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <set>
 
-#include "core/base/number.h"
+#include "lab/report/claim_table.h"
 
 namespace sightline::lab {
 
 namespace {
 
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+/// "city" of "city:100k".
+std::string family(const std::string& scene) { return scene.substr(0, scene.find(':')); }
 
-/// The row of a scene by the beginning of its name ("city" also finds "city:50k"); nullptr when there is none.
-const Row* find(const Results& results, const std::string& scene, const std::string& method,
-                const std::string& budget) {
-    for (const Row& row : results.rows) {
-        const bool same_scene = row.scene == scene || row.scene.starts_with(scene + ":");
-        if (same_scene && method_text(row.method) == method && row.budget == budget) return &row;
-    }
-    return nullptr;
+/// Whether two regimes disagree for which `differ` holds.
+bool disagree(const std::vector<Regime>& regimes, const std::function<bool(const Regime&, const Regime&)>& differ) {
+    for (const Regime& a : regimes)
+        for (const Regime& b : regimes)
+            if (a.holds && !b.holds && differ(a, b)) return true;
+    return false;
 }
 
-std::string with_per_cent(double share) { return short_number(100 * share) + " %"; }
+/// Some regimes of the family hold, or some do not.
+std::set<bool> outcomes_in(const std::vector<Regime>& regimes, const std::string& of) {
+    std::set<bool> found;
+    for (const Regime& regime : regimes)
+        if (family(regime.scene) == of) found.insert(regime.holds);
+    return found;
+}
 
-/// A row's summary; NaN without a row.
-double value(const Row* row, Measure m) { return row ? summary(*row, m) : unknown; }
+/// What explains that regimes disagree, one thing at a time where that is enough.
+std::vector<std::string> causes(const std::vector<Regime>& regimes) {
+    const auto same_path = [](const Regime& a, const Regime& b) { return a.path == b.path; };
+    const auto same_size = [](const Regime& a, const Regime& b) { return a.scene == b.scene; };
+    const auto same_family = [](const Regime& a, const Regime& b) { return family(a.scene) == family(b.scene); };
+    bool path = disagree(regimes, [&](const auto& a, const auto& b) { return same_size(a, b) && !same_path(a, b); });
+    bool size = disagree(regimes, [&](const auto& a, const auto& b) {
+        return same_family(a, b) && !same_size(a, b) && same_path(a, b);
+    });
+    const bool scene = disagree(regimes, [&](const auto& a, const auto& b) {
+        return outcomes_in(regimes, family(a.scene)).size() == 1 && outcomes_in(regimes, family(b.scene)).size() == 1;
+    });
+    if (!path && !size && !scene) {
+        // Only pairs that differ in several things disagree.
+        path = disagree(regimes, [&](const auto& a, const auto& b) { return same_family(a, b) && !same_path(a, b); });
+        size = disagree(regimes, [&](const auto& a, const auto& b) { return same_family(a, b) && !same_size(a, b); });
+    }
+    std::vector<std::string> found;
+    if (path) found.push_back("on path");
+    if (size) found.push_back("on size");
+    if (scene) found.push_back("on scene");
+    return found;
+}
 
 }  // namespace
 
+const char* papers_name(const std::string& scene) {
+    static constexpr std::array<std::array<const char*, 2>, 3> names{
+        {{"city", "CITY"}, {"cars", "5CBEM"}, {"room", "ROOM"}}};
+    for (const auto& [ours, theirs] : names)
+        if (family(scene) == ours) return theirs;
+    return nullptr;
+}
+
 std::vector<Claim> judge_claims(const Results& results) {
-    using enum Measure;
     std::vector<Claim> claims;
-    // Adds the claim unless a value that it needs is missing.
-    const auto add = [&](const char* source, const char* text, const Row* row, const std::string& ours, bool holds,
-                         std::initializer_list<double> needed) {
-        if (std::none_of(needed.begin(), needed.end(), [](double v) { return std::isnan(v); }))
-            claims.push_back({source, text, ours, holds, row});
-    };
-    const auto scene = [](const Row* row) { return row ? row->scene : std::string(); };
-    {
-        const Row *published = find(results, "city", "published", "10%"),
-                  *on_tree = find(results, "city", "published@tree", "10%"),
-                  *centroid = find(results, "city", "centroid", "10%");
-        const double delaunay = value(published, coverage), tree = value(on_tree, coverage),
-                     sorted = value(centroid, coverage);
-        add("TVCG 5.1", "At 10 % PLP on Delaunay cells finds over 90 % of what is visible in CITY.", published,
-            scene(published) + ": " + with_per_cent(delaunay) + ".", delaunay > 0.9, {delaunay});
-        add("TVCG 5.1",
-            "At 10 % Delaunay cells find more than octree cells (64 %), and these more than sorting by distance "
-            "(30 %) in CITY.",
-            delaunay > tree ? on_tree : published,
-            scene(published) + ": " + with_per_cent(delaunay) + ", " + with_per_cent(tree) + " and " +
-                with_per_cent(sorted) + ".",
-            delaunay > tree && tree > sorted, {delaunay, tree, sorted});
-    }
-    {
-        const Row* published = find(results, "city", "published", "5%");
-        const double found = value(published, coverage), ms = value(published, total_ms),
-                     all = value(find(results, "city", "everything", "unlimited"), total_ms);
-        add("TVCG 5.1, table 1",
-            "At 5 % PLP finds 80 % of what is visible in CITY, at 4 times the speed of "
-            "drawing everything.",
-            found >= 0.8 ? nullptr : published,
-            scene(published) + ": " + with_per_cent(found) + " at " + short_number(all / ms) + " times the speed.",
-            found >= 0.8 && all / ms >= 4, {found, ms, all});
-    }
-    {
-        const Row* published = find(results, "cars", "published", "1%");
-        const double ms = value(published, total_ms),
-                     all = value(find(results, "cars", "everything", "unlimited"), total_ms);
-        add("TVCG 5.1", "At 1 % PLP is more than 10 times as fast as drawing everything in 5CBEM.", nullptr,
-            scene(published) + ": " + short_number(all / ms) + " times.", all / ms > 10, {ms, all});
-    }
-    for (const char* name : {"city", "cars", "room"}) {
-        const Row* plp = find(results, name, "published", "10%");
-        const Row* sorted = find(results, name, "centroid", "10%");
-        if (!plp || !sorted) continue;
-        const double a = likeness(*plp), b = likeness(*sorted);
-        add("TVCG 5.1, figs. 10 and 11",
-            "Along a path PLP's count of visible primitives resembles the exact one, that of sorting by distance "
-            "does not.",
-            plp,
-            plp->scene + ": r = " + short_number(a) + " and " + short_number(b) + " over " +
-                std::to_string(plp->frames.size()) + " frames.",
-            a > b, {a, b});
-    }
-    {
-        const Row *on_tree = find(results, "room", "published@tree", "10%"),
-                  *published = find(results, "room", "published", "10%");
-        const double tree = value(on_tree, wrong), delaunay = value(published, wrong),
-                     sorted = value(find(results, "room", "centroid", "10%"), wrong);
-        add("TVCG 5.1, figs. 13 to 15", "In ROOM octree cells give the best image and sorting by distance the worst.",
-            tree < delaunay ? published : on_tree,
-            scene(on_tree) + ", wrong pixels at 10 %: octree " + with_per_cent(tree) + ", Delaunay " +
-                with_per_cent(delaunay) + ", sorted " + with_per_cent(sorted) + ".",
-            tree < delaunay && delaunay < sorted, {tree, delaunay, sorted});
+    const std::vector<Group> all = groups(results);
+    for (const ClaimRow& row : claim_table()) {
+        Claim claim{row.source, row.text, row.test, {}};
+        for (const Group& group : all) {
+            const char* theirs = papers_name(group.scene);
+            if (!theirs || std::find(row.scenes.begin(), row.scenes.end(), theirs) == row.scenes.end()) continue;
+            if (part_of_path(group.path).has_value() != (row.frames == Frames::neighbours)) continue;
+            if (std::optional<Regime> regime = row.judge({group, all})) {
+                regime->scene = group.scene;
+                regime->path = group.path;
+                claim.regimes.push_back(std::move(*regime));
+            }
+        }
+        if (!claim.regimes.empty()) claims.push_back(std::move(claim));
     }
     return claims;
 }
 
-std::vector<Table1Row> table_1(const Results& results) {
-    struct Printed {
-        const char *scene, *papers_scene;
-        std::array<double, 4> shares;
-    };
-    static constexpr std::array budgets{"1%", "2%", "5%", "10%"};
-    static constexpr std::array<Printed, 2> printed{
-        {{"city", "CITY", {0.51, 0.66, 0.80, 0.90}}, {"cars", "5CBEM", {0.44, 0.55, 0.67, 0.76}}}};
-    std::vector<Table1Row> table;
-    for (const Printed& p : printed)
-        for (const char* method : {"published", "published@tree"}) {
-            Table1Row row{p.scene, p.papers_scene, method, {budgets.begin(), budgets.end()}, {}, {}};
-            bool any = false;
-            for (std::size_t b = 0; b < budgets.size(); ++b) {
-                const Row* found = find(results, p.scene, method, budgets[b]);
-                row.ours.push_back(found ? summary(*found, Measure::coverage) : unknown);
-                row.papers.push_back(std::string(method) == "published" ? p.shares[b] : unknown);
-                any |= found != nullptr;
-            }
-            if (any) table.push_back(std::move(row));
-        }
-    return table;
+Judgement judgement(const Claim& claim) {
+    const auto holding =
+        std::count_if(claim.regimes.begin(), claim.regimes.end(), [](const Regime& r) { return r.holds; });
+    if (holding == 0) return Judgement::fails;
+    return static_cast<std::size_t>(holding) == claim.regimes.size() ? Judgement::holds : Judgement::depends;
+}
+
+std::string verdict_text(const Claim& claim) {
+    switch (judgement(claim)) {
+        case Judgement::holds:
+            return "holds";
+        case Judgement::fails:
+            return "does not hold";
+        case Judgement::depends:
+            break;
+    }
+    std::string text;
+    for (const std::string& cause : causes(claim.regimes)) text += (text.empty() ? "" : ", ") + cause;
+    return "depends (" + text + ")";
+}
+
+std::string regime_text(const Claim& claim, const Regime& regime) {
+    std::string text = regime.scene + ", " + regime.path + ": " + regime.figures;
+    if (judgement(claim) == Judgement::depends) text += regime.holds ? " (holds)" : " (does not hold)";
+    return text;
+}
+
+const Row* row_to_show(const Claim& claim) {
+    for (const Regime& regime : claim.regimes)
+        if (!regime.holds && regime.row) return regime.row;
+    return nullptr;
+}
+
+std::string claims_json(const std::vector<Claim>& claims) {
+    nlohmann::ordered_json all = nlohmann::ordered_json::array();
+    for (const Claim& claim : claims) {
+        nlohmann::ordered_json one{{"source", claim.source},
+                                   {"text", claim.text},
+                                   {"test", claim.test},
+                                   {"verdict", verdict_text(claim)},
+                                   {"regimes", nlohmann::ordered_json::array()}};
+        for (const Regime& regime : claim.regimes)
+            one["regimes"].push_back(
+                {{"scene", regime.scene}, {"path", regime.path}, {"figures", regime.figures}, {"holds", regime.holds}});
+        all.push_back(std::move(one));
+    }
+    return all.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
 }  // namespace sightline::lab

@@ -6,6 +6,7 @@
 #include "core/base/quote.h"
 #include "lab/report/claims.h"
 #include "lab/report/page.h"
+#include "lab/report/papers_tables.h"
 #include "lab/report/report.h"
 #include "lab/report/study_charts.h"
 
@@ -28,6 +29,21 @@ std::string rows_of(const Group& group) {
     return text;
 }
 
+std::string claims_of(const std::vector<Claim>& claims) {
+    std::string text = "\n## What the papers say, and what we find\n\n| they | we | |\n|---|---|---|\n";
+    for (const Claim& claim : claims) {
+        text +=
+            "| " +
+            markdown_escaped(claim.text + " (" + claim.source + (claim.test.empty() ? "" : "; " + claim.test) + ")") +
+            " | ";
+        for (std::size_t i = 0; i < claim.regimes.size(); ++i)
+            text += (i > 0 ? "<br>" : "") + markdown_escaped(regime_text(claim, claim.regimes[i]));
+        const bool holds = judgement(claim) == Judgement::holds;
+        text += " | " + (holds ? verdict_text(claim) : "**" + verdict_text(claim) + "**") + " |\n";
+    }
+    return text + "\n" + claims_note + "\n";
+}
+
 }  // namespace
 
 void write_markdown(const Results& results, const std::string& command, const std::filesystem::path& file) {
@@ -36,15 +52,11 @@ void write_markdown(const Results& results, const std::string& command, const st
                        markdown_escaped(c.date + ": " + c.machine + "; " + c.build + "; " + c.renderer) +
                        ". Times hold for this machine only; everything else is the same everywhere but for single "
                        "pixels. [Measuring](measuring.md) says what each number is and how to read the charts.\n";
-    if (const std::vector<Claim> claims = judge_claims(results); !claims.empty()) {
-        text += "\n## What the papers say, and what we find\n\n| they | we | |\n|---|---|---|\n";
-        for (const Claim& claim : claims)
-            text += "| " + markdown_escaped(claim.text + " (" + claim.source + ")") + " | " +
-                    markdown_escaped(claim.ours) + " | " + (claim.holds ? "holds" : "**does not hold here**") + " |\n";
-        text +=
-            "\nThe papers' data are not to be had: generated scenes stand for them, so shapes can be compared, not "
-            "figures.\n";
-    }
+    if (const std::vector<Claim> claims = judge_claims(results); !claims.empty()) text += claims_of(claims);
+    if (const std::vector<Table1Row> table = table_1(results); !table.empty())
+        text += "\n## Table 1 of the papers\n\n" + std::string(table_1_caption) + "\n\n" + markdown(text_table(table));
+    if (const std::vector<PreprocessingRow> table = preprocessing(results); !table.empty())
+        text += "\n## Preprocessing\n\n" + std::string(preprocessing_caption) + "\n\n" + markdown(text_table(table));
     const std::filesystem::path images = file.parent_path() / "images";
     std::filesystem::create_directories(images);
     for (const Group& group : groups(results)) {
@@ -53,7 +65,8 @@ void write_markdown(const Results& results, const std::string& command, const st
                 std::to_string(first.primitives) + " primitives, " + std::to_string(first.frames.size()) +
                 " frames, reference: " + markdown_escaped(first.reference) + ".\n\n";
         for (const Measure measure : {Measure::wrong, Measure::coverage}) {
-            const std::string stem = file_stem("results-" + group.scene + "-" + std::string(measure_row(measure).id));
+            const std::string stem =
+                file_stem("results-" + group.scene + "-" + group.path + "-" + std::string(measure_row(measure).id));
             write_chart(trade_off(group, measure), images / stem);
             std::filesystem::remove(images / (stem + ".gp"));
             std::filesystem::remove(images / (stem + ".png"));

@@ -9,6 +9,7 @@
 #include "core/base/number.h"
 #include "lab/report/method_looks.h"
 #include "lab/report/page.h"
+#include "lab/report/papers_tables.h"
 
 namespace sightline::lab {
 
@@ -56,41 +57,38 @@ std::string caption(const FramePicture& p) {
            "</code>";
 }
 
-std::string table_of_papers(const Results& results) {
-    const std::vector<Table1Row> table = table_1(results);
-    if (table.empty()) return {};
-    std::string html =
-        "<h2>Table 1 of the papers</h2><table><caption>Coverage in % by budget, ours / theirs. Their "
-        "data are not to be had; generated scenes stand for them, so that shapes can be compared, "
-        "not figures.</caption><tr><th class=t>scene</th><th class=t>method</th>";
-    for (const std::string& budget : table.front().budgets) html += "<th>" + escaped(budget) + "</th>";
-    html += "</tr>";
-    for (const Table1Row& row : table) {
-        html += "<tr>" + cell(row.scene + " for " + row.papers_scene, true) + cell(row.method, true);
-        for (std::size_t b = 0; b < row.ours.size(); ++b)
-            html += cell(per_cent(row.ours[b]) + " / " + per_cent(row.papers[b]));
-        html += "</tr>";
-    }
-    return html + "</table>";
+std::string tables_of_papers(const Results& results) {
+    std::string text;
+    if (const std::vector<Table1Row> table = table_1(results); !table.empty())
+        text += "<h2>Table 1 of the papers</h2>" + html(text_table(table), table_1_caption);
+    if (const std::vector<PreprocessingRow> table = preprocessing(results); !table.empty())
+        text += "<h2>Preprocessing</h2>" + html(text_table(table), preprocessing_caption);
+    return text;
 }
 
 std::string claims(const std::vector<Claim>& all, const std::map<std::size_t, FramePicture>& pictures) {
     if (all.empty()) return {};
-    std::string html =
+    std::string text =
         "<h2>What the papers say, and what we find</h2><table><tr><th class=t>they</th><th class=t>we</th>"
         "<th class=t></th></tr>";
-    for (const Claim& claim : all)
-        html += "<tr>" + cell(claim.text + " (" + claim.source + ")", true) + cell(claim.ours, true) +
-                (claim.holds ? "<td class='t holds'>holds</td>" : "<td class='t not'>does not hold here</td>") +
-                "</tr>";
-    html +=
-        "</table><p>Our reading of the formula, the scenes and the renderer differ from the papers'. Where a claim "
-        "does not hold, here is the worst frame of what it is about; for claims about time see the charts below.</p>"
-        "<div class=pictures>";
+    for (const Claim& claim : all) {
+        static constexpr std::array classes{"holds", "not", "waits"};  // by Judgement
+        text +=
+            "<tr>" + cell(claim.text + " (" + claim.source + (claim.test.empty() ? "" : "; " + claim.test) + ")", true);
+        std::string ours;
+        for (const Regime& regime : claim.regimes)
+            ours += (ours.empty() ? "" : "<br>") + escaped(regime_text(claim, regime));
+        text += "<td class=t>" + ours + "</td><td class='t " + classes[static_cast<std::size_t>(judgement(claim))] +
+                "'>" + escaped(verdict_text(claim)) + "</td></tr>";
+    }
+    text +=
+        "</table><p>" + escaped(claims_note) +
+        "</p><p>Where a claim does not hold, here is the worst frame of what it is about; for claims about time see "
+        "the charts below.</p><div class=pictures>";
     for (const auto& [index, shown] : pictures)
-        html += picture(shown.file,
-                        "“" + escaped(all[index].text) + "” – " + escaped(all[index].ours) + "<br>" + caption(shown));
-    return html + "</div>";
+        text += picture(shown.file, "“" + escaped(all[index].text) + "” – " + escaped(verdict_text(all[index])) +
+                                        "<br>" + caption(shown));
+    return text + "</div>";
 }
 
 std::string table_of_rows(const Group& group) {
@@ -148,7 +146,7 @@ void write_report(const Results& results, const std::vector<Claim>& judged, cons
     fs::create_directories(folder / "charts");
     const std::vector<Group> all = groups(results);
     const std::vector<NamedChart> charts = study_charts(results);
-    std::string html = conditions(results) + answers(all) + claims(judged, pictures.claims) + table_of_papers(results);
+    std::string html = conditions(results) + answers(all) + claims(judged, pictures.claims) + tables_of_papers(results);
     for (const Group& group : all) {
         html += "<h2>" + escaped(group.scene) + ", path " + escaped(group.path) + "</h2>";
         for (const NamedChart& chart : charts) {

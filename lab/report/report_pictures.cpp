@@ -33,8 +33,8 @@ void draw(const Group& group, const std::vector<Claim>& claims, const Study& stu
     for (const Row* row : middle_rows(group))
         pictures.worst.push_back(worst_of(*row, group.scene + "-" + group.path + "-" + method_text(row->method)));
     for (std::size_t i = 0; i < claims.size(); ++i)
-        if (!claims[i].holds && std::count(group.rows.begin(), group.rows.end(), claims[i].row) > 0)
-            pictures.claims[i] = worst_of(*claims[i].row, "claim-" + std::to_string(i + 1));
+        if (const Row* row = row_to_show(claims[i]); row && std::count(group.rows.begin(), group.rows.end(), row) > 0)
+            pictures.claims[i] = worst_of(*row, "claim-" + std::to_string(i + 1));
 }
 
 }  // namespace

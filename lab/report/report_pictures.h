@@ -13,7 +13,7 @@ namespace sightline::lab {
 
 struct ReportPictures {
     std::vector<FramePicture> worst;             ///< for each scene, path and approximate method, at its middle budget
-    std::map<std::size_t, FramePicture> claims;  ///< by index of the claims that do not hold and have a row to show
+    std::map<std::size_t, FramePicture> claims;  ///< by index of the claims with a row_to_show
 };
 
 /// The frames with the most wrong pixels. `claims` are those of the same results; scenes are read and tessellated anew.

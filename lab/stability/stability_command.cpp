@@ -72,7 +72,8 @@ int stability_command(int argc, const char* const* argv, const MethodTables& tab
     if (!parse(app, argc, argv)) return 0;
     Study study = study_of(options, tables);
     study.repeats = 0;
-    if (study.scenes.size() * study.paths.size() > 1) check_scenes(study, say);
+    const std::vector<SceneOnPath> on_paths = scenes_on_paths(study);
+    if (on_paths.size() > 1) check_scenes(study, say);
     LabGraphics graphics;
     const Conditions conditions =
         conditions_here(study_text(study, stability), has_3d(study) ? graphics.description() : std::string());
@@ -80,17 +81,16 @@ int stability_command(int argc, const char* const* argv, const MethodTables& tab
     Checkpoint checkpoint(std::filesystem::path(out) / "stages.jsonl", conditions);
     Study spots = study;
     spots.frames = stability.frames;
-    Remaining remaining(static_cast<double>(study.scenes.size() * study.paths.size()));
+    Remaining remaining(static_cast<double>(on_paths.size()));
     note_interrupts();
     std::vector<StabilityRow> rows;
-    for (const std::string& scene : study.scenes)
-        for (const std::string& path : study.paths) {
-            const auto found = parse_scene(scene).dimension == 2
-                                   ? measure<2>(scene, path, spots, stability, graphics, checkpoint, remaining)
-                                   : measure<3>(scene, path, spots, stability, graphics, checkpoint, remaining);
-            if (interrupted()) return stopped();
-            rows.insert(rows.end(), found.begin(), found.end());
-        }
+    for (const auto& [scene, path] : on_paths) {
+        const auto found = parse_scene(scene).dimension == 2
+                               ? measure<2>(scene, path, spots, stability, graphics, checkpoint, remaining)
+                               : measure<3>(scene, path, spots, stability, graphics, checkpoint, remaining);
+        if (interrupted()) return stopped();
+        rows.insert(rows.end(), found.begin(), found.end());
+    }
     const Results along_path = run_study(study, out, graphics, {.say = say, .stopped = interrupted});
     if (interrupted()) return stopped();
     say("drawing the charts");

@@ -276,6 +276,29 @@ TEST(LabResults, SumUpAsTheTableSays) {
     EXPECT_DOUBLE_EQ(worst(row, M::coverage), 0.125) << "the least is the worst";
 }
 
+TEST(LabStudyPaths, AScenePathAndAPartOfOneAreTaken) {
+    Study study;
+    study.scenes = {"2d:rooms", "city:10k@air", "city:10k@street:60-67"};
+    study.paths = {"turn", "start"};
+    std::vector<std::string> all;
+    for (const SceneOnPath& one : scenes_on_paths(study)) all.push_back(one.scene + " " + one.path);
+    EXPECT_EQ(all,
+              (std::vector<std::string>{"2d:rooms turn", "2d:rooms start", "city:10k air", "city:10k street:60-67"}));
+    EXPECT_TRUE(has_3d(study));
+    EXPECT_FALSE(part_of_path("street"));
+    EXPECT_FALSE(part_of_path("street:7-6"));
+    EXPECT_FALSE(part_of_path("a-b:c"));
+    Study one_path;
+    one_path.methods = {parse_method("view")};
+    const auto part = load_lab_scene<3>("city:10k", "street:60-67", one_path),
+               whole = load_lab_scene<3>("city:10k", "street", one_path);
+    ASSERT_EQ(part.specs.size(), 8u);
+    EXPECT_TRUE(std::equal(part.specs.begin(), part.specs.end(), whole.specs.begin() + 60));
+    EXPECT_EQ(part.path, "street:60-67");
+    EXPECT_THROW(load_lab_scene<3>("city:10k", "street:60-160", one_path), InputError);
+    EXPECT_THROW(load_lab_scene<3>("city:10k", "nosuch:0-1", one_path), InputError);
+}
+
 TEST(LabStudyNames, SayWhichDimension) {
     EXPECT_EQ(parse_scene("city").dimension, 3);
     EXPECT_EQ(parse_scene("city:50k").dimension, 3);

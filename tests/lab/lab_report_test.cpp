@@ -16,47 +16,15 @@
 #include "lab/measure/run_study.h"
 #include "lab/report/claims.h"
 #include "lab/report/markdown.h"
+#include "tests/lab/report_rows.h"
 
 namespace sightline::lab {
 namespace {
 
 namespace fs = std::filesystem;
 using M = Measure;
-
-Row report_row(const std::string& scene, const std::string& method, const std::string& budget, double ms, double wrong,
-               double coverage, std::size_t frames = 3) {
-    Row row;
-    row.scene = scene;
-    row.path = "test";
-    row.method = parse_method(method);
-    row.approximate = budget != "unlimited";
-    row.budget = budget;
-    row.primitives = 1000;
-    row.cells = 50;
-    row.reference = "item buffer 1024x768";
-    for (std::size_t i = 0; i < frames; ++i) {
-        row.frames.push_back(static_cast<std::uint32_t>(i));
-        Values v;
-        v[M::total_ms] = ms;
-        v[M::draw_ms] = ms / 2;
-        v[M::upload_ms] = ms / 8;
-        v[M::wrong] = wrong;
-        v[M::coverage] = coverage;
-        v[M::visible] = 100 + 10 * static_cast<double>(i);
-        v[M::budget] = 50;
-        v[M::oracle] = 1;
-        row.values.push_back(v);
-    }
-    return row;
-}
-
-Results results_of(std::vector<Row> rows) {
-    Study study;
-    study.scenes = {"city"};
-    Results results{conditions_here(study_json(study), "a renderer"), std::move(rows)};
-    results.conditions.date = "2000-01-01";
-    return results;
-}
+using test::report_row;
+using test::results_of;
 
 std::vector<const Row*> pointers(const std::vector<Row>& rows) {
     std::vector<const Row*> all;
@@ -154,9 +122,9 @@ TEST(FileStem, StaysInItsFolder) {
 }
 
 TEST_F(LabFiles, TheReportNeedsNoOtherFile) {
-    const Results results =
-        results_of({report_row("city", "published", "5%", 5, 0.2, 0.8), report_row("city", "layers", "5%", 4, 0.1, 0.9),
-                    report_row("city", "everything", "unlimited", 50, 0, 1)});
+    const Results results = results_of(
+        {report_row("city", "published", "5%", 5, 0.2, 0.8), report_row("city", "layers", "5%", 4, 0.1, 0.9),
+         report_row("city", "everything", "unlimited", 50, 0, 1), report_row("city", "view", "unlimited", 40, 0, 1)});
     write_report(results, judge_claims(results), {}, folder_);
     const std::string html = read_file(folder_ / "report.html");
     for (const char* outside : {"src='http", "href=", "url(", "<script", "src=\""})
@@ -172,7 +140,7 @@ TEST_F(LabFiles, TheReportNeedsNoOtherFile) {
         for (const char* ending : {".gp", ".svg", ".png"})
             EXPECT_TRUE(fs::exists(folder_ / "charts" / (chart.id + ending))) << chart.id << ending;
     EXPECT_NE(html.find("layers 5%: 10 %"), std::string::npos) << "the best within 5 ms";
-    EXPECT_NE(html.find("at 10 times the speed"), std::string::npos);
+    EXPECT_NE(html.find("8 times as fast as view culling (10 times as drawing everything)"), std::string::npos);
     for (const MeasureRow& m : measure_table())
         EXPECT_NE(html.find(std::string(m.title)), std::string::npos) << m.title << " is not explained";
 }
@@ -189,43 +157,8 @@ TEST_F(LabFiles, TheDocumentationExplainsEveryMeasure) {
                    folder_ / "results.md");
     const std::string page = read_file(folder_ / "results.md");
     EXPECT_NE(page.find("| published | 50 | 5% | 80 | 80 |"), std::string::npos) << page;
-    EXPECT_NE(page.find("](images/results-city-wrong.svg)"), std::string::npos);
-    EXPECT_TRUE(fs::exists(folder_ / "images/results-city-wrong.svg"));
-}
-
-TEST(LabClaims, HoldAndFail) {
-    std::vector<Row> rows{report_row("city:50k", "published", "5%", 5, 0, 0.85),
-                          report_row("city:50k", "everything", "unlimited", 25, 0, 1),
-                          report_row("city:50k", "published", "10%", 9, 0, 0.95),
-                          report_row("city:50k", "published@tree", "10%", 9, 0, 0.6),
-                          report_row("city:50k", "centroid", "10%", 9, 0, 0.7),
-                          report_row("cars", "published", "1%", 5, 0, 0.5),
-                          report_row("cars", "everything", "unlimited", 45, 0, 1)};
-    const Results results = results_of(rows);
-    const auto all = judge_claims(results);
-    const auto judged = [&](const std::string& words) {
-        for (const Claim& claim : all)
-            if (claim.text.find(words) != std::string::npos) return claim.holds ? 1 : 0;
-        return -1;
-    };
-    EXPECT_EQ(judged("over 90 %"), 1);
-    EXPECT_EQ(judged("more than octree cells"), 0) << "sorting finds more than the octree";
-    EXPECT_EQ(judged("4 times the speed"), 1);
-    EXPECT_EQ(judged("more than 10 times"), 0);
-    EXPECT_EQ(judged("In ROOM"), -1) << "no room, no verdict";
-    for (const Claim& claim : all) {
-        const bool cars = claim.text.find("5CBEM") != std::string::npos;
-        EXPECT_EQ(claim.ours.find(cars ? "cars: " : "city:50k: "), 0u) << claim.ours;
-        const bool about_octrees = claim.text.find("more than octree cells") != std::string::npos;
-        EXPECT_TRUE(!about_octrees || claim.row == &results.rows[3]);
-        EXPECT_TRUE(!cars || claim.row == nullptr) << "no frame shows a time";
-    }
-    const auto table = table_1(results_of(rows));
-    ASSERT_EQ(table.size(), 3u);
-    EXPECT_DOUBLE_EQ(table[0].ours[2], 0.85);
-    EXPECT_DOUBLE_EQ(table[0].papers[2], 0.80);
-    EXPECT_TRUE(std::isnan(table[0].ours[0]));
-    EXPECT_TRUE(std::isnan(table[1].papers[2])) << "they give none for the octree";
+    EXPECT_NE(page.find("](images/results-city-test-wrong.svg)"), std::string::npos);
+    EXPECT_TRUE(fs::exists(folder_ / "images/results-city-test-wrong.svg"));
 }
 
 /// Draws the worst frame of each method and opens it with the command beside it: it has to be that frame.
@@ -281,8 +214,10 @@ TEST_F(LabFiles, PicturesOfClaimsAreThoseThatDoNotHold) {
     LabGraphics graphics;
     const Results results = run_study(study, folder_ / "study", graphics);
     std::vector<Claim> claims(3);
-    claims[0].holds = true;
-    claims[0].row = claims[1].row = &results.rows[1];
+    claims[0].regimes = {{"room:10k", "test", "", true, &results.rows[1]}};
+    claims[1].regimes = {{"room:10k", "test", "", true, &results.rows[0]},
+                         {"room:10k", "test", "", false, &results.rows[1]}};
+    claims[2].regimes = {{"room:10k", "test", "", false, nullptr}};
     const ReportPictures pictures = draw_report_pictures(results, claims, study, folder_ / "pictures", graphics);
     ASSERT_EQ(pictures.claims.size(), 1u);
     EXPECT_EQ(pictures.claims.at(1).method, "published@tree");

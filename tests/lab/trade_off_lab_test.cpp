@@ -20,7 +20,8 @@ using M = Measure;
 
 /// What the panel does without: it takes long, or compares with another frame.
 bool is_made(const MeasureRow& row) {
-    for (const M m : {M::cell_oracle, M::mis_ranked, M::unreached, M::zeta, M::pop, M::flip, M::visible_change})
+    for (const M m :
+         {M::cell_oracle, M::mis_ranked, M::unreached, M::zeta, M::fused, M::pop, M::flip, M::visible_change})
         if (row.measure == m) return false;
     return !row.is_time;
 }

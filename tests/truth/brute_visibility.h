@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -17,6 +19,7 @@ struct Result {
     std::vector<std::uint8_t> visible;
     std::vector<VisiblePiece> pieces;
     std::vector<std::uint32_t> layers;
+    std::vector<std::optional<std::set<std::uint32_t>>> in_front;  ///< those that are in all directions that hit it
     std::size_t eye_on = 0;
 };
 
@@ -104,6 +107,7 @@ Result visibility(const std::vector<Primitive<2>>& primitives, const View<2>& vi
     }
     result.visible.assign(primitives.size(), 0);
     result.layers.assign(primitives.size(), 0);
+    result.in_front.resize(primitives.size());
     const std::vector<Vector<T>> directions = critical_directions(items, view);
     struct Hit {
         T above, below;  // distance along the ray, above / below
@@ -128,7 +132,12 @@ Result visibility(const std::vector<Primitive<2>>& primitives, const View<2>& vi
             const T left = a.above * b.below, right = b.above * a.below;
             return left != right ? left < right : a.item->id < b.item->id;
         });
+        std::set<std::uint32_t> nearer;
         for (std::uint32_t rank = 1; rank <= hits.size(); ++rank) {
+            auto& in_front = result.in_front[hits[rank - 1].item->id];
+            if (!in_front) in_front = nearer;
+            std::erase_if(*in_front, [&](std::uint32_t id) { return !nearer.contains(id); });
+            nearer.insert(hits[rank - 1].item->id);
             std::uint32_t& layer = result.layers[hits[rank - 1].item->id];
             if (layer == 0 || rank < layer) layer = rank;
         }

@@ -7,6 +7,7 @@
 
 #include "core/base/random.h"
 #include "core/geometry/predicates.h"
+#include "core/truth/hiding.h"
 #include "tests/soak.h"
 #include "tests/truth/brute_visibility.h"
 
@@ -112,7 +113,7 @@ void expect_same(const VisibleSet& set, const brute::Result& reference, double t
 
 /// What a run of scenes held, so that a test can tell that it tested something.
 struct Tally {
-    std::size_t pieces = 0, hidden = 0, deep = 0, eye_on = 0;
+    std::size_t pieces = 0, hidden = 0, fused = 0, deep = 0, eye_on = 0;
 };
 
 template <typename T>
@@ -120,6 +121,15 @@ void check(const Case& c, double tolerance, Tally& tally) {
     const brute::Result reference = brute::visibility<T>(c.primitives, c.view);
     ASSERT_NO_FATAL_FAILURE(expect_same(exact_visible_set(c.primitives, c.view), reference, tolerance));
     ASSERT_EQ(layering_numbers(c.primitives, c.view), reference.layers);
+    const std::vector<Hiding> found = hiding(c.primitives, c.view, reference.layers);
+    for (std::size_t p = 0; p < found.size(); ++p) {
+        const bool is_hidden = reference.layers[p] > 1;
+        const Hiding expected = !is_hidden                       ? Hiding::none
+                                : reference.in_front[p]->empty() ? Hiding::fused
+                                                                 : Hiding::alone;
+        ASSERT_EQ(found[p], expected) << "primitive " << p;
+        tally.fused += expected == Hiding::fused;
+    }
     tally.pieces += reference.pieces.size();
     tally.hidden +=
         std::count_if(reference.layers.begin(), reference.layers.end(), [](auto layer) { return layer > 1; });
@@ -150,6 +160,7 @@ TEST(VisibleSet, AgreesWithBruteForceOnGenericScenes) {
     }
     EXPECT_GT(tally.pieces, 50000u);
     EXPECT_GT(tally.hidden, 20000u);
+    EXPECT_GT(tally.fused, 1000u);
     EXPECT_GT(tally.deep, 1000u);
 }
 
@@ -245,6 +256,17 @@ TEST(VisibleSet, OrderOfThePrimitivesDoesNotMatter) {
             ASSERT_EQ(before.pieces[k].primitive, old_id[after.pieces[k].primitive]);
         for (std::size_t k = 0; k < old_id.size(); ++k) ASSERT_EQ(layers[old_id[k]], shuffled_layers[k]);
     }
+}
+
+TEST(Hiding, TellsFusedOccludersFromSingleOnes) {
+    // One wall in two halves before one segment, and before another that a half alone hides.
+    const std::vector<Primitive<2>> walls{
+        {{{1, -1}, {1, 0}}}, {{{1, 0}, {1, 1}}}, {{{2, -1}, {2, 1}}}, {{{3, 1}, {3, 2}}}, {{{4, -9}, {4, -8}}}};
+    const View<2> view = look_between({0, 0}, {1, -1}, {1, 1});
+    const auto all = hiding(walls, view, layering_numbers(walls, view));
+    EXPECT_EQ(all, (std::vector{Hiding::none, Hiding::none, Hiding::fused, Hiding::alone, Hiding::none}));
+    EXPECT_EQ(fused_share(all), 0.5);
+    EXPECT_TRUE(std::isnan(fused_share(std::span(all).first(2))));
 }
 
 TEST(VisibleSet, AWallHidesWhatIsBehindIt) {

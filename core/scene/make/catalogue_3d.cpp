@@ -86,7 +86,7 @@ std::span<const CatalogueRow<3>> catalogue<3>() {
          {},
          {{"coverage >= 0.2", "a fifth of what can be seen"}},
          45'000,
-         {"walk", "test"}},
+         {"walk", "outside", "test"}},
         {"jungle",
          5,
          "Jungle",

@@ -137,6 +137,12 @@ Generated room(std::uint64_t seed, std::size_t triangles) {
     made.paths.push_back(along("walk", walk, 235, 3, 65));
     const Vec<3> middle(0, hall.depth() / 2, 0.4);
     for (ViewSpec<3>& frame : made.paths.back().frames) frame.look_at = (frame.look_at + middle) * 0.5;
+    // Round the closed hall outside.
+    const double w = hall.width() / 2 + 4, d = hall.depth() + 4, high = 2.2;
+    const std::vector<Vec<3>> round = {{0, -4, high}, {w, -4, high},  {w, d, high},
+                                       {-w, d, high}, {-w, -4, high}, {0, -4, high}};
+    made.paths.push_back(along("outside", round, 235, 3, 65));
+    for (ViewSpec<3>& frame : made.paths.back().frames) frame.look_at = middle;
     made.paths.push_back(test_path(made.paths.front()));
     return made;
 }

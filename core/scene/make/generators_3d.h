@@ -14,7 +14,7 @@ Generated city(std::uint64_t seed, std::size_t triangles);
 /// fuller engines. Path "round".
 Generated cars(std::uint64_t seed, std::size_t triangles);
 /// A closed hall with rows of chairs, seen from inside. A larger one has more chairs, up to a thousand, then finer
-/// ones. Path "walk".
+/// ones. Paths "walk" and, round the closed hall, "outside".
 Generated room(std::uint64_t seed, std::size_t triangles);
 /// Loose two-sided leaves in bushes and tree tops, of which more stand farther out the larger the scene. Path "trail".
 Generated jungle(std::uint64_t seed, std::size_t triangles);

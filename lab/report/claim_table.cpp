@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lab/report/claim_table.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/number.h"
+
+namespace sightline::lab {
+
+namespace {
+
+using M = Measure;
+using Found = std::optional<Regime>;
+
+constexpr const char *plp = "published", *plp_on_tree = "published@tree", *by_distance = "centroid";
+/// The papers cull what is out of view or turns its back in all that they compare, so this is the baseline.
+constexpr const char* view_culling = "view";
+constexpr const char* draw_all = "everything";
+/// ROOM from where its walls hide all that stands in it.
+constexpr const char* outside = "outside";
+/// What "about four times" has to reach.
+constexpr double about_four = 3.5;
+/// What "negligible" may add to a frame that is drawn with view culling.
+constexpr double negligible = 0.1;
+/// More pixels than these that come out right in one frame and wrong in its neighbour are "major" popping.
+constexpr double major_flip = 0.01;
+
+double of(const Row* row, Measure m) { return row ? summary(*row, m) : std::numeric_limits<double>::quiet_NaN(); }
+double worst_of(const Row* row, Measure m) { return row ? worst(*row, m) : std::numeric_limits<double>::quiet_NaN(); }
+
+std::string percent(double share) { return short_number(100 * share) + " %"; }
+
+/// Nothing where a value is missing.
+Found found(std::string figures, bool holds, const Row* row, std::initializer_list<double> needed) {
+    if (std::any_of(needed.begin(), needed.end(), [](double v) { return std::isnan(v); })) return std::nullopt;
+    return Regime{{}, {}, std::move(figures), holds, row};
+}
+
+/// How many times as fast as view culling alone, and as drawing everything.
+struct Speed {
+    double times = 0, times_all = 0;
+    std::string text() const {
+        std::string text = short_number(times) + " times as fast as view culling";
+        if (!std::isnan(times_all)) text += " (" + short_number(times_all) + " times as drawing everything)";
+        return text;
+    }
+};
+Speed speed(const Place& place, const char* method, const char* budget) {
+    const double ms = of(place.row(method, budget), M::total_ms);
+    return {of(place.row(view_culling, "unlimited"), M::total_ms) / ms,
+            of(place.row(draw_all, "unlimited"), M::total_ms) / ms};
+}
+
+Found at_least(const Place& place, const char* method, const char* budget, double share) {
+    const Row* row = place.row(method, budget);
+    const double coverage = of(row, M::coverage);
+    return found(percent(coverage), coverage >= share, row, {coverage});
+}
+
+Found as_fast(const Place& place, const char* method, const char* budget, double times) {
+    const Speed s = speed(place, method, budget);
+    return found(s.text(), s.times >= times, nullptr, {s.times});
+}
+
+Found worst_wrong(const Place& place, const char* method, double share) {
+    const Row* row = place.row(method, "10%");
+    const double wrong = worst_of(row, M::wrong);
+    return found(percent(wrong), wrong <= share, row, {wrong});
+}
+
+Found order_by_count(const Place& place) {
+    const Row *delaunay = place.row(plp, "10%"), *tree = place.row(plp_on_tree, "10%");
+    const double a = of(delaunay, M::coverage), b = of(tree, M::coverage),
+                 c = of(place.row(by_distance, "10%"), M::coverage);
+    return found(percent(a) + ", " + percent(b) + " and " + percent(c), a > b && b > c, a > b ? tree : delaunay,
+                 {a, b, c});
+}
+
+Found order_by_worst_pixels(const Place& place) {
+    const Row *delaunay = place.row(plp, "10%"), *tree = place.row(plp_on_tree, "10%");
+    const double a = worst_of(delaunay, M::wrong), b = worst_of(tree, M::wrong),
+                 c = worst_of(place.row(by_distance, "10%"), M::wrong);
+    return found(percent(a) + ", " + percent(b) + " and " + percent(c), a < b && b < c, a < b ? tree : delaunay,
+                 {a, b, c});
+}
+
+Found resembles(const Place& place) {
+    const Row *row = place.row(plp, "10%"), *other = place.row(by_distance, "10%");
+    if (!row || !other) return std::nullopt;
+    const double a = likeness(*row), b = likeness(*other);
+    return found("r = " + short_number(a) + " and " + short_number(b), a > b, row, {a, b});
+}
+
+Found octree_is_faster(const Place& place) {
+    const double tree = of(place.row(plp_on_tree, "10%"), M::total_ms),
+                 delaunay = of(place.row(plp, "10%"), M::total_ms);
+    return found(short_number(tree) + " and " + short_number(delaunay) + " ms", tree < delaunay, nullptr,
+                 {tree, delaunay});
+}
+
+Found octree_layers_worse(const Place& place) {
+    const Row *tree = place.row(plp_on_tree, "10%"), *delaunay = place.row(plp, "10%");
+    const double a = of(tree, M::zeta), b = of(delaunay, M::zeta);
+    return found("mean ζ " + short_number(a) + " and " + short_number(b) + ", coverage " +
+                     percent(of(tree, M::coverage)) + " and " + percent(of(delaunay, M::coverage)),
+                 a > b, a > b ? nullptr : delaunay, {a, b});
+}
+
+Found stable(const Place& place) {
+    const Row* row = place.row(plp, "10%");
+    const double pop = of(row, M::pop), change = of(row, M::visible_change), flip = of(row, M::flip);
+    return found("popping " + percent(pop) + ", change of the exact set " + percent(change) + ", flipping pixels " +
+                     percent(flip),
+                 pop <= change && flip <= major_flip, row, {pop, change, flip});
+}
+
+Found overhead(const Place& place) {
+    const Row* culled = place.row(view_culling, "unlimited");
+    const double traversal = of(place.row(plp, "10%"), M::traverse_ms), culling = of(culled, M::traverse_ms),
+                 frame = of(culled, M::total_ms), more = (traversal - culling) / frame;
+    return found("traversal " + short_number(traversal) + " ms, view culling " + short_number(culling) + " of " +
+                     short_number(frame) + " ms",
+                 more <= negligible, nullptr, {more});
+}
+
+bool inside(const Place& place) { return place.here.path != outside; }
+
+Found best_image_on_octree(const Place& place) {
+    if (!inside(place)) return std::nullopt;
+    const Row *on_tree = place.row(plp_on_tree, "10%"), *delaunay = place.row(plp, "10%");
+    const double a = of(on_tree, M::wrong), b = of(delaunay, M::wrong), c = of(place.row(by_distance, "10%"), M::wrong);
+    return found("wrong pixels " + percent(a) + ", " + percent(b) + " and " + percent(c), a < b && b < c,
+                 a < b ? delaunay : on_tree, {a, b, c});
+}
+
+Found count_is_not_pixels(const Place& place) {
+    if (!inside(place)) return std::nullopt;
+    const Row *sorted = place.row(by_distance, "10%"), *tree = place.row(plp_on_tree, "10%"),
+              *delaunay = place.row(plp, "10%");
+    const double count = of(sorted, M::coverage), pixels = of(sorted, M::wrong),
+                 most = std::max(of(tree, M::coverage), of(delaunay, M::coverage)),
+                 more = std::max(of(tree, M::wrong), of(delaunay, M::wrong));
+    return found("coverage " + percent(count) + " against " + percent(most) + ", wrong pixels " + percent(pixels) +
+                     " against " + percent(more),
+                 count >= 0.9 * most && pixels > more, sorted, {count, most, pixels, more});
+}
+
+/// The share of what view culling draws that is hidden.
+double hidden_in_view(const Place& place) {
+    const Row* culled = place.row(view_culling, "unlimited");
+    return 1 - of(culled, M::visible) / of(culled, M::rendered);
+}
+
+Found walls_hide_from_outside(const Place& place) {
+    if (!inside(place)) return std::nullopt;
+    const auto at = std::find_if(place.all.begin(), place.all.end(), [&](const Group& other) {
+        return other.scene == place.here.scene && other.path == outside;
+    });
+    if (at == place.all.end()) return std::nullopt;
+    const Place from_outside{*at, place.all};
+    const Row* row = place.row(plp, "10%");
+    const double hidden = hidden_in_view(from_outside), hidden_here = hidden_in_view(place),
+                 coverage = of(from_outside.row(plp, "10%"), M::coverage), coverage_here = of(row, M::coverage);
+    return found("of what is in view " + percent(hidden) + " is hidden from outside, " + percent(hidden_here) +
+                     " from inside; at 10 % PLP finds " + percent(coverage) + " and " + percent(coverage_here),
+                 hidden > hidden_here && coverage > coverage_here, row, {hidden, hidden_here, coverage, coverage_here});
+}
+
+}  // namespace
+
+const Row* Place::row(const std::string& method, const std::string& budget) const {
+    for (const Row* row : here.rows)
+        if (row->budget == budget && method_text(row->method) == method) return row;
+    return nullptr;
+}
+
+std::span<const ClaimRow> claim_table() {
+    using enum Frames;
+    static const std::vector<std::string> city{"CITY"}, cars{"5CBEM"}, both{"CITY", "5CBEM"}, room{"ROOM"},
+        all{"CITY", "5CBEM", "ROOM"};
+    static const std::vector<ClaimRow> table{
+        {"TVCG 5.2.1", "At 10 % PLP on Delaunay cells finds over 90 % of what is visible in CITY.", "", city,
+         whole_path, [](const Place& p) { return at_least(p, plp, "10%", 0.9); }},
+        {"TVCG 5.2.1",
+         "At 10 % Delaunay cells find more than octree cells (64 %), and these more than sorting by distance (30 %) in "
+         "CITY.",
+         "", city, whole_path, order_by_count},
+        {"TVCG 5.2.3, table 1", "At 5 % PLP finds 80 % of what is visible in CITY.", "", city, whole_path,
+         [](const Place& p) { return at_least(p, plp, "5%", 0.8); }},
+        {"TVCG table 1", "At 1 % PLP finds over 40 % of what is visible in CITY and in 5CBEM.", "", both, whole_path,
+         [](const Place& p) { return at_least(p, plp, "1%", 0.4); }},
+        {"TVCG 5.2.3", "At 5 % PLP is 4 times as fast as the whole of CITY.", "against view culling", city, whole_path,
+         [](const Place& p) { return as_fast(p, plp, "5%", 4); }},
+        {"TVCG 5.2.3", "At 1 % PLP is more than 10 times as fast as the whole of 5CBEM.", "against view culling", cars,
+         whole_path, [](const Place& p) { return as_fast(p, plp, "1%", 10); }},
+        {"TVCG 5.2.1, fig. 12c", "At 10 % PLP on Delaunay cells is over 2 times as fast as the whole of CITY.",
+         "against view culling", city, whole_path, [](const Place& p) { return as_fast(p, plp, "10%", 2); }},
+        {"TVCG 5.2.1, fig. 12c", "At 10 % PLP on octree cells is about 4 times as fast as the whole of CITY.",
+         "against view culling, at least 3.5 times", city, whole_path,
+         [](const Place& p) { return as_fast(p, plp_on_tree, "10%", about_four); }},
+        {"TVCG 7", "PLP is faster on octree cells than on Delaunay cells.", "at 10 %", all, whole_path,
+         octree_is_faster},
+        {"TVCG 7", "Octree cells do not keep to the layers of the primitives as well as Delaunay cells do.",
+         "at 10 %, mean layering number of what is rendered", all, whole_path, octree_layers_worse},
+        {"TVCG 1", "PLP adds negligible overhead to view culling.",
+         "at 10 %, the traversal takes longer than view culling by at most a tenth of a view-culled frame", all,
+         whole_path, overhead},
+        {"TVCG 5.2, 5.2.1", "At 10 % PLP on Delaunay cells gets at most 4 % of the pixels of CITY wrong in any frame.",
+         "", city, whole_path, [](const Place& p) { return worst_wrong(p, plp, 0.04); }},
+        {"TVCG 5.2.1", "At 10 % PLP on octree cells gets at most 9 % of the pixels of CITY wrong in any frame.", "",
+         city, whole_path, [](const Place& p) { return worst_wrong(p, plp_on_tree, 0.09); }},
+        {"TVCG 5.2.1, fig. 12b",
+         "At 10 % the worst frame has fewest wrong pixels on Delaunay cells (4 %), more on octree cells (9 %) and most "
+         "when sorted by distance (40 %) in CITY.",
+         "", city, whole_path, order_by_worst_pixels},
+        {"TVCG 5.2", "At 10 % PLP gets at most 12 % of the pixels of 5CBEM wrong in any frame.", "", cars, whole_path,
+         [](const Place& p) { return worst_wrong(p, plp, 0.12); }},
+        {"TVCG 5.2.3, figs. 10a and 11a",
+         "Along a path PLP's count of visible primitives resembles the exact one, that of sorting by distance does "
+         "not.",
+         "at 10 %, the larger r", both, whole_path, resembles},
+        {"TVCG 7", "The visible set that PLP estimates is stable: no major popping between nearby viewpoints.",
+         "at 10 %, neighbouring frames: popping below the change of the exact set, and at most 1 % of the pixels flip",
+         both, neighbours, stable},
+        {"TVCG 5.2.2, figs. 13 and 14",
+         "In ROOM octree cells give the best image, Delaunay cells the second best and sorting by distance the worst.",
+         "wrong pixels at 10 %", room, whole_path, best_image_on_octree},
+        {"TVCG 5.2.2, fig. 15",
+         "In ROOM sorting by distance does well by the count of visible primitives, and yet gets most pixels wrong.",
+         "at 10 %, nine tenths of the best count of PLP, and more wrong pixels than either", room, whole_path,
+         count_is_not_pixels},
+        {"TVCG 5.2.2", "The walls of ROOM make culling easy from outside; from inside they hide nothing in it.",
+         "more of what is in view is hidden from outside, and PLP finds more at 10 %", room, whole_path,
+         walls_hide_from_outside}};
+    return table;
+}
+
+}  // namespace sightline::lab
