@@ -87,12 +87,8 @@ PrimitiveSight sight_of(const Scene<3>& scene, const View<3>& view, const Refere
         return sight;
     }
     const IdImage& image = reference.image;
-    Scene<3> alone;
-    alone.primitives = {triangle};
-    alone.two_sided = {1};
     std::vector<ImageCorner> corners;
-    std::size_t next = 0;
-    append_image_triangles(alone, view, {image.width, image.height}, next, 1, corners);
+    append_image_triangle(scene, view, image_plane(view), {image.width, image.height}, primitive, corners);
     Box<2> box;
     for (const ImageCorner& corner : corners) box.add({corner.x, corner.y});
     const auto index = [](double at, int pixels) {
