@@ -3,6 +3,7 @@
 
 #include <iostream>
 
+#include "core/base/error.h"
 #include "core/session/settings_table.h"
 #include "shell/gl/context.h"
 #include "shell/gl/draw_clock.h"
@@ -45,6 +46,15 @@ TimeDrawing LabGraphics::time_drawing(const ImageSize& asked) {
     };
 }
 
-std::string LabGraphics::description() { return made().context.description(); }
+bool LabGraphics::has_opengl() {
+    try {
+        made();
+        return true;
+    } catch (const WorkError&) {
+        return false;
+    }
+}
+
+std::string LabGraphics::description() { return has_opengl() ? made().context.description() : "no OpenGL"; }
 
 }  // namespace sightline::lab

@@ -26,7 +26,8 @@ public:
     DrawSolid draw_solid();
     /// Lit, at this size.
     TimeDrawing time_drawing(const ImageSize& size);
-    /// OpenGL's version and renderer. Throws as the others do.
+    bool has_opengl();
+    /// OpenGL's version and renderer, or that there is none.
     std::string description();
 
 private:

@@ -66,13 +66,14 @@ std::uintmax_t size_of(const std::filesystem::path& file) {
     return error ? 0 : size;
 }
 
-/// The report with its pictures; without them where a scene is not here, as on the machine that merges.
+/// The report with its pictures; without them where a scene is not here, as on the machine that merges, or OpenGL.
 void write_report_of(const Results& results, const Study& study, const std::filesystem::path& folder,
                      LabGraphics& graphics) {
     say("drawing the worst frames and the charts");
     const std::vector<Claim> claims = judge_claims(results);
     ReportPictures pictures;
     try {
+        if (has_3d(study) && !graphics.has_opengl()) throw InputError("there is no OpenGL");
         pictures = draw_report_pictures(results, claims, study, folder / "pictures", graphics);
     } catch (const InputError& error) {
         say("");

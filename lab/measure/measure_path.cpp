@@ -4,6 +4,7 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 #include "core/base/error.h"
@@ -175,7 +176,11 @@ private:
                 }
                 if constexpr (D == 3)
                     if (instruments_.time_drawing) time_drawing(i, *c.timed, ids, times);
-                set_times(times, now.methods[m].values[b]);
+                Values& values = now.methods[m].values[b];
+                set_times(times, values);
+                // Without OpenGL the total would leave the drawing out.
+                if (D == 3 && !instruments_.time_drawing)
+                    values[Measure::total_ms] = values[Measure::total_error] = std::numeric_limits<double>::quiet_NaN();
             }
     }
 

@@ -72,7 +72,8 @@ bool measure(const Unit& unit, LabGraphics& graphics, const StudyRun& run, Check
 
     Instruments instruments;
     instruments.draw_ids = graphics.draw_ids();
-    instruments.time_drawing = graphics.time_drawing(unit.study.size);
+    // Without OpenGL nothing is drawn that could be timed.
+    if (D == 3 && graphics.has_opengl()) instruments.time_drawing = graphics.time_drawing(unit.study.size);
     bool complete = frames == 0;
     instruments.finished = [&](std::uint32_t frame) -> std::optional<FrameResult> {
         const std::string* piece = checkpoint.find(key_of(frame));

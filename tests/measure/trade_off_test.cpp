@@ -379,7 +379,8 @@ TEST_F(TradeOffOf, SaysWhatEachDotIsAndAClickSetsIt) {
 TEST_F(TradeOffOf, AnErrorStopsItAndIsItsWord) {
     Random random(64);
     Start3 start = random_start_3d(random);
-    Workbench<3> solid{Session<3>(start.scene, start.view, start.settings)};  // without OpenGL
+    Workbench<3> solid{Session<3>(start.scene, start.view, start.settings)};
+    solid.graphics.draw_ids = [](const auto&...) -> std::vector<IdImage> { throw WorkError("OpenGL is lost"); };
     solid.say = [](const std::string&) {};
     EXPECT_FALSE(advance_trade_off(solid, 1000));
     EXPECT_TRUE(solid.trade_off.stopped);
