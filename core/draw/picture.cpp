@@ -81,6 +81,7 @@ private:
         for (std::uint32_t cell = 0; cell < cells_.cell_count(); ++cell)
             if (session_.mark(cell).state == CellState::projected)
                 for (const HalfFacet& half : cells_.facets_of(cell)) {
+                    if (cells_.is_contact(half.facet())) continue;
                     const auto [a, b] = facet_ends(cells_, half);
                     list_.add(ShapeKind::polyline, index(Look::projected), {a, b});
                 }
@@ -104,6 +105,7 @@ private:
 
     void tessellation() {
         for (std::uint32_t facet = 0; facet < cells_.facet_count(); ++facet) {
+            if (cells_.is_contact(facet)) continue;
             const auto ends = cells_.points_of_facet(facet);
             list_.add(ShapeKind::polyline, index(Look::tessellation), {cells_.points[ends[0]], cells_.points[ends[1]]});
         }
@@ -159,7 +161,7 @@ private:
         const auto halo = static_cast<std::uint16_t>(list_.styles.size());
         list_.styles.push_back(rim);
         for (const HalfFacet& half : cells_.facets_of(cell)) {
-            if (half.neighbour == none) continue;
+            if (half.neighbour == none || cells_.is_contact(half.facet())) continue;
             const FacetGeometry<2> facet = facet_geometry(cells_, half);
             const Vec<2> n = facet.normal / glm::length(facet.normal);
             list_.add(ShapeKind::polyline, index(Look::eye_ray), {eye, facet.centroid});

@@ -125,7 +125,7 @@ private:
         if (cell == none) return;
         const std::uint16_t rim = add_style("rim of normals", colours_.halo, 3.2);
         for (const HalfFacet& half : cells_.facets_of(cell)) {
-            if (half.neighbour == none) continue;
+            if (half.neighbour == none || cells_.is_contact(half.facet())) continue;
             const FacetGeometry<3> facet = facet_geometry(cells_, half);
             const double length = glm::length(facet.centroid - cells_.centre(cell));
             const Vec<3> tip = facet.centroid + facet.normal * (length / glm::length(facet.normal));
@@ -204,7 +204,8 @@ private:
     double room_about_centre(std::uint32_t cell) const {
         double room = std::numeric_limits<double>::infinity();
         for (const HalfFacet& half : cells_.facets_of(cell))
-            room = std::min(room, distance_to_facet(cells_, half.facet(), cells_.centre(cell)));
+            if (!cells_.is_contact(half.facet()))
+                room = std::min(room, distance_to_facet(cells_, half.facet(), cells_.centre(cell)));
         const double height = glm::length(camera_.corners[3] - camera_.corners[0]);
         return room * set_.shrink / (height * depth(camera_, cells_.centre(cell)));
     }

@@ -117,6 +117,7 @@ public:
             const CellPaint& own = paint_[cell];
             if (!has_faces(own)) continue;
             for (const HalfFacet& half : cells_.facets_of(cell)) {
+                if (cells_.is_contact(half.facet())) continue;
                 if (!draws_face(own, half.neighbour == none ? nullptr : &paint_[half.neighbour])) continue;
                 const auto polygon = cells_.points_of_facet(half.facet());
                 for (const std::uint32_t p : polygon) list_.points.push_back(cells_.points[p]);

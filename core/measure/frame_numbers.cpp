@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/measure/wrong_region.h"
+#include "core/methods/cells/cell_parameters.h"
 
 namespace sightline {
 
@@ -24,6 +25,8 @@ WholeRunner<D>::WholeRunner(const Method<D>& method, Problem<D> problem) {
     run_ = method.start(problem);
     recording_.start = run_->counters();
     largest_front_ = run_->counters().front_size;
+    counts_cells_ = method.parameter(budget_counts_row().name) &&
+                    problem.parameters.template choice<BudgetCounts>(budget_counts_row()) == BudgetCounts::per_cell;
     whole_.culled_costs = problem.parameters.template choice<CulledCost>(culled_cost_row()) == CulledCost::charged;
 }
 
@@ -35,6 +38,11 @@ bool WholeRunner<D>::advance(std::uint32_t steps) {
         largest_front_ = std::max(largest_front_, run_->counters().front_size);
         whole_.touched_after.push_back(run_->counters().touched_count);
         whole_.largest_front.push_back(largest_front_);
+        if (counts_cells_) whole_.spent_after.push_back(run_->counters().spent);
+        if (const Step& step = recording_.steps.back(); step.item.kind == Kind::cell) {
+            zero_keys_ += step.key == 0;
+            whole_.zero_keys_after.push_back(zero_keys_);
+        }
     }
     return true;
 }
@@ -71,6 +79,13 @@ WholeRun whole_run(const Method<D>& method, Problem<D> problem, const Reference&
 }
 
 Cut cut_at(const WholeRun& run, std::uint32_t budget) {
+    if (!run.spent_after.empty()) {  // whole cells: the step that reaches the budget is the last
+        if (budget == 0) return {};
+        const auto reached = std::lower_bound(run.spent_after.begin(), run.spent_after.end(), budget);
+        const auto steps = std::min<std::size_t>(static_cast<std::size_t>(reached - run.spent_after.begin()) + 1,
+                                                 run.spent_after.size());
+        return {run.touched_after[steps - 1], steps};
+    }
     std::uint32_t spent = 0;
     std::size_t end = 0;
     for (; spent < budget && end < run.met.size(); ++end) spent += run.culled_costs || !run.met[end].culled();
@@ -120,6 +135,8 @@ Values frame_numbers(const WholeRun& run, const Truth& truth, std::uint32_t budg
 
     const std::size_t steps = cut_at(run, budget).steps;
     v[M::steps] = static_cast<double>(steps);
+    if (steps > 0 && run.zero_keys_after.size() >= steps)
+        v[M::zero_keys] = ratio(run.zero_keys_after[steps - 1], static_cast<double>(steps));
     v[M::front] = steps > 0 ? run.largest_front[steps - 1] : 0;
     if (!run.inversions) return v;
     v[M::mis_ranked] = v[M::unreached] = 0;

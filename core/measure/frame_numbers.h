@@ -22,6 +22,8 @@ struct WholeRun {
     std::optional<std::vector<Inversion>> inversions;  ///< by step; nothing: not made
     std::optional<std::uint32_t> k95;                  ///< rendered primitives with coverage >= 0.95 for the first time
     bool culled_costs = false;                         ///< the parameter culled_cost
+    std::vector<std::uint32_t> zero_keys_after;        ///< per step, how many popped a cell with key 0; empty: no cells
+    std::vector<std::uint32_t> spent_after;            ///< per step, with budget_counts=per_cell; else empty
 };
 
 /// The same in slices, for callers that must stay responsive.
@@ -39,7 +41,8 @@ private:
     OwnRun<D> run_;
     Recording recording_;
     WholeRun whole_;
-    std::uint32_t largest_front_ = 0;
+    std::uint32_t largest_front_ = 0, zero_keys_ = 0;
+    bool counts_cells_ = false;
 };
 
 /// A WholeRunner from its start to its end.

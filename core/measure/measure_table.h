@@ -28,6 +28,7 @@ enum class Measure : std::uint8_t {
     unreached,
     zeta,
     steps,
+    zero_keys,
     front,
     pop,
     flip,

@@ -31,6 +31,19 @@ std::optional<double> oracle(const Reference& reference, std::size_t k) {
 }
 
 template <int D>
+std::optional<double> zero_key_share(const Run<D>& run) {
+    std::uint32_t popped = 0, zeros = 0;
+    for (std::uint32_t cell = 0; cell < run.problem().cells->cell_count(); ++cell) {
+        const Mark mark = run.mark(cell);
+        if (mark.state != CellState::projected) continue;
+        ++popped;
+        zeros += mark.key == 0;
+    }
+    if (popped == 0) return std::nullopt;
+    return static_cast<double>(zeros) / static_cast<double>(popped);
+}
+
+template <int D>
 std::optional<double> cell_oracle(const Reference& reference, const Problem<D>& problem) {
     if (reference.count == 0) return std::nullopt;
     std::vector<std::uint32_t> order(problem.cells->cell_count());
@@ -52,6 +65,8 @@ std::optional<double> cell_oracle(const Reference& reference, const Problem<D>& 
     return coverage(reference, visible_rendered(reference, drawn.all()));
 }
 
+template std::optional<double> zero_key_share<2>(const Run<2>&);
+template std::optional<double> zero_key_share<3>(const Run<3>&);
 template std::optional<double> cell_oracle<2>(const Reference&, const Problem<2>&);
 template std::optional<double> cell_oracle<3>(const Reference&, const Problem<3>&);
 

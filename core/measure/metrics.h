@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "core/run/problem.h"
+#include "core/run/run.h"
 #include "core/truth/reference.h"
 
 namespace sightline {
@@ -20,6 +20,11 @@ double wrong_pixels(const Reference& reference, std::span<const Met> met);
 
 /// ε = |V ∩ T| / |V|; nothing when |V| = 0.
 std::optional<double> coverage(const Reference& reference, std::size_t visible_rendered);
+
+/// The share of a run's steps that popped a cell with key 0: there the order of entry alone decided. Nothing for a run
+/// that has popped no cell.
+template <int D>
+std::optional<double> zero_key_share(const Run<D>& run);
 
 /// The best that k primitives can do: min(1, k / |V|); nothing when |V| = 0.
 std::optional<double> oracle(const Reference& reference, std::size_t k);

@@ -37,7 +37,7 @@ void for_bands(const Scene<3>& scene, const View<3>& view, const ImageSize& size
             append_image_triangle(scene, view, plane, size, all ? i : primitives[i], corners);
             for (std::size_t k = 0; k < corners.size(); k += 3) {
                 FixedTriangle triangle;
-                if (!snap(&corners[k], size, triangle)) continue;
+                if (!snap_triangle(&corners[k], size, triangle)) continue;
                 const auto [top, bottom] = std::minmax({triangle.y[0], triangle.y[1], triangle.y[2]});
                 const int first = std::max(first_centre(top), 0), end = std::min(first_centre(bottom), size.height);
                 for (int band = first / band_rows; band <= (end - 1) / band_rows; ++band)

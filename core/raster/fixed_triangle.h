@@ -46,7 +46,7 @@ constexpr std::int32_t first_centre(std::int32_t place) {
 
 /// Snaps the triangle at `corners`. False when it covers no pixel: no area is left, or no centre of a pixel of the
 /// image lies in its box.
-inline bool snap(const ImageCorner* corners, const ImageSize& size, FixedTriangle& triangle) {
+inline bool snap_triangle(const ImageCorner* corners, const ImageSize& size, FixedTriangle& triangle) {
     for (std::size_t i = 0; i < 3; ++i) {
         triangle.x[i] =
             static_cast<std::int32_t>(std::floor((corners[i].x + 1.0) * (0.5 * subpixels * size.width) + 0.5));

@@ -75,8 +75,8 @@ std::uint32_t count_seen(const SeenShape& shape, const DepthImage& image, const 
     return descent.count;
 }
 
-Sight look_at(const SeenShape& shape, const DepthImage& image) {
-    Sight sight;
+ShapeSight look_at(const SeenShape& shape, const DepthImage& image) {
+    ShapeSight sight;
     for (int y = 0; y < image.height; ++y)
         for (int x = 0; x < image.width; ++x) {
             const std::size_t at = image.index(x, y);

@@ -23,13 +23,13 @@ std::optional<Pixel> find_seen(const SeenShape& shape, const DepthImage& image, 
 /// How many pixels show it.
 std::uint32_t count_seen(const SeenShape& shape, const DepthImage& image, const DepthPyramid& pyramid);
 
-struct Sight {
+struct ShapeSight {
     std::uint32_t pixels = 0;  ///< that it covers, seen or not
     std::uint32_t seen = 0;
     std::vector<std::uint32_t> hidden_by;  ///< ascending: the primitives at the others
 };
 
 /// Pixel by pixel, for those who ask why.
-Sight look_at(const SeenShape& shape, const DepthImage& image);
+ShapeSight look_at(const SeenShape& shape, const DepthImage& image);
 
 }  // namespace sightline

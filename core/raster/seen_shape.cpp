@@ -73,9 +73,9 @@ private:
     bool give_edges(SeenFace& face, const Points& seen) const {
         Box<2> box;
         for (const Vec<3>& p : seen) box.add(pixel(p));
-        const auto first = [](double low) { return std::max(0.0, std::ceil(low - 0.5 - widened)); };
+        const auto first = [](double low) { return std::max(0.0, std::ceil(low - 0.5 - query_margin)); };
         const auto end = [](double high, int pixels) {
-            return std::min<double>(pixels, std::floor(high - 0.5 + widened) + 1);
+            return std::min<double>(pixels, std::floor(high - 0.5 + query_margin) + 1);
         };
         const double left = first(box.min.x), right = end(box.max.x, size_.width), top = first(box.min.y),
                      bottom = end(box.max.y, size_.height);
@@ -88,7 +88,7 @@ private:
             const Vec<2> a = pixel(seen[i]), d = pixel(seen[(i + 1) % seen.size()]) - a;
             const double length = std::abs(d.x) + std::abs(d.y);
             if (length < 1.0 / 1024) continue;  // where it runs is rounding; the others and the box say enough
-            face.edges.push_back({-d.y, d.x, d.x * (0.5 - a.y) - d.y * (0.5 - a.x) + widened * length});
+            face.edges.push_back({-d.y, d.x, d.x * (0.5 - a.y) - d.y * (0.5 - a.x) + query_margin * length});
         }
         return true;
     }
@@ -104,7 +104,7 @@ private:
         // One over w is normal * (x, y, 1) / turned, for x and y from -1 to 1.
         const double x = normal.x / turned * 2 / size_.width, y = -normal.y / turned * 2 / size_.height,
                      at = (normal.z - normal.x + normal.y) / turned + 0.5 * (x + y);
-        const double more = (std::abs(x) + std::abs(y)) * widened + 4 * unsure / std::abs(turned);
+        const double more = (std::abs(x) + std::abs(y)) * query_margin + 4 * unsure / std::abs(turned);
         face.nearness_0 = (at + more) * nearness_1 * depth_step;
         face.nearness_x = x * nearness_1 * depth_step;
         face.nearness_y = y * nearness_1 * depth_step;

@@ -12,7 +12,7 @@ namespace sightline {
 
 /// How far hidden-tests are widened, in pixels: farther than corners move when they are rounded and snapped. Depths are
 /// widened by a step of a float.
-constexpr double widened = 1.0 / 128;
+constexpr double query_margin = 1.0 / 128;
 
 /// A convex polygon in the image. Whatever lies on its far side or in it, drawn by draw_depth, covers no pixel beyond
 /// these, and is nowhere nearer.

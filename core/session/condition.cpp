@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/condition.h"
 
+#include <algorithm>
 #include <limits>
 
+#include "core/base/error.h"
 #include "core/methods/cells/cell_rules.h"
 
 namespace sightline {
@@ -89,30 +91,68 @@ std::span<const RecordField<D>> record_fields() {
     return fields<D>();
 }
 
+template <int D>
+std::vector<Field<D>> own_fields(std::span<const Field<D>> of_method) {
+    std::vector<Field<D>> own;
+    for (const Field<D>& field : of_method)
+        if (std::none_of(fields<D>().begin(), fields<D>().end(),
+                         [&](const RecordField<D>& known) { return known.name == field.name; }))
+            own.push_back(field);
+    return own;
+}
+
 namespace {
 
 template <int D>
-Formula formula_of(const std::string& text) {
+std::vector<std::string_view> own_names(std::span<const Field<D>> of_method) {
+    std::vector<std::string_view> names;
+    for (const Field<D>& field : own_fields(of_method)) names.push_back(field.name);
+    return names;
+}
+
+/// Of what the last step popped; NaN where the run has no such field or the item no such number.
+template <int D>
+double own_value(const Session<D>& s, std::string_view name) {
+    for (const Field<D>& field : s.traversal().fields())
+        if (field.name == name) return field.value(s.traversal(), last(s).item).value_or(no_value);
+    return no_value;
+}
+
+template <int D>
+Formula formula_of(const std::string& text, std::span<const std::string_view> own) {
     std::string formula = text;
     for (const std::string_view word : {"step", "cell"})
         if (text.starts_with(std::string(word) + ":"))
             formula = std::string(word) + " == " + text.substr(word.size() + 1);
     std::vector<std::string_view> names;
     for (const RecordField<D>& field : fields<D>()) names.push_back(field.name);
+    names.insert(names.end(), own.begin(), own.end());
     return Formula(formula, names, "condition", text);
 }
 
 }  // namespace
 
 template <int D>
-Condition<D>::Condition(std::string_view text) : text_(text), formula_(formula_of<D>(text_)) {}
+Condition<D>::Condition(std::string_view text, std::span<const Field<D>> of_method)
+    : text_(text), own_(own_names(of_method)), formula_(formula_of<D>(text_, own_)) {}
 
 template <int D>
 bool Condition<D>::holds(const Session<D>& session) const {
     if (session.position() == 0) return false;
-    std::vector<double> values(fields<D>().size());
-    for (const std::size_t i : formula_.used()) values[i] = fields<D>()[i].value(session);
+    const std::size_t known = fields<D>().size();
+    std::vector<double> values(known + own_.size());
+    for (const std::size_t i : formula_.used())
+        values[i] = i < known ? fields<D>()[i].value(session) : own_value(session, own_[i - known]);
     return formula_.holds(values);
+}
+
+template <int D>
+std::optional<Condition<D>> condition_here(const Session<D>& session, std::string_view text) {
+    try {
+        return condition_for(session, text);
+    } catch (const InputError&) {
+        return std::nullopt;
+    }
 }
 
 template <int D>
@@ -133,8 +173,12 @@ std::vector<std::uint32_t> matches(const Session<D>& session, const Condition<D>
 
 template std::span<const RecordField<2>> record_fields<2>();
 template std::span<const RecordField<3>> record_fields<3>();
+template std::vector<Field<2>> own_fields<2>(std::span<const Field<2>>);
+template std::vector<Field<3>> own_fields<3>(std::span<const Field<3>>);
 template class Condition<2>;
 template class Condition<3>;
+template std::optional<Condition<2>> condition_here<2>(const Session<2>&, std::string_view);
+template std::optional<Condition<3>> condition_here<3>(const Session<3>&, std::string_view);
 template Stop run_until<2>(Session<2>&, const Condition<2>&);
 template Stop run_until<3>(Session<3>&, const Condition<3>&);
 template std::vector<std::uint32_t> matches<2>(const Session<2>&, const Condition<2>&);

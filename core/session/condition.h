@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -23,24 +24,41 @@ struct RecordField {
 template <int D>
 std::span<const RecordField<D>> record_fields();
 
+/// The fields of a method (Run::fields) whose names record_fields() does not have.
+template <int D>
+std::vector<Field<D>> own_fields(std::span<const Field<D>> of_method);
+
 /// Operators are those of Formula.
 template <int D>
 class Condition {
 public:
-    /// Throws InputError that says what is wrong and where in the text.
-    explicit Condition(std::string_view text);
+    /// Beside the names of record_fields() those of the method's own fields (Run::fields) are known, of what the step
+    /// popped. Throws InputError that says what is wrong and where in the text.
+    explicit Condition(std::string_view text, std::span<const Field<D>> of_method = {});
 
-    /// Whether it holds for the session's last step. False at step 0. NaN compares false.
+    /// Whether it holds for the session's last step. False at step 0. NaN compares false; a field that the run does not
+    /// have is NaN.
     bool holds(const Session<D>& session) const;
     const std::string& text() const { return text_; }
 
 private:
     std::string text_;
+    std::vector<std::string_view> own_;  ///< names of own_fields(), behind those of record_fields()
     Formula formula_;
 };
 
 extern template class Condition<2>;
 extern template class Condition<3>;
+
+/// One over what the session's method has.
+template <int D>
+Condition<D> condition_for(const Session<D>& session, std::string_view text) {
+    return Condition<D>(text, session.traversal().fields());
+}
+
+/// Nothing where it names what the session's method does not have: such a condition never holds here.
+template <int D>
+std::optional<Condition<D>> condition_here(const Session<D>& session, std::string_view text);
 
 /// As Session::run_until.
 template <int D>

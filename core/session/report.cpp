@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/number.h"
+#include "core/session/condition.h"
 #include "core/session/explain.h"
 #include "core/truth/truth.h"
 
@@ -91,6 +92,7 @@ std::string stats_json(const Session<D>& session, Stop stop) {
         {"rho_max", session.cells().rho_max},
         {"budget", budget_in_primitives(session)},
         {"steps", session.position()},
+        {"zero_key_share", or_null(zero_key_share(session.traversal()))},
         {"projected", cells_in[static_cast<std::size_t>(CellState::projected)]},
         {"enqueued", cells_in[static_cast<std::size_t>(CellState::enqueued)]},
         {"unseen", cells_in[static_cast<std::size_t>(CellState::unseen)]},
@@ -135,6 +137,8 @@ std::string stats_json(const Session<D>& session, Stop stop) {
 template <int D>
 std::string trace_json(const Session<D>& session) {
     OrderedJson steps = OrderedJson::array();
+    const std::vector<Field<D>> own = own_fields(session.traversal().fields());
+    Session<D> walker = copy_at(session, 0);
     for (std::uint32_t step = 1; step <= session.position(); ++step) {
         const StepExplanation e = explain_step(session, step);
         const Counters &before = session.timeline().before(step), &after = session.timeline().after(step);
@@ -162,6 +166,11 @@ std::string trace_json(const Session<D>& session) {
             facets.push_back(std::move(facet));
         }
         row["facets"] = std::move(facets);
+        if (!own.empty()) {
+            walker.seek(step);
+            for (const Field<D>& field : own)
+                row["fields"][std::string(field.name)] = or_null(field.value(walker.traversal(), e.item));
+        }
         steps.push_back(std::move(row));
     }
     const OrderedJson json{{"format", "sightline-trace"},
@@ -183,6 +192,7 @@ std::string conditions(const Session<D>& session) {
     text += ", " + std::to_string(scene.primitives.size()) + primitives + ". Method " + settings.method + " (" +
             session.guarantee() + "), " + std::to_string(session.cells().cell_count()) + " " +
             (settings.tessellation == Tessellation::delaunay ? "Delaunay"
+             : settings.tessellation == Tessellation::kd     ? "kd-tree"
              : D == 2                                        ? "quadtree"
                                                              : "octree") +
             " cells, budget " + budget_text(settings.budget);

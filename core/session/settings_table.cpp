@@ -125,7 +125,7 @@ std::vector<SettingRow> own_rows() {
                               "read two-sided lines of a level too, not only its solid walls"),
 
         choice<&S::tessellation>("tessellation", Invalidates::tessellation, "TVCG 4.3",
-                                 "cells: Delaunay of the leaf centres, or the leaves of the tree"),
+                                 "cells: Delaunay of the leaf centres, the leaves of the tree, or those of a kd-tree"),
         real<&S::error_bound>("error_bound", {0, 1, true, false}, Invalidates::tessellation, "(0, 1]",
                               "TVCG 4.3, note 4", "leaves are split down to this share of the scene's longest side"),
         choice<&S::border>("border", Invalidates::tessellation, "docs/algorithm.md, border",
@@ -134,6 +134,13 @@ std::vector<SettingRow> own_rows() {
                          "random shift of a leaf's centre, in sides of the leaf"),
         whole<&S::seed, 0, 0xffffffffffffffffull>("seed", Invalidates::tessellation, "[0, 2^64)", "TVCG 4.3",
                                                   "seed of the jitter"),
+        whole<&S::leaf_capacity, 1, 1'000'000>("leaf_capacity", Invalidates::tessellation, "[1, 1000000]", "TVCG 4.3",
+                                               "a leaf that holds no more points than this is not split: ends or "
+                                               "corners of primitives, in a kd-tree their middles"),
+        choice<&S::empty_leaves>("empty_leaves", Invalidates::tessellation, "TVCG 4.3",
+                                 "leaves without a vertex: their centres count too, or are dropped (Delaunay)"),
+        choice<&S::neighbours>("neighbours", Invalidates::tessellation, "gem, add_neighbors_to_front",
+                               "cells next to a leaf share a facet with it, or touch it at all (tree and kd)"),
 
         SettingRow{"method", "which rule orders cells or primitives; see --help for the ids", "TVCG 5",
                    Invalidates::traversal, "a method id", MemberText<&S::method>::get,
@@ -276,25 +283,48 @@ const SettingRow& apply_setting(Settings& settings, std::string_view assignment)
 std::span<const Preset> presets() {
     static const std::vector<Preset> table{
         {"default",
-         "every traversal setting at its default",
+         "the method's parameters at their defaults",
          {"view_vector=eye", "transfer_sign=clamp", "on_reenqueue=replace", "star_shaped=on", "penalty=multiply",
-          "penalty_amount=2", "solidity_scale=max", "outside_view=unseen", "culled_cost=free",
-          "neighbours_before_break=yes", "seeds=one", "border=inflated", "jitter=0.02", "error_bound=0.05"}},
-        {"letter",
-         "the papers to the letter, as the 2D prototype of TR: no star-shape test",
+          "penalty_amount=2", "solidity_scale=max", "own_content=off", "budget_counts=each_once", "outside_view=unseen",
+          "culled_cost=free", "neighbours_before_break=yes", "seeds=one"}},
+        {"prototype-2d",
+         "PLP as printed, without the star-shape test, as the 2D program of TR",
          {"view_vector=camera", "transfer_sign=signed", "on_reenqueue=replace", "star_shaped=off", "penalty=multiply",
-          "penalty_amount=2", "solidity_scale=max", "outside_view=enqueue", "culled_cost=free",
-          "neighbours_before_break=no", "seeds=one", "border=none", "jitter=0.02", "error_bound=0.05"}},
+          "penalty_amount=2", "solidity_scale=max", "own_content=off", "budget_counts=each_once",
+          "outside_view=enqueue", "culled_cost=free", "neighbours_before_break=no", "seeds=one"}},
+        {"paper-3d",
+         "PLP as printed, with the star-shape test, as the 3D program of TR and TVCG",
+         {"view_vector=camera", "transfer_sign=signed", "on_reenqueue=replace", "star_shaped=on", "penalty=multiply",
+          "penalty_amount=2", "solidity_scale=max", "own_content=off", "budget_counts=each_once",
+          "outside_view=enqueue", "culled_cost=free", "neighbours_before_break=no", "seeds=one"}},
     };
     return table;
 }
 
+namespace {
+
+/// Presets that scripts of earlier versions name: they still do what they did. Shown nowhere.
+std::span<const Preset> old_presets() {
+    static const std::vector<Preset> table{
+        {"letter",
+         "prototype-2d, and the cells of the papers",
+         {"view_vector=camera", "transfer_sign=signed", "on_reenqueue=replace", "star_shaped=off", "penalty=multiply",
+          "penalty_amount=2", "solidity_scale=max", "own_content=off", "budget_counts=each_once",
+          "outside_view=enqueue", "culled_cost=free", "neighbours_before_break=no", "seeds=one", "border=none",
+          "jitter=0.02", "error_bound=0.05"}},
+    };
+    return table;
+}
+
+}  // namespace
+
 void apply_preset(Settings& settings, std::string_view id) {
-    for (const Preset& preset : presets())
-        if (preset.id == id) {
-            for (const std::string_view assignment : preset.assignments) apply_setting(settings, assignment);
-            return;
-        }
+    for (const auto table : {presets(), old_presets()})
+        for (const Preset& preset : table)
+            if (preset.id == id) {
+                for (const std::string_view assignment : preset.assignments) apply_setting(settings, assignment);
+                return;
+            }
     std::string known;
     for (const Preset& preset : presets()) known += (known.empty() ? "" : ", ") + std::string(preset.id);
     throw InputError("preset '" + std::string(id) + "' does not exist; there are " + known);

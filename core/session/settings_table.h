@@ -64,7 +64,8 @@ struct Preset {
     std::vector<std::string_view> assignments;
 };
 
-/// Named sets of assignments, applied on top of the current settings.
+/// Named sets of assignments, applied on top of the current settings. They set parameters of methods and leave the
+/// tessellation alone: what they are compared with then has the same cells.
 std::span<const Preset> presets();
 
 /// Throws InputError that lists the presets when the id is unknown.

@@ -174,7 +174,7 @@ template <int D>
 void read_breakpoints(const Json& json, Session<D>& session) {
     for (const Json& breakpoint : list(json, "breakpoints")) {
         session.breakpoints.push_back({breakpoint.at("condition").get<std::string>(), breakpoint.at("on").get<bool>()});
-        const Condition<D> must_be_one(session.breakpoints.back().condition);
+        condition_for(session, session.breakpoints.back().condition);  // throws for what is none
     }
 }
 
@@ -315,7 +315,8 @@ OrderedJson session_part(const Session<D>& session) {
     for (const Bookmark& bookmark : session.bookmarks)
         json["bookmarks"].push_back({{"step", bookmark.step}, {"label", bookmark.label}});
     for (const Breakpoint& breakpoint : session.breakpoints)
-        json["breakpoints"].push_back({{"condition", breakpoint.condition}, {"on", breakpoint.on}});
+        if (condition_here(session, breakpoint.condition))  // one over another method's fields could not be read again
+            json["breakpoints"].push_back({{"condition", breakpoint.condition}, {"on", breakpoint.on}});
     for (const Note<D>& note : session.notes) json["notes"].push_back(note_json<D>(note));
     return json;
 }

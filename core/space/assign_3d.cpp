@@ -1,5 +1,5 @@
 // Which cells a triangle meets. Tetrahedra: from the cell of a corner across facets; most triangles lie inside one
-// cell and are done with it, the others cost what they cross. Leaves: down the tree.
+// cell and are done with it, the others cost what they cross. Leaves of an octree or a kd-tree: down the tree.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
@@ -91,14 +91,19 @@ private:
             return;
         }
         const Vec<3>& middle = tree_.nodes[at.first_child].box.max;
-        std::uint32_t low = 0, high = 0;  // bit i: the triangle's box reaches the lower, the upper half of axis i
+        std::uint32_t low = 0, high = 0;  // bit i: the triangle's box reaches the lower, the upper part of split axis i
+        int axes = 0;
         for (int i = 0; i < 3; ++i) {
-            low |= static_cast<std::uint32_t>(test.bounds().min[i] <= middle[i]) << i;
-            high |= static_cast<std::uint32_t>(test.bounds().max[i] >= middle[i]) << i;
+            if (!tree_.splits(node, i)) continue;
+            low |= static_cast<std::uint32_t>(test.bounds().min[i] <= middle[i]) << axes;
+            high |= static_cast<std::uint32_t>(test.bounds().max[i] >= middle[i]) << axes;
+            ++axes;
         }
-        const bool one = (low ^ high) == 7;
-        for (std::uint32_t child = 0; child < Tree<3>::child_count; ++child)
-            if ((child & ~high) == 0 && (~child & 7 & ~low) == 0) descend(at.first_child + child, test, inside && one);
+        const std::uint32_t children = 1u << axes, all = children - 1;
+        const bool one = (low ^ high) == all;
+        for (std::uint32_t child = 0; child < children; ++child)
+            if ((child & ~high) == 0 && (~child & all & ~low) == 0)
+                descend(at.first_child + child, test, inside && one);
     }
 
     const Tree<3>& tree_;

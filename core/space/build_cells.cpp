@@ -6,9 +6,12 @@ namespace sightline {
 
 template <int D>
 CellComplex<D> tessellation(const Scene<D>& scene, const TessellationSettings& settings) {
-    Tree<D> tree = build_tree<D>(scene.primitives, settings.error_bound);
-    return settings.tessellation == Tessellation::delaunay ? delaunay_cells(std::move(tree), settings)
-                                                           : tree_cells(std::move(tree));
+    const auto tree = [&](const auto& build) {
+        return build(scene.primitives, settings.error_bound, settings.leaf_capacity);
+    };
+    if (settings.tessellation == Tessellation::kd) return kd_cells(tree(build_kd_tree<D>), settings.neighbours);
+    if (settings.tessellation == Tessellation::tree) return tree_cells(tree(build_tree<D>), settings.neighbours);
+    return delaunay_cells(tree(build_tree<D>), settings);
 }
 
 template <int D>

@@ -16,11 +16,17 @@ CellComplex<3> delaunay_cells(Tree<3> tree, const TessellationSettings& settings
 template <int D>
 CellComplex<D> tessellation(const Scene<D>& scene, const TessellationSettings& settings);
 
-/// The leaves as cells; face neighbours of different size in both directions (TVCG fig. 9).
+/// The leaves of a quadtree or octree as cells; face neighbours of different size in both directions (TVCG fig. 9).
+/// touching: those that share an edge or a corner too, behind facets without an area (CellComplex::is_contact).
 template <int D>
-CellComplex<D> tree_cells(Tree<D> tree);
-extern template CellComplex<2> tree_cells<2>(Tree<2>);
-extern template CellComplex<3> tree_cells<3>(Tree<3>);
+CellComplex<D> tree_cells(Tree<D> tree, Neighbours neighbours = Neighbours::facet);
+/// The same of a kd-tree.
+template <int D>
+CellComplex<D> kd_cells(Tree<D> tree, Neighbours neighbours = Neighbours::facet);
+extern template CellComplex<2> tree_cells<2>(Tree<2>, Neighbours);
+extern template CellComplex<3> tree_cells<3>(Tree<3>, Neighbours);
+extern template CellComplex<2> kd_cells<2>(Tree<2>, Neighbours);
+extern template CellComplex<3> kd_cells<3>(Tree<3>, Neighbours);
 
 /// References from cells to triangles; they take 12 bytes each while they are made, 4 when they are there.
 inline constexpr std::size_t most_references = std::size_t{1} << 29;

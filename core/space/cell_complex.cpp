@@ -73,7 +73,8 @@ std::size_t CellComplex<D>::reference_memory_bytes() const {
 template <int D>
 std::uint32_t any_holding(const CellComplex<D>& cells, const Vec<D>& p, std::uint32_t near) {
     if (cells.cell_count() == 0) return none;
-    if (cells.kind == Tessellation::tree && !cells.tree.root_box().contains(p)) return none;
+    if (cells.has_boxes() && !cells.tree.root_box().contains(p)) return none;
+    if (cells.kind == Tessellation::kd) near = none;  // a walk among its leaves might go round in circles
     std::uint32_t cell = near != none ? near : cells.leaf_cell[cells.tree.leaf_at(p)];
     // Visibility walk: on a Delaunay triangulation it comes to no cell twice, in a tree it starts at its end.
     for (std::uint32_t step = 0; step < cells.cell_count(); ++step) {

@@ -21,7 +21,7 @@ struct HalfFacet {
     bool flipped() const { return facet_side & 1; }
 };
 
-/// Cells are simplices (Delaunay) or boxes (leaves of the tree), so most rows have one length and need no begin array.
+/// Cells are simplices (Delaunay) or boxes (leaves of a tree), so most rows have one length and need no begin array.
 /// Those that do: row i of X is X[X_begin[i], X_begin[i + 1]).
 template <int D>
 struct CellComplex {
@@ -49,28 +49,34 @@ struct CellComplex {
     std::vector<std::uint32_t> leaf_cell;  ///< a cell at each leaf: where point location starts
 
     std::uint32_t cell_count() const {
-        return static_cast<std::uint32_t>(is_tree() ? cell_points.size() / (1 << D) : cell_points.size() / (D + 1));
+        return static_cast<std::uint32_t>(has_boxes() ? cell_points.size() / (1 << D) : cell_points.size() / (D + 1));
     }
     std::uint32_t facet_count() const {
-        return static_cast<std::uint32_t>(D == 3 && is_tree() ? facet_points.size() / 4 : facet_points.size() / D);
+        return static_cast<std::uint32_t>(D == 3 && has_boxes() ? facet_points.size() / 4 : facet_points.size() / D);
     }
 
     std::span<const HalfFacet> facets_of(std::uint32_t cell) const {
-        if (!is_tree()) return std::span(half_facets).subspan((D + 1) * std::size_t{cell}, D + 1);
+        if (!has_boxes()) return std::span(half_facets).subspan((D + 1) * std::size_t{cell}, D + 1);
         return std::span(half_facets)
             .subspan(cell_facet_begin[cell], cell_facet_begin[cell + 1] - cell_facet_begin[cell]);
     }
     std::span<const std::uint32_t> corners_of(std::uint32_t cell) const {
-        const std::size_t count = is_tree() ? 1 << D : D + 1;
+        const std::size_t count = has_boxes() ? 1 << D : D + 1;
         return std::span(cell_points).subspan(count * cell, count);
     }
     std::span<const std::uint32_t> points_of_facet(std::uint32_t facet) const {
-        const std::size_t count = D == 3 && is_tree() ? 4 : D;
+        const std::size_t count = D == 3 && has_boxes() ? 4 : D;
         return std::span(facet_points).subspan(count * facet, count);
+    }
+    /// An edge or a corner at which two boxes only touch (neighbours=touching). It stands among the facets, behind
+    /// those of its cell, and has neither area nor normal.
+    bool is_contact(std::uint32_t facet) const {
+        const auto polygon = points_of_facet(facet);
+        return polygon[D - 2] == polygon[D - 1];
     }
     /// The mean of the corners, rounded. Not stored: its corners are about to be read wherever it is asked for.
     Vec<D> centre(std::uint32_t cell) const {
-        if (is_tree()) return tree.nodes[tree.leaves[cell]].box.centre();
+        if (has_boxes()) return tree.nodes[tree.leaves[cell]].box.centre();
         Vec<D> sum(0);
         for (const std::uint32_t corner : corners_of(cell)) sum += points[corner];
         return sum / (D + 1.0);
@@ -86,8 +92,8 @@ struct CellComplex {
     std::size_t memory_bytes() const;            ///< of the tessellation, without the references
     std::size_t reference_memory_bytes() const;  ///< of the lists cell -> primitives
 
-private:
-    bool is_tree() const { return kind == Tessellation::tree; }
+    /// Leaves of a tree, so that cell i is leaf i.
+    bool has_boxes() const { return kind != Tessellation::delaunay; }
 };
 
 /// The two ends of a 2D facet as `cell` sees it: the cell lies on the left of the path from [0] to [1].

@@ -18,8 +18,37 @@ bool are_rows(const Indices& begin, std::size_t rows, std::size_t size) {
            std::is_sorted(begin.begin(), begin.end());
 }
 
+/// Whether the node's box is cut into those of its children, as build_tree() or build_kd_tree() does.
 template <int D>
-bool is_tree(const Tree<D>& tree) {
+bool is_cut(const Tree<D>& tree, std::uint32_t node, bool kd) {
+    const Box<D>& box = tree.nodes[node].box;
+    const std::uint32_t first = tree.nodes[node].first_child;
+    Vec<D> plane = box.centre();
+    std::uint32_t children = Tree<D>::child_count;
+    int split = -1;
+    if (kd) {
+        children = 2;
+        plane = tree.nodes[first].box.max;
+        for (int i = 0; i < D; ++i)
+            if (tree.splits(node, i)) split = i;
+        if (split < 0 || !(box.min[split] < plane[split])) return false;
+    }
+    for (std::uint32_t child = 0; child < children; ++child) {
+        Box<D> part = box;
+        for (int i = 0; i < D; ++i)
+            if (!kd)
+                (child >> i & 1 ? part.min : part.max)[i] = plane[i];
+            else if (i == split)
+                (child == 1 ? part.min : part.max)[i] = plane[i];
+        if (tree.nodes[first + child].box.min != part.min || tree.nodes[first + child].box.max != part.max)
+            return false;
+    }
+    return true;
+}
+
+template <int D>
+bool is_tree(const Tree<D>& tree, bool kd) {
+    const std::uint32_t children = kd ? 2 : Tree<D>::child_count;
     if (tree.nodes.empty()) return false;
     for (int i = 0; i < D; ++i)  // the boxes below are parts of the root's
         if (!(tree.root_box().min[i] < tree.root_box().max[i] && std::isfinite(tree.root_box().extent()[i])))
@@ -35,18 +64,11 @@ bool is_tree(const Tree<D>& tree) {
             ++leaves;
             continue;
         }
-        if (node.leaf != none || node.first_child != next_children ||
-            next_children + Tree<D>::child_count > tree.nodes.size())
+        if (node.leaf != none || node.first_child != next_children || next_children + children > tree.nodes.size() ||
+            !is_cut(tree, at, kd))
             return false;
-        const Vec<D> middle = node.box.centre();
-        for (int child = Tree<D>::child_count - 1; child >= 0; --child) {
-            const std::uint32_t index = node.first_child + static_cast<std::uint32_t>(child);
-            Box<D> part = node.box;
-            for (int i = 0; i < D; ++i) (child >> i & 1 ? part.min : part.max)[i] = middle[i];
-            if (tree.nodes[index].box.min != part.min || tree.nodes[index].box.max != part.max) return false;
-            stack.push_back(index);
-        }
-        next_children += Tree<D>::child_count;
+        for (std::uint32_t child = children; child > 0; --child) stack.push_back(node.first_child + child - 1);
+        next_children += children;
     }
     return leaves == tree.leaves.size() && next_children == tree.nodes.size();
 }
@@ -86,7 +108,7 @@ bool are_references(const CellComplex<D>& cells, std::size_t primitive_count) {
 
 template <int D>
 const char* fault(const CellComplex<D>& cells, std::size_t primitive_count) {
-    const bool tree_kind = cells.kind == Tessellation::tree;
+    const bool tree_kind = cells.has_boxes();
     const std::size_t corners = tree_kind ? Tree<D>::child_count : D + 1, facet_size = D == 3 && tree_kind ? 4 : D;
     if (!std::all_of(cells.points.begin(), cells.points.end(), [](const Vec<D>& p) { return is_finite<D>(p); }))
         return "a point is not finite";
@@ -98,7 +120,7 @@ const char* fault(const CellComplex<D>& cells, std::size_t primitive_count) {
                   : !cells.cell_facet_begin.empty() || cells.half_facets.size() != corners * cells.cell_count())
         return "the cells' facets are wrong";
     if (!are_links(cells)) return "neighbours do not agree";
-    if (!is_tree(cells.tree)) return "the tree is wrong";
+    if (!is_tree(cells.tree, cells.kind == Tessellation::kd)) return "the tree is wrong";
     if (cells.leaf_cell.size() != cells.tree.leaves.size() ||
         (tree_kind && cells.cell_count() != cells.tree.leaves.size()) ||
         (cells.cell_count() > 0 && !below(cells.leaf_cell, cells.cell_count())))

@@ -53,9 +53,19 @@ void for_each_array(Cells& cells, Visit visit) {
 }
 
 std::string tessellation_settings(const TessellationSettings& settings) {
-    return "tessellation=" + std::string(word(settings.tessellation)) +
-           "\nerror_bound=" + number_text(settings.error_bound) + "\nborder=" + std::string(word(settings.border)) +
-           "\njitter=" + number_text(settings.jitter) + "\nseed=" + std::to_string(settings.seed) + "\n";
+    std::string text = "tessellation=" + std::string(word(settings.tessellation)) +
+                       "\nerror_bound=" + number_text(settings.error_bound) +
+                       "\nborder=" + std::string(word(settings.border)) + "\njitter=" + number_text(settings.jitter) +
+                       "\nseed=" + std::to_string(settings.seed) + "\n";
+    // Younger than the first files: only where they are not at their defaults.
+    const TessellationSettings defaults;
+    if (settings.leaf_capacity != defaults.leaf_capacity)
+        text += "leaf_capacity=" + std::to_string(settings.leaf_capacity) + "\n";
+    if (settings.empty_leaves != defaults.empty_leaves)
+        text += "empty_leaves=" + std::string(word(settings.empty_leaves)) + "\n";
+    if (settings.neighbours != defaults.neighbours)
+        text += "neighbours=" + std::string(word(settings.neighbours)) + "\n";
+    return text;
 }
 
 /// Writes whole words and keeps the checksum of what went out.
@@ -149,15 +159,17 @@ Header read_header(Reader& reader, std::string_view file, int dimension) {
 
 /// Throws with the first setting that differs.
 void compare_settings(const Reader& reader, std::string_view stored, const std::string& asked) {
-    for (std::string_view line = asked; !line.empty();) {
-        const std::size_t end = line.find('\n') + 1;
-        const std::string_view want = line.substr(0, end - 1);
-        const std::string_view have = stored.substr(0, stored.find('\n'));
-        if (want != have) reader.fail("was made with " + std::string(have) + ", not with " + std::string(want));
-        line.remove_prefix(end);
-        stored.remove_prefix(std::min(stored.size(), have.size() + 1));
+    const auto take_line = [](std::string_view& text) {
+        const std::string_view line = text.substr(0, text.find('\n'));
+        text.remove_prefix(std::min(text.size(), line.size() + 1));
+        return line;
+    };
+    for (std::string_view rest = asked; !rest.empty() || !stored.empty();) {
+        const std::string want(take_line(rest)), have(take_line(stored));
+        if (have.empty()) reader.fail("was made without " + want);
+        if (want.empty()) reader.fail("was made with " + have + ", which is not asked for");
+        if (want != have) reader.fail("was made with " + have + ", not with " + want);
     }
-    if (!stored.empty()) reader.damaged("it names more settings than there are");
 }
 
 template <int D>

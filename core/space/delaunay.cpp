@@ -68,8 +68,9 @@ CellComplex<2> delaunay_cells(Tree<2> tree, const TessellationSettings& settings
     cells.points = sample_points(tree, settings);
     for (const Corners& corners : canonical_triangles(cells.points))
         cells.cell_points.insert(cells.cell_points.end(), corners.begin(), corners.end());
-    set_leaf_cells(cells, tree.leaves.size());
+    set_leaf_cells(cells, tree, settings);
     link_triangles(cells);
+    tree.empty_leaves = {};
     cells.tree = std::move(tree);
     set_border_cells(cells);
     return cells;

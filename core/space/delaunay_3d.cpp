@@ -97,9 +97,10 @@ CellComplex<3> delaunay_cells(Tree<3> tree, const TessellationSettings& settings
     for (const Tetrahedron& t : tetrahedra)
         cells.cell_points.insert(cells.cell_points.end(), t.corners.begin(), t.corners.end());
     cells.facet_points.reserve(tetrahedra.size() * 6 + 48);
-    set_leaf_cells(cells, tree.leaves.size());
+    set_leaf_cells(cells, tree, settings);
     link(cells, tetrahedra);
     cells.facet_points.shrink_to_fit();
+    tree.empty_leaves = {};
     cells.tree = std::move(tree);
     set_border_cells(cells);
     return cells;

@@ -11,6 +11,23 @@ namespace {
 /// (docs/algorithm.md); a small one keeps the border's cells from being slivers.
 constexpr double border_share = 0.05;
 
+/// Whether a leaf's centre is left out. The leaves must be asked for in order.
+template <int D>
+class DroppedLeaves {
+public:
+    DroppedLeaves(const Tree<D>& tree, const TessellationSettings& settings)
+        : next_(tree.empty_leaves.begin()),
+          end_(settings.empty_leaves == EmptyLeaves::drop ? tree.empty_leaves.end() : next_) {}
+    bool operator()(std::uint32_t leaf) {
+        if (next_ == end_ || *next_ != leaf) return false;
+        ++next_;
+        return true;
+    }
+
+private:
+    std::vector<std::uint32_t>::const_iterator next_, end_;
+};
+
 }  // namespace
 
 template <int D>
@@ -18,12 +35,13 @@ std::vector<Vec<D>> sample_points(const Tree<D>& tree, const TessellationSetting
     std::vector<Vec<D>> points;
     points.reserve(tree.leaves.size() + Tree<D>::child_count);
     Random random(settings.seed);
-    for (const std::uint32_t leaf : tree.leaves) {
-        const Box<D>& box = tree.nodes[leaf].box;
+    DroppedLeaves<D> dropped(tree, settings);
+    for (std::uint32_t leaf = 0; leaf < tree.leaves.size(); ++leaf) {
+        const Box<D>& box = tree.nodes[tree.leaves[leaf]].box;
         const double reach = settings.jitter * (box.max.x - box.min.x);
         Vec<D> offset;
         for (int i = 0; i < D; ++i) offset[i] = random.uniform(-reach, reach);
-        points.push_back(box.centre() + offset);
+        if (!dropped(leaf)) points.push_back(box.centre() + offset);
     }
     if (settings.border == Border::inflated) {
         const Box<D>& root = tree.root_box();
@@ -35,16 +53,22 @@ std::vector<Vec<D>> sample_points(const Tree<D>& tree, const TessellationSetting
 }
 
 template <int D>
-void set_leaf_cells(CellComplex<D>& cells, std::size_t leaf_count) {
-    cells.leaf_cell.assign(leaf_count, 0);
+void set_leaf_cells(CellComplex<D>& cells, const Tree<D>& tree, const TessellationSettings& settings) {
+    std::vector<std::uint32_t> cell_at(cells.points.size(), 0);
     for (std::uint32_t cell = 0; cell < cells.cell_count(); ++cell)
-        for (const std::uint32_t corner : cells.corners_of(cell))
-            if (corner < leaf_count) cells.leaf_cell[corner] = cell;
+        for (const std::uint32_t corner : cells.corners_of(cell)) cell_at[corner] = cell;
+    DroppedLeaves<D> dropped(tree, settings);
+    std::uint32_t point = 0;
+    for (std::uint32_t leaf = 0; leaf < tree.leaves.size(); ++leaf) {
+        const bool has_point = !dropped(leaf);
+        cells.leaf_cell.push_back(has_point ? cell_at[point] : leaf > 0 ? cells.leaf_cell.back() : 0);
+        point += has_point;
+    }
 }
 
 template std::vector<Vec<2>> sample_points<2>(const Tree<2>&, const TessellationSettings&);
 template std::vector<Vec<3>> sample_points<3>(const Tree<3>&, const TessellationSettings&);
-template void set_leaf_cells<2>(CellComplex<2>&, std::size_t);
-template void set_leaf_cells<3>(CellComplex<3>&, std::size_t);
+template void set_leaf_cells<2>(CellComplex<2>&, const Tree<2>&, const TessellationSettings&);
+template void set_leaf_cells<3>(CellComplex<3>&, const Tree<3>&, const TessellationSettings&);
 
 }  // namespace sightline

@@ -6,13 +6,15 @@
 
 namespace sightline {
 
-/// Leaf centres in leaf order, each moved by at most `jitter` of the leaf's side along each axis (TVCG section 4.3),
-/// then, with the inflated border, the corners of a box around the tree's root.
+/// Leaf centres in leaf order, each moved by at most `jitter` of the leaf's side along each axis (TVCG section 4.3);
+/// with empty_leaves=drop without those of empty leaves, the others being the same points. Then, with the inflated
+/// border, the corners of a box around the tree's root.
 template <int D>
 std::vector<Vec<D>> sample_points(const Tree<D>& tree, const TessellationSettings& settings);
 
-/// Fills leaf_cell: for each leaf the last cell that has its point as a corner.
+/// Fills leaf_cell: for each leaf the last cell that has its point as a corner; for one without a point that of the
+/// nearest leaf before it that has one.
 template <int D>
-void set_leaf_cells(CellComplex<D>& cells, std::size_t leaf_count);
+void set_leaf_cells(CellComplex<D>& cells, const Tree<D>& tree, const TessellationSettings& settings);
 
 }  // namespace sightline

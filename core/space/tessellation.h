@@ -8,12 +8,20 @@
 
 namespace sightline {
 
-enum class Tessellation : std::uint8_t { delaunay, tree };
+enum class Tessellation : std::uint8_t { delaunay, tree, kd };
 enum class Border : std::uint8_t { inflated, none };
+enum class EmptyLeaves : std::uint8_t { keep, drop };
+enum class Neighbours : std::uint8_t { facet, touching };
 template <>
-inline constexpr auto words<Tessellation> = std::to_array<std::string_view>({"delaunay", "tree"});
+inline constexpr auto words<Tessellation> = std::to_array<std::string_view>({"delaunay", "tree", "kd"});
 template <>
 inline constexpr auto words<Border> = std::to_array<std::string_view>({"inflated", "none"});
+template <>
+inline constexpr auto words<EmptyLeaves> = std::to_array<std::string_view>({"keep", "drop"});
+template <>
+inline constexpr auto words<Neighbours> = std::to_array<std::string_view>({"facet", "touching"});
+
+inline constexpr std::size_t tessellation_count = words<Tessellation>.size();
 
 struct TessellationSettings {
     Tessellation tessellation = Tessellation::delaunay;
@@ -21,6 +29,9 @@ struct TessellationSettings {
     Border border = Border::inflated;
     double jitter = 0.02;  ///< of a leaf's centre, in sides of the leaf
     std::uint64_t seed = 1;
+    std::uint32_t leaf_capacity = 1;  ///< points that a leaf may hold and stay whole
+    EmptyLeaves empty_leaves = EmptyLeaves::keep;
+    Neighbours neighbours = Neighbours::facet;
     bool operator==(const TessellationSettings&) const = default;
 };
 

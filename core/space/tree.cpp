@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/space/tree.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace sightline {
 
 namespace {
 
-/// Vertices come one after the other and are not copied: a leaf remembers the first it got and splits when another one
-/// comes that differs. The nodes are put into depth-first order at the end, which does not depend on that of the
+/// Vertices come one after the other: a leaf remembers those that differ, as many as it may hold, and splits when
+/// another one comes. The nodes are put into depth-first order at the end, which does not depend on that of the
 /// vertices.
 template <int D>
 class Builder {
 public:
-    Builder(const std::vector<Primitive<D>>& primitives, double error_bound) {
+    Builder(const std::vector<Primitive<D>>& primitives, double error_bound, std::uint32_t leaf_capacity)
+        : capacity_(leaf_capacity) {
         const Box<D> box = bounds<D>(primitives);
         smallest_side_ = box.longest_side() * error_bound;
         add_node(root(box));
@@ -27,8 +31,7 @@ public:
 
 private:
     struct Node : Tree<D>::Node {
-        Vec<D> vertex{};
-        bool occupied = false;
+        std::vector<Vec<D>> held;  ///< sorted
     };
 
     static Box<D> root(const Box<D>& box) {
@@ -66,12 +69,14 @@ private:
         std::uint32_t node = 0;
         for (;;) {
             while (made_[node].first_child != none) node = child_at(node, p);
-            if (!made_[node].occupied) {
-                made_[node].occupied = true;
-                made_[node].vertex = p;
+            std::vector<Vec<D>>& held = made_[node].held;
+            const auto place = std::lower_bound(held.begin(), held.end(), p, comes_first);
+            if (place != held.end() && *place == p) return;
+            if (held.size() < capacity_) {
+                held.insert(place, p);
                 return;
             }
-            if (made_[node].vertex == p || !can_split(made_[node].box)) return;
+            if (!can_split(made_[node].box)) return;
             split(node);
         }
     }
@@ -85,15 +90,21 @@ private:
             for (int i = 0; i < D; ++i) (child >> i & 1 ? part.min : part.max)[i] = middle[i];
             add_node(part);
         }
-        Node& heir = made_[child_at(node, made_[node].vertex)];
-        heir.occupied = true;
-        heir.vertex = made_[node].vertex;
+        for (const Vec<D>& vertex : std::exchange(made_[node].held, {}))
+            made_[child_at(node, vertex)].held.push_back(vertex);
+    }
+
+    static bool comes_first(const Vec<D>& a, const Vec<D>& b) {
+        for (int i = 0; i < D; ++i)
+            if (a[i] != b[i]) return a[i] < b[i];
+        return false;
     }
 
     void copy_below(std::uint32_t from, std::uint32_t to) {
         const std::uint32_t children = made_[from].first_child;
         if (children == none) {
             tree_.nodes[to].leaf = static_cast<std::uint32_t>(tree_.leaves.size());
+            if (made_[from].held.empty()) tree_.empty_leaves.push_back(tree_.nodes[to].leaf);
             tree_.leaves.push_back(to);
             return;
         }
@@ -108,16 +119,17 @@ private:
     Tree<D> tree_;
     std::vector<Node> made_;  ///< in the order in which they came
     double smallest_side_ = 0;
+    std::size_t capacity_;
 };
 
 }  // namespace
 
 template <int D>
-Tree<D> build_tree(const std::vector<Primitive<D>>& primitives, double error_bound) {
-    return Builder<D>(primitives, error_bound).take();
+Tree<D> build_tree(const std::vector<Primitive<D>>& primitives, double error_bound, std::uint32_t leaf_capacity) {
+    return Builder<D>(primitives, error_bound, leaf_capacity).take();
 }
 
-template Tree<2> build_tree<2>(const std::vector<Primitive<2>>&, double);
-template Tree<3> build_tree<3>(const std::vector<Primitive<3>>&, double);
+template Tree<2> build_tree<2>(const std::vector<Primitive<2>>&, double, std::uint32_t);
+template Tree<3> build_tree<3>(const std::vector<Primitive<3>>&, double, std::uint32_t);
 
 }  // namespace sightline

@@ -3,6 +3,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -eu
 viewer=$1 out=${2:-.}
-"$viewer" streets --headless --preset letter --set border=inflated --set outside_view=unseen --budget 500 \
+"$viewer" streets --headless --preset prototype-2d --set outside_view=unseen --budget 500 \
     --set palette=paper --set show_visibility=off --size 174mm \
     --shot "$out/tr-figure-1.svg" --shot "$out/tr-figure-1.png"

@@ -152,7 +152,7 @@ Session<D> gallery_session(const GalleryRow<D>& row, const DrawIds& draw_ids, st
     Session<D> session(scene, view_of(row, *scene), settings, methods, draw_ids);
     if (*row.until == 0)
         session.run();
-    else if (run_until(session, Condition<D>(row.until)) != Stop::breakpoint)
+    else if (run_until(session, condition_for(session, row.until)) != Stop::breakpoint)
         throw WorkError(std::string(row.id) + ": '" + row.until + "' never holds");
     session.bookmarks.push_back({session.position(), row.look});
     session.selected_cell = last_cell(session);

@@ -21,8 +21,8 @@ struct LabScene {
     std::string name;  ///< as the study says
     MethodTables tables;
     std::shared_ptr<const Scene<D>> scene;
-    Settings settings;                                   ///< of the catalogue and the study; method and budget aside
-    std::array<std::optional<CellComplex<D>>, 2> cells;  ///< by Tessellation
+    Settings settings;  ///< of the catalogue and the study; method and budget aside
+    std::array<std::optional<CellComplex<D>>, tessellation_count> cells;  ///< by Tessellation
     std::string path;
     std::vector<std::uint32_t> frames;  ///< of the path, those that are measured
     std::vector<View<D>> views;         ///< one per measured frame

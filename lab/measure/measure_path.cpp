@@ -111,8 +111,8 @@ private:
 
     FrameOfAll numbers(std::uint32_t i) {
         std::vector<const CellComplex<D>*> tessellations;
-        std::array<std::size_t, 2> truth_of{};
-        for (std::size_t t = 0; t < 2; ++t)
+        std::array<std::size_t, tessellation_count> truth_of{};
+        for (std::size_t t = 0; t < tessellation_count; ++t)
             if (lab_.cells[t]) {
                 truth_of[t] = tessellations.size();
                 tessellations.push_back(&*lab_.cells[t]);

@@ -16,7 +16,10 @@ namespace sightline::lab {
 
 namespace {
 
-constexpr std::string_view on_tree = "@tree";
+/// What stands behind the id of a method; nothing on Delaunay cells.
+std::string suffix_of(Tessellation tessellation) {
+    return tessellation == Tessellation::delaunay ? "" : "@" + std::string(word(tessellation));
+}
 
 bool is_2d_file(const std::string& name) {
     const std::string file = name.substr(0, name.find('#'));
@@ -31,10 +34,12 @@ bool is_2d_file(const std::string& name) {
 MethodChoice parse_method(std::string_view text, const MethodTables& tables) {
     VariantText variant = read_variant(text);
     MethodChoice choice;
-    if (variant.id.ends_with(on_tree)) {
-        variant.id.resize(variant.id.size() - on_tree.size());
-        choice.tessellation = Tessellation::tree;
-    }
+    for (const Tessellation tessellation : {Tessellation::tree, Tessellation::kd})
+        if (const std::string suffix = suffix_of(tessellation); variant.id.ends_with(suffix)) {
+            variant.id.resize(variant.id.size() - suffix.size());
+            choice.tessellation = tessellation;
+            break;
+        }
     Parameters ignored;
     try {
         variant.id = find_variant<3>(tables.in_3d, variant, ignored).id;
@@ -49,9 +54,8 @@ MethodChoice parse_method(std::string_view text, const MethodTables& tables) {
 }
 
 std::string method_text(const MethodChoice& choice) {
-    if (choice.tessellation == Tessellation::delaunay) return choice.variant;
     const std::string id = choice.id();
-    return id + std::string(on_tree) + choice.variant.substr(id.size());
+    return id + suffix_of(choice.tessellation) + choice.variant.substr(id.size());
 }
 
 std::string tessellation_word(const MethodChoice& choice) { return std::string(word(choice.tessellation)); }

@@ -21,16 +21,17 @@ struct MethodChoice {
     bool operator==(const MethodChoice&) const = default;
 };
 
-/// "published", or "published@tree" on the leaves of the quadtree or octree, both with parameters if you like:
-/// "published@tree on_reenqueue=min". Throws InputError for what the table of neither dimension has.
+/// "published", or "published@tree" on the leaves of the quadtree or octree, or "published@kd" on those of the kd-tree,
+/// all with parameters if you like: "published@tree on_reenqueue=min". Throws InputError for what the table of neither
+/// dimension has.
 MethodChoice parse_method(std::string_view text, const MethodTables& tables = {});
 std::string method_text(const MethodChoice& choice);
-/// Its cells as results and CSV name them, "delaunay" or "tree", and back. Throws InputError for another word.
+/// Its cells as results and CSV name them, "delaunay", "tree" or "kd", and back. Throws InputError for another word.
 std::string tessellation_word(const MethodChoice& choice);
 Tessellation read_tessellation(std::string_view word);
 
 /// Every row of the method table that is compared with others on Delaunay cells, and those that order cells on tree
-/// cells too.
+/// cells too. Kd cells are measured where a study names them.
 std::vector<MethodChoice> all_methods(const MethodTables& tables = {});
 
 /// nullptr when the table of the dimension does not have it.

@@ -44,7 +44,8 @@ void add_study_options(CLI::App& app, StudyOptions& o) {
         ->allow_extra_args(false);
     app.add_option("--frames", o.frames, "so many frames, spread evenly over the path; default: all");
     app.add_option("--methods", o.methods,
-                   "ids with commas between; @tree puts one on octree cells: published@tree; with parameters and "
+                   "ids with commas between; @tree puts one on octree cells, @kd on those of a kd-tree: "
+                   "published@tree; with parameters and "
                    "semicolons between: \"published; published on_reenqueue=min\"");
     app.add_option("--budgets", o.budgets, "with commas between, such as 1%,2%,5%,10% or 500,5000")->delimiter(',');
     app.add_option("--size", o.size, "of the reference: 1024x768, in 2D 8192");

@@ -61,12 +61,11 @@ Holds holds_in(const LabScene<D>& lab, const MethodChoice& method, const Budget&
     Settings settings = lab.settings_for(method);
     settings.budget = budget;
     if (!wanted.condition.empty()) {
-        const auto condition = std::make_shared<const Condition<D>>(wanted.condition);
         return [=, scene = lab.scene, view = lab.specs.back(),
                 methods = lab.tables.template of<D>()](std::span<const std::uint32_t> kept) {
             Session<D> session(std::make_shared<const Scene<D>>(subset(*scene, kept)), view, settings, methods,
                                draw_ids);
-            return run_until(session, *condition) == Stop::breakpoint;
+            return run_until(session, condition_for(session, wanted.condition)) == Stop::breakpoint;
         };
     }
     std::vector<std::string_view> names;

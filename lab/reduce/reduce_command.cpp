@@ -76,7 +76,7 @@ int run(const Study& study, const Wanted& wanted, const fs::path& folder, LabGra
     if (wanted.condition.empty())
         session.run();
     else
-        still = run_until(session, Condition<D>(wanted.condition)) == Stop::breakpoint;
+        still = run_until(session, condition_for(session, wanted.condition)) == Stop::breakpoint;
     write_file(folder / "reduced.json", state_json<D>(session));
     std::cout << kept.size() << " of " << count << " primitives"
               << (interrupted() ? "; stopped before it was the fewest" : "") << "\n";

@@ -40,7 +40,7 @@ VariantLook MethodLooks::look(const MethodChoice& method) const {
     const auto at = std::find(variants_.begin(), variants_.end(), method.variant);
     VariantLook look = at == variants_.end() ? variant_looks({&method.variant, 1}).front()
                                              : looks_[static_cast<std::size_t>(at - variants_.begin())];
-    look.filled = method.tessellation != Tessellation::tree;
+    look.filled = method.tessellation == Tessellation::delaunay;
     return look;
 }
 

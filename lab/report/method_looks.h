@@ -1,5 +1,5 @@
 // How methods look in the lab's charts and tables: as everywhere (core/draw/variant_look.h), with open markers on the
-// leaves of a tree.
+// leaves of a tree of either kind.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -94,8 +94,9 @@ std::string claims(const std::vector<Claim>& all, const std::map<std::size_t, Fr
 }
 
 std::string table_of_rows(const Group& group) {
-    static constexpr std::array columns{Measure::coverage, Measure::coverage_px, Measure::oracle, Measure::cell_oracle,
-                                        Measure::wrong,    Measure::blob,        Measure::pop,    Measure::flip};
+    static constexpr std::array columns{Measure::coverage,    Measure::coverage_px, Measure::oracle,
+                                        Measure::cell_oracle, Measure::wrong,       Measure::blob,
+                                        Measure::pop,         Measure::flip,        Measure::zero_keys};
     std::string html = "<table><caption>Means over " + std::to_string(group.rows.front()->frames.size()) +
                        " frames in %, wrong pixels also of the worst frame; " + escaped(group.rows.front()->reference) +
                        ".</caption><tr><th class=t>method</th><th>cells</th>"

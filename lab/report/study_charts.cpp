@@ -197,8 +197,10 @@ std::vector<NamedChart> study_charts(const Results& results) {
         if (!has_curve) continue;
         for (const auto& rows : by_method(group))
             if (rows.front()->method.variant == "published")
-                add(stem + "-found-" +
-                        (rows.front()->method.tessellation == Tessellation::tree ? "published-tree" : "published"),
+                add(stem + "-found-published" +
+                        (rows.front()->method.tessellation == Tessellation::delaunay
+                             ? ""
+                             : "-" + std::string(word(rows.front()->method.tessellation))),
                     "TVCG figs. 10 and 11 in form: an order that estimates visibility well keeps the shape "
                     "of the exact curve.",
                     found_per_frame(group, rows));

@@ -95,7 +95,8 @@ FramePicture draw_frame(const LabScene<D>& lab, const Study& study, const Row& r
                     " --eye=" + point_text<D>(view.eye, lab.scene->origin) +
                     " --look-at=" + point_text<D>(view.look_at, lab.scene->origin) + " --fov " + number_text(view.fov) +
                     " --method " + shell_quoted(row.method.variant) + " --budget " + shell_quoted(row.budget);
-    if (row.method.tessellation == Tessellation::tree) drawn.command += " --set tessellation=tree";
+    if (row.method.tessellation != Tessellation::delaunay)
+        drawn.command += " --set tessellation=" + std::string(word(row.method.tessellation));
     if (study.size != ImageSize{})
         drawn.command += " --set reference_size=" + setting_row("reference_size").get(lab.settings);
     for (const std::string& setting : study.settings) drawn.command += " --set " + shell_quoted(setting);

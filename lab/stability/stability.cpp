@@ -157,7 +157,8 @@ private:
     }
 
     /// All methods in one view; their coverage is against `visible`.
-    std::vector<Outcome> outcomes(const Scene<D>& scene, const std::array<std::optional<CellComplex<D>>, 2>& cells,
+    std::vector<Outcome> outcomes(const Scene<D>& scene,
+                                  const std::array<std::optional<CellComplex<D>>, tessellation_count>& cells,
                                   const Settings& settings, const View<D>& view, const Set& visible,
                                   std::span<const std::uint32_t> original = {}) const {
         std::vector<Outcome> all(methods_.size());
@@ -226,8 +227,8 @@ private:
     /// Runs on another scene, whose exact set is that of the undisturbed one.
     void compare(Disturbance disturbance, double amount, const Scene<D>& scene, const Settings& settings,
                  std::span<const std::uint32_t> original, const std::function<ViewSpec<D>(ViewSpec<D>)>& moved) {
-        std::array<std::optional<CellComplex<D>>, 2> cells;
-        for (std::size_t t = 0; t < 2; ++t)
+        std::array<std::optional<CellComplex<D>>, tessellation_count> cells;
+        for (std::size_t t = 0; t < tessellation_count; ++t)
             if (lab_.cells[t]) {
                 Settings s = settings;
                 s.tessellation = static_cast<Tessellation>(t);

@@ -57,7 +57,7 @@ void set_breakpoint(Workbench<D>& bench, Text text) {
     const std::string condition = condition_text(bench, text);
     const auto same = [&](const Breakpoint& b) { return b.condition == condition; };
     if (std::erase_if(breakpoints, same) > 0) return bench.say("breakpoint taken away: " + condition);
-    Condition<D>{condition};  // throws for what is none
+    condition_for(bench.session, condition);  // throws for what is none
     breakpoints.push_back({condition, true});
     bench.say("breakpoint: " + condition);
 }
@@ -79,7 +79,7 @@ void mark_all(Workbench<D>& bench, Text text) {
         bench.marked_by.clear();
         return;
     }
-    const Condition<D> condition(condition_text(bench, text));
+    const Condition<D> condition = condition_for(bench.session, condition_text(bench, text));
     bench.marked = matches(bench.record_ahead ? bench.session : at_the_end(bench.session), condition);
     bench.marked_by = condition.text();
     bench.say(std::to_string(bench.marked.size()) + " steps match " + condition.text());

@@ -96,7 +96,7 @@ std::span<const Command<D>> move_commands() {
         Command<D>{"run", "Run to end", "", "run to the end: the budget is used up or the front is empty", "End",
                    [](Workbench<D>& bench, Text) { run_to_end(bench); }},
         Command<D>{"until", "Run until", "CONDITION", "run until step:N, cell:ID or an expression holds", "U=?",
-                   [](Workbench<D>& bench, Text text) { run_until(bench, Condition<D>(text)); }},
+                   [](Workbench<D>& bench, Text text) { run_until(bench, condition_for(bench.session, text)); }},
         Command<D>{"reach", "Run to cell", "ID | selected", "go to the step that projects a cell, forward or back",
                    "Enter=selected", reach<D>},
         Command<D>{"continue", "Continue", "", "run to the next breakpoint", "F5", run_on<D>},

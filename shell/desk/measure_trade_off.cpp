@@ -140,7 +140,7 @@ std::vector<VariantLook> trade_off_looks(const Workbench<D>& bench) {
     std::vector<std::string> texts;
     for (const Variant<D>& variant : variants) texts.push_back(variant.text);
     std::vector<VariantLook> looks = variant_looks(texts);
-    const bool tree = bench.session.settings().tessellation == Tessellation::tree;
+    const bool tree = bench.session.settings().tessellation != Tessellation::delaunay;
     for (std::size_t i = 0; i < looks.size(); ++i) looks[i].filled = !(tree && variants[i].method.orders_cells());
     return looks;
 }

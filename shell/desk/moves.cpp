@@ -41,7 +41,8 @@ template <int D>
 void run_to_breakpoint(Workbench<D>& bench, std::uint32_t steps) {
     std::vector<Condition<D>> conditions;
     for (const Breakpoint& breakpoint : bench.session.breakpoints)
-        if (breakpoint.on) conditions.emplace_back(breakpoint.condition);
+        if (const auto here = condition_here(bench.session, breakpoint.condition); breakpoint.on && here)
+            conditions.push_back(*here);
     const std::uint32_t end = bench.session.position() + std::min(steps, none - bench.session.position());
     bench.last_stop = bench.session.run_until([&](const Session<D>& s) {
         return s.position() == end ||

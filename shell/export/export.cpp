@@ -35,7 +35,7 @@ void go_to_place(Session<D>& session, const std::string& place) {
             return;
         }
     } else if (place.starts_with("until ")) {
-        const Condition<D> condition(place.substr(6));
+        const Condition<D> condition = condition_for(session, place.substr(6));
         session.seek(0);
         if (run_until(session, condition) != Stop::breakpoint)
             throw InputError("panel '" + place + "': the condition never holds before the run ends");

@@ -156,7 +156,7 @@ void move(Workbench<D>& bench, const Options& o, bool state, bool window) {
     if (!asked && state) go_to_step(bench, bench.session.position());
     if (!o.commands.empty()) run_commands(bench, o.commands);
     if (!o.until.empty()) {
-        const Condition<D> condition(o.until);
+        const Condition<D> condition = condition_for(bench.session, o.until);
         go_to_step(bench, 0);
         run_until(bench, condition);
     }

@@ -97,7 +97,9 @@ TEST(Picture3, IsThatOfTheGoldens) {
 TEST(Picture3, EverythingIsFiniteAndNearThePicture) {
     Random random(331);
     for (int i = 0; i < 150; ++i) {
-        const Start3 start = random_start_3d(random);
+        Start3 start = random_start_3d(random);
+        if (i % 3 == 1) start.settings.tessellation = Tessellation::kd;
+        if (i % 2 == 1) start.settings.neighbours = Neighbours::touching;
         Session<3> session = random_frozen_session(random, start);
         set_all(session, {"show_normals=on", "show_penalties=on", "show_chain=on", "label=count", "label_where=all"});
         const double aspect = random.uniform(0.3, 4);

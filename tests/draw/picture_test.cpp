@@ -253,6 +253,7 @@ TEST(Picture, AnEmptySceneHasAWorld) {
 const std::vector<Golden>& goldens() {
     static const std::vector<Golden> table{
         {"bottleneck", {"c40795377bb0c11c", "87039a81bb4f7a62", "722a2d2ff5d87b2d"}},
+        {"field", {"78f0162827f481f9", "3314624d804b8f4a", "694202d6bb03996a"}},
         {"streets", {"f30ef3993e4f3dd6", "df5d32bc98cb09a7", "583e9bf2d2c63876"}},
         {"rooms", {"2c917de7abe2acc8", "0036b8e51509fa3f", "b894818e99b3b7c7"}},
         {"cars", {"53375df48d77b2ef", "89dd8ff57643a827", "1d682c8bf437a4c0"}},

@@ -287,6 +287,11 @@ TEST(LabStudyNames, SayWhichDimension) {
     EXPECT_EQ(parse_scene("freedoom1#E1M2").dimension, 2);
     EXPECT_EQ(parse_scene("bunny.obj").dimension, 3);
     EXPECT_EQ(method_text(parse_method("published@tree")), "published@tree");
+    EXPECT_EQ(parse_method("published@kd on_reenqueue=min").tessellation, Tessellation::kd);
+    EXPECT_EQ(method_text(parse_method("published@kd on_reenqueue=min")), "published@kd on_reenqueue=min");
+    EXPECT_EQ(read_tessellation("kd"), Tessellation::kd);
+    EXPECT_THROW(read_tessellation("k-d"), InputError);
+    EXPECT_THROW(parse_method("published@k"), InputError);
     EXPECT_THROW(parse_method("publishd"), InputError);
     EXPECT_EQ(parse_shard("2/5").index, 1u);
     for (const char* bad : {"", "2", "0/3", "4/3", "a/b", "1/0"}) EXPECT_THROW(parse_shard(bad), InputError) << bad;
@@ -318,7 +323,8 @@ void expect_changes_of_separate_runs(const std::string& scene, std::size_t& told
     Study study;
     study.scenes = {scene};
     study.frames = 4;
-    study.methods = {parse_method("published"), parse_method("layers@tree"), parse_method("centroid")};
+    study.methods = {parse_method("published"), parse_method("layers@tree"), parse_method("published@kd"),
+                     parse_method("centroid")};
     study.budgets = {parse_budget("2%"), parse_budget("8%")};
     study.size = {D == 2 ? 2048 : 160, 120};
     study.repeats = 0;

@@ -114,6 +114,32 @@ TEST(FrameNumbers, WithCulledPrimitivesAtACostEndEarlier) {
     EXPECT_EQ(cut_at(run, 3).met, 4u);
 }
 
+TEST(FrameNumbers, OfWholeCellsEndWhereTheirStepDoes) {
+    WholeRun run = hand_made_run();
+    run.spent_after = {2, 2, 7, 9};
+    EXPECT_EQ(cut_at(run, 0).steps, 0u);
+    EXPECT_EQ(cut_at(run, 2).steps, 1u);
+    EXPECT_EQ(cut_at(run, 3).steps, 3u);
+    EXPECT_EQ(cut_at(run, 3).met, 4u);
+    EXPECT_EQ(cut_at(run, 9).met, 6u);
+    EXPECT_EQ(cut_at(run, 100).steps, 4u);
+}
+
+TEST(FrameNumbers, CountStepsWithKey0) {
+    const Truth truth = hand_made_truth();
+    WholeRun run = hand_made_run();
+    const auto share = [&](std::uint32_t budget) {
+        const Set rendered = rendered_by(run, cut_at(run, budget).met, 6);
+        return frame_numbers(run, truth, budget, rendered, wrong_mask(truth.reference.image, rendered),
+                             0.5)[M::zero_keys];
+    };
+    EXPECT_TRUE(std::isnan(share(3))) << "no cells were popped";
+    run.zero_keys_after = {1, 2, 2, 3};
+    EXPECT_DOUBLE_EQ(share(3), 2 / 3.0);
+    EXPECT_DOUBLE_EQ(share(100), 3 / 4.0);
+    EXPECT_TRUE(std::isnan(share(0)));
+}
+
 TEST(FrameNumbers, OfNothingVisibleHaveNoCoverage) {
     Truth truth = hand_made_truth();
     truth.reference.visible.assign(6, 0);
@@ -133,11 +159,13 @@ TEST(FrameNumbers, OfNothingVisibleHaveNoCoverage) {
 /// The state that a run with a budget leaves, by the steps of the viewer.
 template <int D>
 void expect_same_as_with_budget(const Session<D>& session, Random& random) {
-    const WholeRun run = whole_run<D>(session.method(), session.problem(), session.reference());
+    Problem<D> asked = session.problem();
+    if (random.below(2)) asked.parameters.set(budget_counts_row(), "per_cell");
+    const WholeRun run = whole_run<D>(session.method(), asked, session.reference());
     const std::size_t primitives = session.scene().primitives.size();
     for (int i = 0; i < 4; ++i) {
         const auto k = static_cast<std::uint32_t>(random.below(primitives + 2));
-        Problem<D> problem = session.problem();
+        Problem<D> problem = asked;
         problem.budget = k;
         const test::Recorded<D> recorded = test::record_all(session.method(), problem);
         const Set rendered = rendered_mask(recorded.run->met(), primitives);

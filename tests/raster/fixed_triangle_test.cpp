@@ -118,7 +118,7 @@ TEST(FixedTriangle, CoversThePixelsThatExactArithmeticSays) {
         const auto corners = some_triangle(random, size);
         const ExactTriangle exact(corners.data(), size);
         FixedTriangle triangle;
-        const bool drawn = snap(corners.data(), size, triangle);
+        const bool drawn = snap_triangle(corners.data(), size, triangle);
         std::vector<std::uint8_t> mask(static_cast<std::size_t>(size.width * size.height));
         if (drawn) mask = covered(CoveredRows(triangle, size), size);
         int wrong = 0;
@@ -143,7 +143,7 @@ TEST(FixedTriangle, DepthIsTheExactMeanOfTheCornersUpToOneStepOfAFloat) {
         const auto corners = some_triangle(random, grid);
         const ExactTriangle exact(corners.data(), grid);
         FixedTriangle triangle;
-        if (!snap(corners.data(), grid, triangle)) continue;
+        if (!snap_triangle(corners.data(), grid, triangle)) continue;
         const CoveredRows rows(triangle, grid);
         const NearnessPlane plane(triangle);
         for (int y = rows.first_row; y < rows.end_row; ++y) {
@@ -171,7 +171,7 @@ TEST(FixedTriangle, OfTwoThatOverlapTheNearerWinsAndOfEqualOnesTheLowestId) {
             std::swap(b[random.below(3)], b[random.below(3)]);
         }
         FixedTriangle first, second;
-        if (!snap(a.data(), grid, first) || !snap(b.data(), grid, second)) continue;
+        if (!snap_triangle(a.data(), grid, first) || !snap_triangle(b.data(), grid, second)) continue;
         const ExactTriangle one(a.data(), grid), two(b.data(), grid);
         for_pixels(grid, [&](int x, int y) {
             if ((x + y) % 3 || !one.covers(x, y) || !two.covers(x, y)) return;
@@ -220,7 +220,7 @@ TEST(FixedTriangle, AMeshCoversEachPixelOnceAlsoWhereItsPointsLieOnCentres) {
                 for (const int k : {1, 2}) {
                     const ImageCorner corners[3] = {quad[0], quad[k], quad[k + 1]};
                     FixedTriangle triangle;
-                    if (!snap(corners, grid, triangle)) continue;
+                    if (!snap_triangle(corners, grid, triangle)) continue;
                     const auto mask = covered(CoveredRows(triangle, grid), grid);
                     for (std::size_t p = 0; p < mask.size(); ++p) count[p] += mask[p];
                 }
@@ -238,7 +238,7 @@ TEST(FixedTriangle, ShrunkToPixelsThatLieWhollyInside) {
         const ExactTriangle exact(corners.data(), grid);
         FixedTriangle triangle;
         std::vector<std::uint8_t> mask(static_cast<std::size_t>(grid.width * grid.height));
-        if (snap(corners.data(), grid, triangle)) mask = covered(CoveredRows(triangle, grid, true, 2), grid);
+        if (snap_triangle(corners.data(), grid, triangle)) mask = covered(CoveredRows(triangle, grid, true, 2), grid);
         for_pixels(grid, [&](int x, int y) {
             bool whole = exact.area() != 0;
             for (std::size_t i = 0; i < 3 && whole; ++i)

@@ -56,7 +56,7 @@ DepthImage with_contents(DepthImage image, const View<3>& view, const Hull& hull
 /// Every pixel that the contents change is among the seen ones. The number of changed pixels.
 int expect_conservative(const SeenShape& shape, const DepthImage& image, const DepthImage& changed) {
     const DepthPyramid pyramid(image);
-    const Sight sight = look_at(shape, image);
+    const ShapeSight sight = look_at(shape, image);
     const auto witness = find_seen(shape, image, pyramid);
     EXPECT_EQ(count_seen(shape, image, pyramid), sight.seen);
     EXPECT_EQ(witness.has_value(), sight.seen > 0);

@@ -107,13 +107,14 @@ struct Maker {
     void add_scene() { add_line("", hash_text(scene_hash(scene)) + " " + std::to_string(scene.primitives.size())); }
 
     void add_methods() {
-        for (const Tessellation tessellation : {Tessellation::delaunay, Tessellation::tree}) {
+        for (const Tessellation tessellation : {Tessellation::delaunay, Tessellation::tree, Tessellation::kd}) {
             const std::string key = " " + std::string(words<Tessellation>[static_cast<std::size_t>(tessellation)]);
             Settings start = settings(tessellation);
             const CellComplex<D> cells = build_cells(scene, start);
             add_line(key, hash_text(cells_hash(cells)) + " " + std::to_string(cells.cell_count()));
             for (const Method<D>& method : method_table<D>()) {
                 if (!method.compared) continue;  // asks for more than the scene
+                if (tessellation == Tessellation::kd && !method.orders_cells()) continue;  // the same on all cells
                 start.method = method.id;
                 add_run(key + " " + start.method, cells, start);
             }
@@ -126,7 +127,9 @@ struct Maker {
             for (const char* assignments :
                  {"on_reenqueue=min", "on_reenqueue=max", "penalty=add", "penalty=none", "transfer_sign=signed",
                   "view_vector=camera", "outside_view=enqueue", "culled_cost=charged", "neighbours_before_break=no",
-                  "seeds=hull", "border=none seeds=hull", "solidity_scale=p95 penalty=add", "star_shaped=off"}) {
+                  "seeds=hull", "border=none seeds=hull", "solidity_scale=p95 penalty=add", "star_shaped=off",
+                  "own_content=on", "budget_counts=per_cell", "leaf_capacity=8",
+                  tessellation == Tessellation::tree ? "neighbours=touching" : "empty_leaves=drop"}) {
                 Settings start = settings(tessellation, assignments);
                 start.method = "published";
                 const std::string key = std::string(words<Tessellation>[static_cast<std::size_t>(tessellation)]);

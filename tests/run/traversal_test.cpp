@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "core/base/trig.h"
+#include "core/methods/cells/facet_geometry.h"
 #include "core/methods/cells/seed_cells.h"
+#include "core/methods/plp/plp_parameters.h"
 #include "core/session/settings_table.h"
 #include "core/space/builders.h"
 #include "core/space/cell_in_view.h"
@@ -21,7 +25,8 @@ TEST(Traversal, OrderIsThatOfThePapersStructure) {
     for (int i = 0; i < test::soak_count(400); ++i) {
         const Scene<2> scene = test::random_scene(random, 5 + random.below(120));
         Settings settings;
-        settings.tessellation = random.below(2) ? Tessellation::delaunay : Tessellation::tree;
+        settings.tessellation = static_cast<Tessellation>(random.below(tessellation_count));
+        if (random.below(2)) settings.neighbours = Neighbours::touching;
         settings.jitter = random.below(2) ? 0.02 : 0;
         if (random.below(2)) settings.budget = {Budget::Kind::primitives, static_cast<double>(random.below(100))};
         const CellComplex<2> cells = build_cells(scene, settings);
@@ -35,6 +40,95 @@ TEST(Traversal, OrderIsThatOfThePapersStructure) {
                 .run(view, seed_cells(problem).front(), problem.budget, projected, rendered);
         ASSERT_EQ(popped_cells(recorded.timeline), projected) << "scene " << i;
         ASSERT_EQ(rendered_ids(recorded.run->met()), rendered) << "scene " << i;
+    }
+}
+
+/// The gem's step(): a cell is rendered whole, counts all that it holds while it is in view, and ends the run when the
+/// budget is reached.
+template <int D>
+void expect_whole_cells(const Scene<D>& scene, const CellComplex<D>& cells, const View<D>& view, Settings settings) {
+    apply_setting(settings, "budget_counts=per_cell");
+    const Problem<D> problem = problem_of(scene, cells, view, settings);
+    Problem<D> unlimited = problem;
+    unlimited.budget = none;
+    for (const char* id : {"published", "layers"}) {
+        const Method<D>& method = find_method<D>(method_table<D>(), id);
+        const Recorded<D> recorded = record_all(method, problem);
+        std::vector<std::uint32_t> order = popped_cells(record_all(method, unlimited).timeline), rendered;
+        std::vector<std::uint8_t> met(scene.primitives.size());
+        std::uint32_t spent = 0;
+        std::size_t steps = 0;
+        while (steps < order.size() && spent < problem.budget) {
+            const std::uint32_t cell = order[steps++];
+            for (const std::uint32_t primitive : cells.primitives_of(cell))
+                if (!std::exchange(met[primitive], std::uint8_t{1}) && shows(problem, primitive))
+                    rendered.push_back(primitive);
+            if (cell_in_view(cells, view, cell)) spent += cells.count(cell);
+        }
+        order.resize(steps);
+        ASSERT_EQ(popped_cells(recorded.timeline), order) << id;
+        ASSERT_EQ(rendered_ids(recorded.run->met()), rendered) << id;
+        ASSERT_EQ(recorded.run->counters().spent, spent) << id;
+    }
+}
+
+TEST(Traversal, ABudgetOfWholeCellsCountsAsTheGemDoes) {
+    Random random(12);
+    for (int i = 0; i < test::soak_count(100); ++i) {
+        Settings settings = test::random_wide_settings(random);
+        settings.budget = {Budget::Kind::primitives, static_cast<double>(random.below(200))};
+        const Scene<2> scene = test::random_scene(random, 5 + random.below(100));
+        expect_whole_cells<2>(scene, build_cells(scene, settings), make_view(test::random_view(random)), settings);
+        if (i % 4 != 0) continue;
+        settings.error_bound = 0.3;
+        const Scene<3> solid = test::random_scene_3d(random, 60);
+        const Vec<3> eye(random.uniform(-1, 2), random.uniform(-1, 2), random.uniform(-1, 2));
+        expect_whole_cells<3>(solid, build_cells(solid, settings),
+                              make_view(ViewSpec<3>{eye, {.5, .5, .5}, 60}, 4.0 / 3), settings);
+    }
+}
+
+/// Every key of `published` is worked out again from what its step recorded.
+template <int D>
+void expect_own_content(const Scene<D>& scene, const CellComplex<D>& cells, const View<D>& view, Settings settings) {
+    apply_setting(settings, "own_content=on");
+    const Problem<D> problem = problem_of(scene, cells, view, settings);
+    const Recorded<D> recorded = record_all(find_method<D>(method_table<D>(), "published"), problem);
+    const double scale = solidity_scale(problem);
+    const PlpParameters parameters(problem.parameters);
+    for (std::uint32_t step = 1; step <= recorded.timeline.size(); ++step) {
+        const Step& popped = recorded.timeline.steps[step - 1];
+        for (const Considered& c : recorded.run->considered(popped, recorded.timeline.changes_of(step), 3)) {
+            if (!c.key) continue;
+            const auto facets = cells.facets_of(popped.item.id);
+            const HalfFacet half =
+                *std::find_if(facets.begin(), facets.end(), [&](const HalfFacet& h) { return h.facet() == c.via.id; });
+            const FacetGeometry<D> facet = facet_geometry(cells, half);
+            double angle = cosine<D>(
+                parameters.view_vector == ViewVector::eye ? facet.centroid - view.eye : view.forward(), facet.normal);
+            if (parameters.transfer_sign == TransferSign::clamp) angle = std::max(angle, 0.0);
+            if (parameters.transfer_sign == TransferSign::abs) angle = std::abs(angle);
+            double key = std::min(cells.count(popped.item.id) / scale, 1.0) + angle * popped.key +
+                         std::min(cells.count(half.neighbour) / scale, 1.0);
+            if (c.key->penalised)
+                key = parameters.penalty == Penalty::multiply ? key * parameters.penalty_amount
+                                                              : key + parameters.penalty_amount;
+            ASSERT_DOUBLE_EQ(c.key->key, key);
+        }
+    }
+}
+
+TEST(Traversal, WithOwnContentACellsPrimitivesCountForItself) {
+    Random random(14);
+    for (int i = 0; i < test::soak_count(60); ++i) {
+        Settings settings = test::random_wide_settings(random);
+        const Scene<2> scene = test::random_scene(random, 5 + random.below(100));
+        expect_own_content<2>(scene, build_cells(scene, settings), make_view(test::random_view(random)), settings);
+        if (i % 4 != 0) continue;
+        settings.error_bound = 0.3;
+        const Scene<3> solid = test::random_scene_3d(random, 60);
+        expect_own_content<3>(solid, build_cells(solid, settings),
+                              make_view(ViewSpec<3>{{-.5, .2, .3}, {.5, .5, .5}, 60}, 4.0 / 3), settings);
     }
 }
 

@@ -103,4 +103,16 @@ inline Settings random_settings(Random& random) {
     return s;
 }
 
+/// The same, with kd cells, neighbours that touch, and what else stands beside the papers' form.
+inline Settings random_wide_settings(Random& random) {
+    Settings s = random_settings(random);
+    if (random.below(3) == 0) s.tessellation = Tessellation::kd;
+    if (random.below(3) == 0) s.neighbours = Neighbours::touching;
+    if (random.below(3) == 0) s.empty_leaves = EmptyLeaves::drop;
+    if (random.below(3) == 0) s.leaf_capacity = static_cast<std::uint32_t>(1 + random.below(10));
+    if (random.below(3) == 0) s.parameters.set(own_content_row(), "on");
+    if (random.below(3) == 0) s.parameters.set(budget_counts_row(), "per_cell");
+    return s;
+}
+
 }  // namespace sightline::test

@@ -62,26 +62,27 @@ void expect_bookmarks(Session<3>& session) {
 }
 
 TEST(SceneLessons3, BottleneckNeedsTheStarShapePenalty) {
-    for (const char* seed : {"seed=1", "seed=2", "seed=3"}) {
+    // One key (K) turns the penalty on, with the factor that the scene starts with. What it gains differs from seed to
+    // seed; it loses in none.
+    double sum_without = 0, sum_with = 0;
+    for (const char* seed : {"seed=1", "seed=2", "seed=3", "seed=4", "seed=5"}) {
         SCOPED_TRACE(seed);
-        Session<3> without = ran("bottleneck", {seed});
+        const Session<3> without = ran("bottleneck", {seed}), with = ran("bottleneck", {seed, "penalty=multiply"});
         EXPECT_EQ(without.settings().parameters.text(penalty_row()), "none");
-        EXPECT_LT(covered(without), 0.9);
-        EXPECT_EQ(covered(ran("bottleneck", {seed, "penalty=add"})), 1);
-        expect_bookmarks(without);
-
-        const auto crates_before_walls = [](const Session<3>& s) {
-            const std::vector<Inversion> found = s.inversions();
-            return std::count_if(found.begin(), found.end(), [&](const Inversion& inversion) {
-                return inversion.wasted > 0 && s.cells().centre(inversion.cell).y > 9;
-            });
-        };
-        const Session<3> all_without = ran("bottleneck", {seed, "budget=unlimited"});
-        const Session<3> all_with = ran("bottleneck", {seed, "budget=unlimited", "penalty=add"});
-        EXPECT_GT(crates_before_walls(all_without), 10);
-        EXPECT_EQ(crates_before_walls(all_with), 0);
-        EXPECT_LT(2 * all_with.inversions().size(), all_without.inversions().size());
+        EXPECT_EQ(without.settings().parameters.text(penalty_amount_row()), "4") << "1 would change nothing";
+        EXPECT_GE(covered(with), covered(without));
+        sum_without += covered(without);
+        sum_with += covered(with);
     }
+    EXPECT_LT(sum_without / 5, 0.94);
+    EXPECT_GT(sum_with / 5, 0.97);
+    Session<3> first = ran("bottleneck");
+    EXPECT_LT(covered(first), 0.92);
+    EXPECT_GT(wrong(first), 0.05);
+    const Session<3> mended = ran("bottleneck", {"penalty=multiply"});
+    EXPECT_EQ(covered(mended), 1);
+    EXPECT_EQ(wrong(mended), 0);
+    expect_bookmarks(first);
 }
 
 TEST(SceneLessons3, WallOfTwoTrianglesHidesAStoreAndCountsForNothing) {

@@ -175,6 +175,21 @@ TEST(SceneLessons, BottleneckNeedsTheStarShapePenalty) {
     }
 }
 
+TEST(SceneLessons, BottleneckInAFieldNeedsThePenaltyAtFivePercent) {
+    for (const char* seed : {"seed=1", "seed=2", "seed=3", "seed=4", "seed=5"}) {
+        SCOPED_TRACE(seed);
+        const Session<2> without = ran("field", {seed}), times_two = ran("field", {seed, "penalty=multiply"});
+        EXPECT_EQ(without.settings().error_bound, 0.05);
+        EXPECT_EQ(without.settings().parameters.text(penalty_row()), "none");
+        EXPECT_LT(covered(without), 0.7);
+        EXPECT_EQ(covered(times_two), 1);
+        EXPECT_EQ(covered(ran("field", {seed, "penalty=add", "penalty_amount=1"})), 1);
+        EXPECT_LT(times_two.inversions().size(), without.inversions().size());
+        // By itself, at the same share of its own side, the bottleneck does without.
+        EXPECT_GT(covered(ran("bottleneck", {seed, "error_bound=0.05"})), 0.95);
+    }
+}
+
 TEST(SceneLessons, StreetsShowAFewPercent) {
     const Session<2> session = open("streets");
     EXPECT_LT(static_cast<double>(session.reference().count), 0.03 * session.scene().primitives.size());

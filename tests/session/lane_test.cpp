@@ -2,7 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "core/base/error.h"
 #include "core/scene/clean.h"
+#include "core/session/condition.h"
+#include "core/session/report.h"
 #include "core/session/state_file.h"
 #include "tests/session/session_support.h"
 #include "tests/soak.h"
@@ -46,6 +52,17 @@ public:
         return std::make_shared<const FrameHistory>(FrameHistory{rendered_mask(met(), order_.size())});
     }
 
+    std::span<const Field<2>> fields() const override {
+        static const std::array table{
+            Field<2>{"rho", "key", "as others call it", [](const Run<2>&, const Item&) { return std::optional(1.0); }},
+            Field<2>{"again", "again", "1: rendered in the last frame, too",
+                     [](const Run<2>& run, const Item& item) -> std::optional<double> {
+                         if (item.kind != Kind::primitive) return std::nullopt;
+                         const auto& history = run.problem().history;
+                         return history && history->visible[item.id] ? 1 : 0;
+                     }}};
+        return table;
+    }
     static int clones;  ///< made so far
 
 private:
@@ -119,6 +136,55 @@ TEST(Lane, AFrameDependsOnThoseBeforeItAndIsMadeAgainFromTheirViews) {
         EXPECT_EQ(session.problem().history, nullptr);
     }
     EXPECT_GT(decided, 5);
+}
+
+TEST(Lane, ConditionsAndTracesReachTheFieldsOfAMethod) {
+    const std::vector<Method<2>> table = table_with_again();
+    Random random(5);
+    test::Start start = test::random_start(random, 80);
+    Scene<2> scene = *start.scene;
+    clean(scene, Recentre::no, "lane");
+    start.scene = std::make_shared<const Scene<2>>(std::move(scene));
+    start.settings.method = "again";
+    start.settings.budget = {Budget::Kind::primitives, 6};
+    Session<2> session(start.scene, start.view, start.settings, table);
+    session.run();
+    session.fly(start.view);
+    session.land();
+    ASSERT_GE(session.recorded(), 6u);
+    const std::vector<std::uint32_t> found = matches(session, condition_for<2>(session, "again == 1 && step > 2"));
+    const auto json = nlohmann::ordered_json::parse(trace_json(session));
+    std::vector<std::uint32_t> expected;
+    for (std::uint32_t step = 1; step <= session.recorded(); ++step) {
+        const std::uint32_t primitive = session.timeline().steps[step - 1].item.id;
+        const bool again = session.problem().history->visible[primitive] != 0;
+        if (again && step > 2) expected.push_back(step);
+        const auto& fields = json["steps"][step - 1]["fields"];
+        EXPECT_EQ(fields["again"].get<double>(), again) << step;
+        EXPECT_FALSE(fields.contains("rho")) << "stands in the step already";
+    }
+    EXPECT_EQ(found, expected);
+    EXPECT_FALSE(found.empty());
+    try {
+        condition_for(session, "againn == 1");
+        ADD_FAILURE();
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what()).find("again"), std::string::npos) << error.what();
+    }
+
+    // A breakpoint over it is kept while another method runs, never holds there, and is not written where no method
+    // could read it.
+    session.breakpoints.push_back({"again == 1", true});
+    const std::string with = state_json(session);
+    EXPECT_EQ(open_state<2>(with, "lane", table).session.breakpoints, session.breakpoints);
+    Settings other = session.settings();
+    other.method = "published";
+    session.change(other);
+    EXPECT_THROW(condition_for<2>(session, "again == 1"), InputError);
+    EXPECT_FALSE(condition_here<2>(session, "again == 1"));
+    EXPECT_TRUE(condition_here<2>(session, "rho > 0 && count > 1"));
+    EXPECT_TRUE(open_state<2>(state_json(session), "lane", table).session.breakpoints.empty());
+    EXPECT_EQ(nlohmann::ordered_json::parse(trace_json(session))["steps"][0].contains("fields"), false);
 }
 
 TEST(Lane, AFlightKeepsNoKeyframes) {

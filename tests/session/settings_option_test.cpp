@@ -17,10 +17,10 @@ TEST_F(SettingsOption, IsWhatSetWouldDoAndGoesBeforeIt) {
     EXPECT_EQ(file["state_hash"], asked["state_hash"]);
     EXPECT_NE(file["cells"], stats({"rooms"})["cells"]);
     // A preset goes before it, --method, --budget and --set behind it, whatever their order.
-    write("more.json", write_settings({"border=inflated", "method=layers", "budget=9"}, ""));
-    const Json mixed =
-        stats({"rooms", "--set", "error_bound=0.3", "--settings", "more.json", "--preset", "letter", "--budget", "11"});
-    const Json plain = stats({"rooms", "--preset", "letter", "--set", "border=inflated", "--set", "method=layers",
+    write("more.json", write_settings({"seeds=hull", "method=layers", "budget=9"}, ""));
+    const Json mixed = stats(
+        {"rooms", "--set", "error_bound=0.3", "--settings", "more.json", "--preset", "prototype-2d", "--budget", "11"});
+    const Json plain = stats({"rooms", "--preset", "prototype-2d", "--set", "seeds=hull", "--set", "method=layers",
                               "--set", "error_bound=0.3", "--set", "budget=11"});
     EXPECT_EQ(mixed["state_hash"], plain["state_hash"]);
     EXPECT_EQ(mixed["method"], "layers");

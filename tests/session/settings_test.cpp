@@ -23,9 +23,15 @@ struct Range {
     bool whole = false;
 };
 const std::map<std::string_view, Range> ranges{
-    {"error_bound", {0, 1, true}}, {"jitter", {0, 0.5, false, true}},         {"penalty_amount", {0, 1e6}},
-    {"zoom", {0.01, 1000}},        {"seed", {0, 0x1p64, false, true, true}},  {"shrink", {0.05, 1}},
-    {"slice_at", {0, 1}},          {"around", {0, 1000, false, false, true}},
+    {"error_bound", {0, 1, true}},
+    {"jitter", {0, 0.5, false, true}},
+    {"penalty_amount", {0, 1e6}},
+    {"zoom", {0.01, 1000}},
+    {"seed", {0, 0x1p64, false, true, true}},
+    {"shrink", {0.05, 1}},
+    {"leaf_capacity", {1, 1e6, false, false, true}},
+    {"slice_at", {0, 1}},
+    {"around", {0, 1000, false, false, true}},
 };
 
 const std::set<std::string_view> any_number{"zoom_x", "zoom_y"};
@@ -103,18 +109,18 @@ TEST(Settings, EveryFieldOfTheStructHasARow) {
     }
     EXPECT_EQ(back, defaults);
     // As many names as the structs have fields, or this does not compile.
-    const auto& [t1, t2, t3, t4, t5] = static_cast<const TessellationSettings&>(changed);
+    const auto& [t1, t2, t3, t4, t5, t6, t7, t8] = static_cast<const TessellationSettings&>(changed);
     static_cast<void>(t1);
     const auto& [p1, p2, p3, p4, p5, p6, p7, p8, p9, p10, p11, p12, p13, p14, p15, p16, p17, p18, p19, p20, p21, p22,
                  p23, p24, p25, p26, p27, p28, p29, p30] = static_cast<const PictureSettings&>(changed);
     static_cast<void>(p1);
     constexpr std::size_t own = 5;  // two_sided, method, budget, reference_size, reference
-    EXPECT_EQ(settings_table().size(), 5u + 30u + own + all_parameters().size());
+    EXPECT_EQ(settings_table().size(), 8u + 30u + own + all_parameters().size());
 }
 
 TEST(Settings, NamesDefaultsAndWordsAreThoseOfTheDesign) {
     struct Row {
-        const char *name, *standard, *letter, *values;
+        const char *name, *standard, *printed, *values;  // `printed`: in prototype-2d and paper-3d
     };
     const Row design[] = {
         {"view_vector", "eye", "camera", "eye | camera"},
@@ -122,10 +128,10 @@ TEST(Settings, NamesDefaultsAndWordsAreThoseOfTheDesign) {
         {"on_reenqueue", "replace", "replace", "replace | min | max"},
         {"penalty", "multiply", "multiply", "multiply | add | none"},
         {"penalty_amount", "2", "2", nullptr},
-        {"star_shaped", "on", "off", "off | on"},  // 2D: off in `letter`, as TR
-        {"error_bound", "0.05", "0.05", "(0, 1]"},
-        {"border", "inflated", "none", "inflated | none"},
-        {"jitter", "0.02", "0.02", "[0, 0.5)"},
+        {"star_shaped", "on", nullptr, "off | on"},
+        {"error_bound", "0.05", "0.3", "(0, 1]"},
+        {"border", "inflated", "inflated", "inflated | none"},
+        {"jitter", "0.02", "0.1", "[0, 0.5)"},
         {"solidity_scale", "max", "max", "max | p95"},
         {"outside_view", "unseen", "enqueue", "unseen | enqueue"},
         {"culled_cost", "free", "free", "free | charged"},
@@ -133,14 +139,28 @@ TEST(Settings, NamesDefaultsAndWordsAreThoseOfTheDesign) {
         {"reference_size", "auto", nullptr, nullptr},
         {"reference", "opengl", nullptr, "opengl | software"},
         {"seeds", "one", "one", "one | hull"},
+        {"budget_counts", "each_once", "each_once", "each_once | per_cell"},
+        {"own_content", "off", "off", "off | on"},
+        {"empty_leaves", "keep", "keep", "keep | drop"},
+        {"leaf_capacity", "1", "1", "[1, 1000000]"},
+        {"neighbours", "facet", "facet", "facet | touching"},
+        {"tessellation", "delaunay", "delaunay", "delaunay | tree | kd"},
     };
-    Settings letter;
-    apply_preset(letter, "letter");
+    Settings prototype, paper;
+    for (Settings* settings : {&prototype, &paper}) {  // a preset leaves the cells alone
+        settings->error_bound = 0.3;
+        settings->jitter = 0.1;
+    }
+    apply_preset(prototype, "prototype-2d");
+    apply_preset(paper, "paper-3d");
+    EXPECT_EQ(setting_row("star_shaped").get(prototype), "off") << "as the 2D program of TR";
+    EXPECT_EQ(setting_row("star_shaped").get(paper), "on");
     for (const Row& row : design) {
         const SettingRow& ours = setting_row(row.name);
         EXPECT_EQ(ours.get(Settings{}), row.standard) << row.name;
-        if (row.letter) {
-            EXPECT_EQ(ours.get(letter), row.letter) << row.name;
+        if (row.printed) {
+            EXPECT_EQ(ours.get(prototype), row.printed) << row.name;
+            EXPECT_EQ(ours.get(paper), row.printed) << row.name;
         }
         if (row.values) {
             EXPECT_EQ(ours.values, row.values) << row.name;
@@ -157,6 +177,9 @@ TEST(Settings, EachRowSaysWhatItInvalidates) {
                                                            {"border", Invalidates::tessellation},
                                                            {"jitter", Invalidates::tessellation},
                                                            {"seed", Invalidates::tessellation},
+                                                           {"leaf_capacity", Invalidates::tessellation},
+                                                           {"empty_leaves", Invalidates::tessellation},
+                                                           {"neighbours", Invalidates::tessellation},
                                                            {"reference_size", Invalidates::reference},
                                                            {"reference", Invalidates::reference},
                                                            {"palette", Invalidates::picture},
@@ -257,7 +280,7 @@ TEST(Settings, UnknownNamesListTheKnownOnes) {
         }
     test::expect_input_error([&] { apply_setting(settings, "jitter"); }, "setting 'jitter': write FIELD=VALUE");
     test::expect_input_error([&] { apply_preset(settings, "lettre"); },
-                             "preset 'lettre' does not exist; there are default, letter");
+                             "preset 'lettre' does not exist; there are default, prototype-2d, paper-3d");
     EXPECT_EQ(settings, Settings{});
 }
 
@@ -278,7 +301,7 @@ TEST(Settings, PresetsSetAllThatTheOtherOnesTouch) {
     Settings kept;
     kept.palette = Palette::paper;
     kept.budget = parse_budget("7");
-    apply_preset(kept, "letter");
+    apply_preset(kept, "paper-3d");
     EXPECT_EQ(kept.palette, Palette::paper);
     EXPECT_EQ(budget_text(kept.budget), "7");
 }

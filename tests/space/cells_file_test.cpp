@@ -26,7 +26,7 @@ Scene<D> some_scene(Random& random) {
 }
 
 Settings some_settings(Random& random) {
-    Settings settings = test::random_settings(random);
+    Settings settings = test::random_wide_settings(random);
     settings.error_bound = 0.3;
     return settings;
 }
@@ -110,6 +110,15 @@ TEST(CellsFile, IsRefusedWhenItDoesNotFit) {
         Settings changed = settings;
         apply_setting(changed, change);
         expect(complaint(scene, changed), std::string(", not with ") + change);
+    }
+    for (const char* change : {"leaf_capacity=4", "empty_leaves=drop", "neighbours=touching"}) {
+        Settings changed = settings;
+        apply_setting(changed, change);
+        expect(complaint(scene, changed), std::string("was made without ") + change);
+        write_cells(build_cells(scene, changed), scene, changed, some_file());
+        EXPECT_EQ(complaint(scene, changed), "");
+        expect(complaint(scene, settings), std::string("was made with ") + change + ", which is not asked for");
+        write_cells(build_cells(scene, settings), scene, settings, some_file());
     }
     Settings picture = settings;
     apply_setting(picture, "method=layers");

@@ -21,7 +21,10 @@ Exact::Triangle_3 exact(const Primitive<3>& t) { return {exact(t[0]), exact(t[1]
 double volume(const CellComplex<3>& cells, std::uint32_t cell) {
     const auto corners = cells.corners_of(cell);
     const auto corner = [&](std::size_t i) { return cells.points[corners[i]]; };
-    if (corners.size() == 8) return std::pow(corner(7).x - corner(0).x, 3);
+    if (corners.size() == 8) {
+        const Vec<3> extent = corner(7) - corner(0);
+        return extent.x * extent.y * extent.z;
+    }
     return glm::dot(glm::cross(corner(1) - corner(0), corner(2) - corner(0)), corner(3) - corner(0)) / 6;
 }
 
@@ -29,7 +32,7 @@ bool sliver(const CellComplex<3>& cells, std::uint32_t cell) { return volume(cel
 
 /// Settings of the tessellation only differ; small trees keep brute force cheap.
 Settings settings_for(Random& random) {
-    Settings settings = test::random_settings(random);
+    Settings settings = test::random_wide_settings(random);
     settings.error_bound = random.below(2) ? 0.3 : 0.13;
     return settings;
 }
@@ -43,13 +46,14 @@ TEST(Space3, CellsAreLinkedBothWaysAndFillTheirBox) {
         test::expect_linked(cells, sliver);
         double sum = 0;
         for (std::uint32_t cell = 0; cell < cells.cell_count(); ++cell) sum += volume(cells, cell);
-        const double side = cells.tree.root_box().extent().x;
-        if (settings.tessellation == Tessellation::tree) {
-            ASSERT_NEAR(sum, std::pow(side, 3), 1e-12);
+        const Vec<3> root = cells.tree.root_box().extent();
+        const double side = root.x;
+        if (cells.has_boxes()) {
+            ASSERT_NEAR(sum, root.x * root.y * root.z, 1e-12);
         } else if (settings.border == Border::inflated) {
             ASSERT_NEAR(sum, std::pow(side * 1.1, 3), 1e-12);
         }
-        if (settings.tessellation == Tessellation::tree || settings.border == Border::inflated) {
+        if (cells.has_boxes() || settings.border == Border::inflated) {
             ASSERT_EQ(cells.unassigned, 0u);
         }
     }
@@ -145,7 +149,7 @@ TEST(Space3, TrianglesGoToEveryCellTheyMeetAndToNoOther) {
             unassigned += in_cells[p] == 0;
         }
     }
-    EXPECT_GT(met, 5000u);
+    EXPECT_GT(met, 4000u);
     EXPECT_GT(unassigned, 10u);
 }
 
@@ -272,6 +276,24 @@ TEST(Space3, FlatScenesAndSingleTrianglesHaveCells) {
     }
 }
 
+TEST(Space3, NeighboursOfLeavesAreThoseThatShareAFacetOrTouch) {
+    Random random(44);
+    for (int i = 0; i < test::soak_count(16); ++i) {
+        const Scene<3> scene = test::random_scene_3d(random, random.below(30));
+        Settings settings = settings_for(random);
+        settings.error_bound = 0.3;
+        settings.tessellation = i % 2 ? Tessellation::kd : Tessellation::tree;
+        test::expect_neighbours_of_boxes(build_cells(scene, settings), settings.neighbours);
+    }
+}
+
+TEST(Space3, KdLeavesAreSplitAtTheMedianAcrossTheLongestSide) {
+    Random random(45);
+    for (int i = 0; i < test::soak_count(30); ++i)
+        test::expect_kd_rule<3>(test::random_scene_3d(random, 1 + random.below(60)).primitives,
+                                random.uniform(0.05, 0.5), static_cast<std::uint32_t>(1 + random.below(5)));
+}
+
 TEST(Space3, ManyVerticesAtOnePlaceMakeNoCells) {
     // A fan about one corner, which every triangle has for itself.
     constexpr std::uint32_t count = 30000;
@@ -283,7 +305,7 @@ TEST(Space3, ManyVerticesAtOnePlaceMakeNoCells) {
         };
         scene.primitives.push_back({Vec<3>(0), rim(i), rim(i + 1)});
     }
-    for (const Tessellation kind : {Tessellation::delaunay, Tessellation::tree}) {
+    for (const Tessellation kind : {Tessellation::delaunay, Tessellation::tree, Tessellation::kd}) {
         Settings settings;
         settings.tessellation = kind;
         const CellComplex<3> cells = build_cells(scene, settings);
@@ -295,7 +317,7 @@ TEST(Space3, ManyVerticesAtOnePlaceMakeNoCells) {
 TEST(Space3, MoreReferencesThanAllowedAreRefused) {
     Random random(41);
     const Scene<3> scene = test::random_scene_3d(random, 40);
-    for (const Tessellation kind : {Tessellation::delaunay, Tessellation::tree}) {
+    for (const Tessellation kind : {Tessellation::delaunay, Tessellation::tree, Tessellation::kd}) {
         Settings settings;
         settings.tessellation = kind;
         CellComplex<3> cells = build_cells(scene, settings);

@@ -111,14 +111,16 @@ TEST_F(Viewer2d, OptionsReachTheSession) {
     EXPECT_EQ(stats({"bottleneck", "--method", "layers"})["method"], "layers");
     EXPECT_EQ(stats({"bottleneck", "--set", "tessellation=tree"})["tessellation"], "tree");
     EXPECT_NE(stats({"bottleneck", "--set", "error_bound=0.1", "--set", "jitter=0"})["cells"], plain["cells"]);
-    EXPECT_NE(stats({"bottleneck", "--preset", "letter", "--set", "border=inflated"})["state_hash"],
-              plain["state_hash"]);
+    const Json prototype = stats({"bottleneck", "--preset", "prototype-2d"});
+    EXPECT_NE(prototype["state_hash"], plain["state_hash"]);
+    EXPECT_EQ(prototype["cells"], plain["cells"]) << "a preset leaves the cells alone";
+    EXPECT_NE(stats({"bottleneck", "--preset", "paper-3d"})["state_hash"], prototype["state_hash"]);
     EXPECT_NE(stats({"bottleneck", "--eye", "4,1"})["state_hash"], plain["state_hash"]);
     EXPECT_NE(stats({"bottleneck", "--look-at", "0,8"})["state_hash"], plain["state_hash"]);
     EXPECT_NE(stats({"bottleneck", "--fov", "20"})["state_hash"], plain["state_hash"]);
     // --set goes on top of --preset, whatever their order.
-    EXPECT_EQ(stats({"bottleneck", "--set", "border=inflated", "--preset", "letter", "--budget", "7"})["state_hash"],
-              stats({"bottleneck", "--preset", "letter", "--set", "border=inflated", "--budget", "7"})["state_hash"]);
+    EXPECT_EQ(stats({"bottleneck", "--set", "seeds=hull", "--preset", "paper-3d", "--budget", "7"})["state_hash"],
+              stats({"bottleneck", "--preset", "paper-3d", "--set", "seeds=hull", "--budget", "7"})["state_hash"]);
     // Without a scene: the first lesson.
     EXPECT_EQ(stats({})["state_hash"], plain["state_hash"]);
 }

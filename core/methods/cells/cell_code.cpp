@@ -114,6 +114,14 @@ std::vector<CodeLine> CellBase<D>::code(const CodePlace& at) const {
                      "TVCG fig. 4, line 3"});
     if (place.rendered())
         lines.back().values = std::to_string(at.rendered) + (at.rendered == 1 ? " primitive" : " primitives");
+    if (parameters_.budget_counts == BudgetCounts::per_cell) {
+        lines.push_back({"spend |c|, whether its primitives were rendered before or not",
+                         1,
+                         false,  // with the line above
+                         {},
+                         "gem, project"});
+        if (place.rendered()) lines.back().values = std::to_string(this->problem_.cells->count(at.step->item.id));
+    }
     const bool popping = place.at == CellPlace::At::pop;
     if (!neighbours_first) lines.push_back(budget_line(*this, 1, "", popping, place.in_step()));
     lines.push_back({"for each facet of c, n being the cell behind it:", 1, false, {}, "TVCG fig. 4, line 6"});

@@ -9,7 +9,8 @@ namespace sightline {
 
 /// The parameters that all of them have, and `own`.
 inline std::vector<const ParameterRow*> cell_parameter_rows(std::vector<const ParameterRow*> own = {}) {
-    for (const auto* row : {&outside_view_row(), &culled_cost_row(), &neighbours_before_break_row(), &seeds_row()})
+    for (const auto* row :
+         {&outside_view_row(), &culled_cost_row(), &budget_counts_row(), &neighbours_before_break_row(), &seeds_row()})
         own.push_back(row);
     return own;
 }

@@ -22,6 +22,13 @@ const ParameterRow& seeds_row() {
     return row;
 }
 
+const ParameterRow& budget_counts_row() {
+    static const ParameterRow row =
+        choice_row("budget_counts", BudgetCounts::each_once, "gem, project",
+                   "each primitive counts once, or all those of each cell, which is then rendered whole");
+    return row;
+}
+
 const ParameterRow& on_reenqueue_row() {
     static const ParameterRow row =
         choice_row("on_reenqueue", OnReenqueue::replace, "TVCG fig. 4, line 10",

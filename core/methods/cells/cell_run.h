@@ -191,9 +191,29 @@ private:
     bool project(std::uint32_t cell) {
         const auto primitives = this->problem_.cells->primitives_of(cell);
         std::uint32_t& offset = this->counters_.offset;
+        if (this->parameters_.budget_counts == BudgetCounts::per_cell) {
+            project_whole(cell);
+            return true;
+        }
         for (; offset < primitives.size(); ++offset)
             if (!this->meet(primitives[offset], true)) return false;
         return true;
+    }
+
+    /// The gem's project(): all of the cell, which counts as many primitives as it holds, whether they were met before
+    /// or not, and none where it lies outside the view.
+    void project_whole(std::uint32_t cell) {
+        const auto primitives = this->problem_.cells->primitives_of(cell);
+        Counters& counters = this->counters_;
+        if (counters.offset == primitives.size()) return;  // nothing to render, or done before a break
+        const std::uint32_t before = counters.spent;
+        for (; counters.offset < primitives.size(); ++counters.offset) {
+            counters.spent = 0;  // there is a budget left, so that one more is always met
+            this->meet(primitives[counters.offset], true);
+        }
+        counters.spent = before;
+        if (cell_in_view(*this->problem_.cells, this->problem_.view, cell))
+            counters.spent += static_cast<std::uint32_t>(primitives.size());
     }
 
     /// fig. 4, lines 6-10.

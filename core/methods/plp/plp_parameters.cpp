@@ -42,9 +42,16 @@ const ParameterRow& solidity_scale_row() {
     return row;
 }
 
+const ParameterRow& own_content_row() {
+    static const ParameterRow row =
+        choice_row("own_content", Switch::off, "docs/algorithm.md, keys of 0",
+                   "what a cell itself holds counts for its own key too, not only for those of the cells behind it");
+    return row;
+}
+
 std::vector<const ParameterRow*> plp_parameter_rows() {
-    return {&view_vector_row(), &transfer_sign_row(),  &on_reenqueue_row(),  &star_shaped_row(),
-            &penalty_row(),     &penalty_amount_row(), &solidity_scale_row()};
+    return {&view_vector_row(), &transfer_sign_row(),  &on_reenqueue_row(),   &star_shaped_row(),
+            &penalty_row(),     &penalty_amount_row(), &solidity_scale_row(), &own_content_row()};
 }
 
 PlpParameters::PlpParameters(const Parameters& parameters)
@@ -52,7 +59,8 @@ PlpParameters::PlpParameters(const Parameters& parameters)
       transfer_sign(parameters.choice<TransferSign>(transfer_sign_row())),
       penalty(parameters.choice<Penalty>(penalty_row())),
       penalty_amount(parameters.number(penalty_amount_row())),
-      solidity_scale(parameters.choice<SolidityScale>(solidity_scale_row())) {
+      solidity_scale(parameters.choice<SolidityScale>(solidity_scale_row())),
+      own_content(parameters.choice<Switch>(own_content_row()) == Switch::on) {
     tests_star_shape = parameters.choice<Switch>(star_shaped_row()) == Switch::on && penalty != Penalty::none;
 }
 

@@ -27,6 +27,7 @@ const ParameterRow& star_shaped_row();
 const ParameterRow& penalty_row();
 const ParameterRow& penalty_amount_row();
 const ParameterRow& solidity_scale_row();
+const ParameterRow& own_content_row();
 
 /// All of them and on_reenqueue.
 std::vector<const ParameterRow*> plp_parameter_rows();
@@ -38,6 +39,7 @@ struct PlpParameters {
     Penalty penalty;
     double penalty_amount;
     SolidityScale solidity_scale;
+    bool own_content;  ///< what the cell itself holds counts for its key too
 
     explicit PlpParameters(const Parameters& parameters);
 };

@@ -12,18 +12,18 @@ namespace {
 /// The part of a key that weighs most, for people.
 std::string weightiest(const SolidityTerms& t) {
     const double passed = t.angle * t.handed_on, penalty = t.key - t.unpenalised;
-    const double most = std::max({t.content, passed, penalty});
+    const double most = std::max({t.content, passed, t.own_content, penalty});
     if (!(most > 0)) return "its stamp alone: its key is " + short_number(t.key) + ", made of nothing above 0";
     std::string parts;
     const auto add = [&](double part, const std::string& words) {
         if (part == most) parts += (parts.empty() ? "" : ", and as much ") + words;
     };
     add(penalty, "the penalty (+" + short_number(penalty) + "): the ray from the eye to its centre misses the facet");
-    add(passed, "what was handed on (" + short_number(passed) +
-                         "): the key of the cell that it was reached " + "from, " + short_number(t.handed_on) +
-                         ", times the angle, " + short_number(t.angle));
+    add(passed, "what was handed on (" + short_number(passed) + "): the key of the cell that it was reached " +
+                    "from, " + short_number(t.handed_on) + ", times the angle, " + short_number(t.angle));
     add(t.content, "the content (" + short_number(t.content) +
                        ") of the cell that it was reached from: |A| = " + std::to_string(t.count));
+    add(t.own_content, "its own content (" + short_number(t.own_content) + "): |B| = " + std::to_string(t.own_count));
     return parts;
 }
 
@@ -46,12 +46,13 @@ KeyExplanation explain_solidity(const SolidityTerms& t, const PlpParameters& par
     e.key = t.key;
     e.tested = t.star_tested;
     e.penalised = !t.star_shaped;
-    e.sum = "ρ = " + number(t.content) + " + " + number(t.angle) + " · " + number(t.handed_on) + " = " +
-            number(t.unpenalised);
+    e.sum = "ρ = " + number(t.content) + " + " + number(t.angle) + " · " + number(t.handed_on) +
+            (parameters.own_content ? " + " + number(t.own_content) : "") + " = " + number(t.unpenalised);
     if (e.penalised)
         e.penalty =
             penalty_sign(parameters) + number(parameters.penalty_amount) + " (not star-shaped) = " + number(t.key);
     e.tip = "content |A| / ρ_max, plus angle v·n times the solidity handed on by the cell it was reached from";
+    if (parameters.own_content) e.tip += ", plus its own content |B| / ρ_max";
     e.weightiest = weightiest(t);
     e.terms = {{"rho_a", t.handed_on, {}},
                {"count", static_cast<double>(t.count), {}},
@@ -64,6 +65,9 @@ KeyExplanation explain_solidity(const SolidityTerms& t, const PlpParameters& par
                                 : "false"},
                {"unpenalised", t.unpenalised, {}},
                {"key", t.key, {}}};
+    if (parameters.own_content)  // before the key
+        e.terms.insert(e.terms.end() - 1,
+                       {{"own_count", static_cast<double>(t.own_count), {}}, {"own_content", t.own_content, {}}});
     return e;
 }
 
@@ -75,14 +79,14 @@ void add_solidity_lines(std::vector<CodeLine>& lines, const KeyExplanation* e, c
         lines.push_back({std::move(text), 1, false, e ? values() : std::string(), std::string(source)});
     };
     lines.push_back({"key(n, c): the solidity ρ that c hands on to n", 0, false, {}, {}});
+    const std::string over = parameters.solidity_scale == SolidityScale::p95 ? " / ρ95, at most 1" : " / ρ_max";
+    const auto division = [&](std::string_view of, std::string_view result) {
+        const double count = value(of);
+        return number_text(count) + " / " + number(scale) + (count > scale ? ", cut to " : " = ") +
+               number(value(result));
+    };
     add(
-        parameters.solidity_scale == SolidityScale::p95 ? "content = |c| / ρ95, at most 1" : "content = |c| / ρ_max",
-        [&] {
-            const double count = value("count");
-            return number_text(count) + " / " + number(scale) + (count > scale ? ", cut to " : " = ") +
-                   number(value("density"));
-        },
-        "TVCG fig. 5, line 1");
+        "content = |c|" + over, [&] { return division("count", "density"); }, "TVCG fig. 5, line 1");
     const TransferSign sign = parameters.transfer_sign;
     add(
         sign == TransferSign::clamp ? "angle = v · normal of the facet, at least 0"
@@ -93,8 +97,13 @@ void add_solidity_lines(std::vector<CodeLine>& lines, const KeyExplanation* e, c
             return number(alignment) + (angle == alignment ? "" : ", taken as " + number(angle));
         },
         "TVCG fig. 5, line 1");
+    if (parameters.own_content)
+        add(
+            "own content = |n|" + over, [&] { return division("own_count", "own_content"); },
+            "docs/algorithm.md, keys of 0");
     add(
-        "ρ = content + angle · ρ of c", [&] { return e->sum.substr(e->sum.find('=') + 2); }, "TVCG fig. 5, line 1");
+        parameters.own_content ? "ρ = content + angle · ρ of c + own content" : "ρ = content + angle · ρ of c",
+        [&] { return e->sum.substr(e->sum.find('=') + 2); }, "TVCG fig. 5, line 1");
     if (parameters.tests_star_shape) {
         add(
             "the ray from the eye to the centre of n misses the facet?",

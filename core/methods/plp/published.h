@@ -9,13 +9,15 @@
 
 namespace sightline {
 
-/// The terms of one key: ρ_B = content + angle · handed on, then the penalty.
+/// The terms of one key: ρ_B = content + angle · handed on, with own_content=on + own content, then the penalty.
 struct SolidityTerms {
-    std::uint32_t count = 0;  ///< |A|
-    double content = 0;       ///< |A| / ρ_max, cut at 1 with solidity_scale = p95
-    double alignment = 0;     ///< v · n_B in [-1, 1]
-    double angle = 0;         ///< alignment after transfer_sign
-    double handed_on = 0;     ///< ρ_A, the key of the cell just projected
+    std::uint32_t count = 0;      ///< |A|
+    double content = 0;           ///< |A| / ρ_max, cut at 1 with solidity_scale = p95
+    double alignment = 0;         ///< v · n_B in [-1, 1]
+    double angle = 0;             ///< alignment after transfer_sign
+    double handed_on = 0;         ///< ρ_A, the key of the cell just projected
+    std::uint32_t own_count = 0;  ///< |B|
+    double own_content = 0;       ///< |B| / ρ_max with own_content=on
     bool star_tested = false;
     bool star_shaped = true;
     double unpenalised = 0;
@@ -54,6 +56,11 @@ public:
         if (parameters_.transfer_sign == TransferSign::clamp) t.angle = std::max(t.alignment, 0.0);
         if (parameters_.transfer_sign == TransferSign::abs) t.angle = std::abs(t.alignment);
         t.unpenalised = t.content + t.angle * key_a;
+        if (parameters_.own_content) {
+            t.own_count = cells.count(half.neighbour);
+            t.own_content = std::min(t.own_count / scale_, 1.0);
+            t.unpenalised += t.own_content;
+        }
         t.key = t.unpenalised;
         if (parameters_.tests_star_shape) {
             t.star_tested = true;

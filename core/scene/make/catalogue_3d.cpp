@@ -17,12 +17,12 @@ std::span<const CatalogueRow<3>> catalogue<3>() {
          "visible walls still wait: this is what the star-shape penalty is for.",
          generate::bottleneck,
          {{8, 1.6, 1.6}, {8, 8, 1.6}, 60},
-         0.24,
+         0.05,
          "published",
-         "10%",
-         // A class first meets the rule without the penalty, and turns it on by hand. Of the four neighbours of a cell
-         // at most one passes the test, so the penalty tells cells apart only when the best neighbour counts.
-         {{"on_reenqueue", "min"}, {"penalty", "none"}, {"penalty_amount", "1"}},
+         "12%",
+         // A class first meets the rule without the penalty, and turns it on by hand. The papers print no factor; with
+         // 4 the order finds all of the house here, with 2 not quite (docs/teaching.md).
+         {{"penalty", "none"}, {"penalty_amount", "4"}},
          {{"visible_share == 0 && count > 0", "the first hidden cell that holds something"},
           {"coverage >= 0.5", "half of what can be seen"}},
          0,

@@ -15,6 +15,8 @@ std::vector<Primitive<2>> streets(std::uint64_t seed);
 std::vector<Primitive<2>> rooms(std::uint64_t seed);
 /// Two dense blocks with a gap between them; hidden crates behind; 0..16 x 0..16.
 std::vector<Primitive<2>> bottleneck(std::uint64_t seed);
+/// The same in the middle of a field; -16..48 x -16..48.
+std::vector<Primitive<2>> field(std::uint64_t seed);
 /// Parked cars: a closed shell around engine, seats and luggage; about 0..26 x 0..16.
 std::vector<Primitive<2>> cars(std::uint64_t seed);
 /// Thousands of leaves, none touching another; 0..40 x 0..40.

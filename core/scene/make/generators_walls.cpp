@@ -55,6 +55,19 @@ std::vector<Primitive<2>> bottleneck(std::uint64_t seed) {
     return sketch.segments;
 }
 
+std::vector<Primitive<2>> field(std::uint64_t seed) {
+    std::vector<Primitive<2>> segments = bottleneck(seed);
+    // Its four corners are all that the field has. The tree's root is then four times as wide, so that leaves of 5 %
+    // are those that the bottleneck by itself has at 24 %.
+    for (const double x : {-16.0, 48.0})
+        for (const double y : {-16.0, 48.0}) {
+            const Vec<2> corner(x, y);
+            segments.push_back({corner, corner + Vec<2>(x < 0 ? 1 : -1, 0)});
+            segments.push_back({corner, corner + Vec<2>(0, y < 0 ? 1 : -1)});
+        }
+    return segments;
+}
+
 std::vector<Primitive<2>> wallholes(std::uint64_t seed) {
     Random random(seed);
     Sketch sketch;

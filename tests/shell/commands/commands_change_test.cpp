@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/file.h"
 #include "core/methods/plp/plp_parameters.h"
+#include "core/session/settings_table.h"
 #include "tests/shell/commands/commands_support.h"
 
 namespace sightline {
@@ -29,10 +31,27 @@ TEST_F(EachCommand, cycle) {
 }
 
 TEST_F(EachCommand, preset) {
-    run("preset letter");
+    run("preset prototype-2d");
     EXPECT_EQ(session().settings().parameters.text(view_vector_row()), "camera");
     run("preset default");
     EXPECT_EQ(session().settings().parameters.text(view_vector_row()), "eye");
+}
+
+/// Commands of an earlier version (1: 6bcb33f) do what they did.
+class OldCommands : public EachCommand {};
+
+TEST_F(OldCommands, StillRun) {
+    Settings expected = session().settings();
+    for (const char* assignment :
+         {"view_vector=camera", "transfer_sign=signed", "star_shaped=off", "outside_view=enqueue",
+          "neighbours_before_break=no", "border=none", "error_bound=0.05"})
+        apply_setting(expected, assignment);
+    std::string old = read_file(SIGHTLINE_SOURCE_DIR "/tests/files/commands_1.txt");
+    old.pop_back();  // the end of the line
+    run(old);
+    EXPECT_EQ(session().settings(), expected) << "what the preset letter came to";
+    ASSERT_TRUE(bench->other);
+    EXPECT_EQ(bench->other->session.settings(), expected);
 }
 
 TEST_F(EachCommand, method) {

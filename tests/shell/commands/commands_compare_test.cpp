@@ -24,8 +24,9 @@ TEST_F(EachCommand, compare) {
     run("compare jitter=0.25,penalty=none");
     EXPECT_EQ(other().session.settings().jitter, 0.25);
     EXPECT_EQ(other().session.settings().parameters.text(penalty_row()), "none");
-    run("compare preset:letter");
+    run("compare preset:paper-3d");
     EXPECT_EQ(other().session.settings().parameters.text(view_vector_row()), "camera");
+    EXPECT_EQ(difference(session().settings(), other().session.settings()), Invalidates::traversal) << "the same cells";
     run("compare streets");
     EXPECT_EQ(other().session.scene().id, "streets");
     run("set jitter=0.1; save " + file("right.json") + "; undo; compare " + file("right.json"));

@@ -81,7 +81,7 @@ std::string random_command(Random& random, const Session<2>& session) {
         case 20:
             return random.below(10) == 0 ? "scene new" : "bookmark b";
         default:
-            return "preset " + std::string(random.below(2) ? "letter" : "default");
+            return "preset " + std::string(random.below(2) ? "paper-3d" : "default");
     }
 }
 
