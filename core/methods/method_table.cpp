@@ -44,6 +44,7 @@ std::vector<Method<D>> rows() {
     for (const Method<D>& method : table)
         if (method.orders_cells()) firsts.push_back(method);
     table.push_back(cplp_method<D>(std::move(firsts), cell_parameter_rows(plp_parameter_rows())));
+    table.back().compared = false;
     return table;
 }
 

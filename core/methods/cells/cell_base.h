@@ -40,7 +40,7 @@ public:
     std::string popped_words(const Step& step) const override;
 
     /// From the end of the budget on the run goes on in rounds until nothing visible is left (cplp/cplp.h). To be
-    /// called before the first step. Throws InputError where neighbours_before_break is no.
+    /// called before the first step.
     void complete_in_rounds();
     std::vector<CodeLine> code(const CodePlace&) const override;
 
@@ -70,8 +70,9 @@ protected:
 
     /// Projects a cell that waits in the front, whatever its place, and adds its neighbours.
     virtual void project_now(std::uint32_t cell, Recorder* recorder) = 0;
-    /// Renders the rest of the cell that the budget left partly rendered.
-    virtual void finish_partial() = 0;
+    /// Renders the rest of the cell that the budget left partly rendered, and adds its neighbours where they are
+    /// pending.
+    virtual void finish_partial(Recorder* recorder) = 0;
     /// The budget has ended, or the front is empty: a round, where the run goes on in rounds.
     bool in_rounds() const { return rounds_ && (rounds_->done > 0 || rounds_begin()); }
     Stop make_round(Recorder* recorder);
@@ -88,6 +89,7 @@ private:
     bool may_be_seen(std::uint32_t cell) const;
     void begin_rounds(Recorder* recorder);
     void rewind_round(std::vector<Change>& changes, const Counters& before, std::uint32_t substep);
+    void add_round_lines(std::vector<CodeLine>& lines, const CodePlace& at, bool in_round) const;
     std::vector<Considered> tests_of(std::span<const Change> changes) const;
     void set_state(std::uint32_t cell, CellState to);
     void set_counters(const Counters& counters);

@@ -3,7 +3,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 
-#include "core/base/error.h"
 #include "core/methods/cells/cell_base.h"
 #include "core/methods/cells/seed_cells.h"
 
@@ -21,8 +20,6 @@ bool is_test(const Change& change) {
 
 template <int D>
 void CellBase<D>::complete_in_rounds() {
-    if (parameters_.neighbours_before_break == YesNo::no)
-        throw InputError("cplp needs neighbours_before_break=yes: its rounds test the neighbours of the last cell too");
     rounds_.emplace();
     rounds_->begin(marks_.size());
 }
@@ -38,12 +35,13 @@ bool CellBase<D>::may_be_seen(std::uint32_t cell) const {
     return marks_[cell].state == CellState::enqueued && !rounds_->hidden[cell];
 }
 
-/// What the first phase left behind: the rest of the last cell, the other cells that an eye outside looks into first,
+/// What the first phase left behind: the rest of the last cell and, where they are not there yet, its neighbours; the
+/// other cells that an eye outside looks into first,
 /// and primitives that lie in no cell.
 template <int D>
 void CellBase<D>::begin_rounds(Recorder* recorder) {
     const CellComplex<D>& cells = *this->problem_.cells;
-    if (this->counters_.partial_cell != none) finish_partial();
+    if (this->counters_.partial_cell != none) finish_partial(recorder);
     Problem<D> all = this->problem_;
     all.parameters.set(seeds_row(), word(Seeds::hull));
     for (const std::uint32_t seed : seed_cells(all)) {
@@ -104,11 +102,14 @@ void CellBase<D>::rewind_round(std::vector<Change>& changes, const Counters& bef
         if (as_rule(last) == Rule::projected_now) rounds_->round_of[last.id] = 0;
     }
     const std::uint32_t met = this->counters_.touched_count;
-    const auto seeds = static_cast<std::uint32_t>(std::count_if(
-        changes.begin(), changes.end(), [](const Change& change) { return as_rule(change) == Rule::enqueued; }));
+    std::uint32_t added = 0, stamps = 0;
+    for (const Change& change : changes) {
+        added += as_rule(change) == Rule::enqueued;
+        stamps += as_rule(change) == Rule::enqueued || as_rule(change) == Rule::reenqueued;
+    }
     this->counters_ = before;
-    this->counters_.front_size += seeds;
-    this->counters_.next_stamp += seeds;
+    this->counters_.front_size += added;
+    this->counters_.next_stamp += stamps;
     this->drawn_.take_back(before.touched_count, met);
     front_is_stale_ = true;
 }
@@ -126,6 +127,35 @@ std::vector<Considered> CellBase<D>::tests_of(std::span<const Change> changes) c
         test.before = change.mark();
     }
     return tests;
+}
+
+/// The second phase, under the lines of the first.
+template <int D>
+void CellBase<D>::add_round_lines(std::vector<CodeLine>& lines, const CodePlace& at, bool in_round) const {
+    const bool here = in_round || (!at.in_step() && in_rounds());
+    if (here)
+        for (CodeLine& line : lines) line.lit = false;
+    const auto tests = in_round ? tests_of(at.changes) : std::vector<Considered>{};
+    const std::uint32_t substep = in_round ? *at.substep : 0;
+    const std::size_t test = substep - first_test_substep;
+    const auto add = [&](std::string text, int indent, bool lit, std::string_view source) -> CodeLine& {
+        lines.push_back({std::move(text), indent, lit, {}, std::string(source)});
+        return lines.back();
+    };
+    CodeLine& loop =
+        add("then, until no cell of the front can be seen:", 0, here && !in_round, "gem, conservative_finish");
+    if (loop.lit)
+        loop.values = finished() ? "none can: nothing visible is left"
+                                 : "round " + std::to_string(rounds_->done + 1) + " is next";
+    add("draw what is rendered into a depth image", 1, in_round && substep < first_test_substep,
+        "gem, find_visible_front");
+    CodeLine& line = add("for each cell of the front: does a pixel of it lie before that image?", 1,
+                         in_round && substep >= first_test_substep && test < tests.size(), "gem, find_visible_front");
+    if (line.lit)
+        line.values = item_name(tests[test].item) +
+                      (Rule{tests[test].rule} == Rule::tested_seen ? ": yes" : ": no, it stays hidden");
+    add("project those that can be seen, and add their neighbours", 1,
+        in_round && substep >= first_test_substep && test >= tests.size(), "gem, conservative_finish");
 }
 
 template <int D>
@@ -155,15 +185,16 @@ Verdict CellBase<D>::why_waiting(const Item& item) const {
                           (sight.hidden_by.size() == 1 ? " " : "s ") + by};
 }
 
-#define SIGHTLINE_INSTANTIATE(D)                                                                   \
-    template void CellBase<D>::complete_in_rounds();                                               \
-    template bool CellBase<D>::rounds_begin() const;                                               \
-    template bool CellBase<D>::may_be_seen(std::uint32_t) const;                                   \
-    template Stop CellBase<D>::make_round(Recorder*);                                              \
-    template void CellBase<D>::rewind_round(std::vector<Change>&, const Counters&, std::uint32_t); \
-    template std::vector<Considered> CellBase<D>::tests_of(std::span<const Change>) const;         \
-    template Misses CellBase<D>::misses() const;                                                   \
-    template std::string CellBase<D>::popped_words(const Step&) const;                             \
+#define SIGHTLINE_INSTANTIATE(D)                                                                      \
+    template void CellBase<D>::complete_in_rounds();                                                  \
+    template bool CellBase<D>::rounds_begin() const;                                                  \
+    template bool CellBase<D>::may_be_seen(std::uint32_t) const;                                      \
+    template Stop CellBase<D>::make_round(Recorder*);                                                 \
+    template void CellBase<D>::rewind_round(std::vector<Change>&, const Counters&, std::uint32_t);    \
+    template void CellBase<D>::add_round_lines(std::vector<CodeLine>&, const CodePlace&, bool) const; \
+    template std::vector<Considered> CellBase<D>::tests_of(std::span<const Change>) const;            \
+    template Misses CellBase<D>::misses() const;                                                      \
+    template std::string CellBase<D>::popped_words(const Step&) const;                                \
     template Verdict CellBase<D>::why_waiting(const Item&) const;
 SIGHTLINE_INSTANTIATE(2)
 SIGHTLINE_INSTANTIATE(3)

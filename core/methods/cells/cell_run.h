@@ -69,25 +69,29 @@ public:
     std::unique_ptr<Run<D>> clone() const override { return std::make_unique<CellRun>(*this); }
 
     std::span<const Field<D>> fields() const override {
-        static const auto table =
-            std::to_array<Field<D>>({{"rho", key_title(), "the key of the cell",
-                                      [](const Run<D>& run, const Item& item) -> std::optional<double> {
-                                          const Mark mark = run.mark(item);
-                                          if (mark.state != CellState::enqueued && mark.state != CellState::projected)
-                                              return std::nullopt;
-                                          return mark.key;
-                                      }},
-                                     {"count", "primitives in the cell |A|", "|A|, the primitives in the cell",
-                                      [](const Run<D>& run, const Item& item) -> std::optional<double> {
-                                          if (item.kind != Kind::cell) return std::nullopt;
-                                          return run.problem().cells->count(item.id);
-                                      }},
-                                     {"round", "round", "the round of cPLP that projected the cell; 0: none did",
-                                      [](const Run<D>& run, const Item& item) -> std::optional<double> {
-                                          if (run.mark(item).state != CellState::projected) return std::nullopt;
-                                          return static_cast<const CellRun&>(run).rounds_->round_of[item.id];
-                                      }}});
-        return std::span<const Field<D>>(table).first(this->rounds_ ? 3 : 2);
+        static const auto table = std::to_array<Field<D>>(
+            {{"rho", key_title(), "the key of the cell",
+              [](const Run<D>& run, const Item& item) -> std::optional<double> {
+                  const Mark mark = run.mark(item);
+                  if (mark.state != CellState::enqueued && mark.state != CellState::projected) return std::nullopt;
+                  return mark.key;
+              }},
+             {"count", "primitives in the cell |A|", "|A|, the primitives in the cell",
+              [](const Run<D>& run, const Item& item) -> std::optional<double> {
+                  if (item.kind != Kind::cell) return std::nullopt;
+                  return run.problem().cells->count(item.id);
+              }},
+             {"round", "round", "the round of cPLP that projected the cell; 0: none did",
+              [](const Run<D>& run, const Item& item) -> std::optional<double> {
+                  if (run.mark(item).state != CellState::projected) return std::nullopt;
+                  return static_cast<const CellRun&>(run).rounds_->round_of[item.id];
+              }},
+             {"hidden", "hidden", "1 where a round of cPLP found the cell hidden, 0 where it did not test it or saw it",
+              [](const Run<D>& run, const Item& item) -> std::optional<double> {
+                  if (run.mark(item).state != CellState::enqueued) return std::nullopt;
+                  return static_cast<const CellRun&>(run).rounds_->hidden[item.id];
+              }}});
+        return std::span<const Field<D>>(table).first(this->rounds_ ? 4 : 2);
     }
 
 private:
@@ -168,9 +172,14 @@ private:
             add_neighbours(cell, sink);
         }
     }
-    void finish_partial() override {
-        detail::NoSink sink;  // its neighbours are in the front already
-        go_on_with(this->counters_.partial_cell, sink);
+    void finish_partial(Recorder* recorder) override {
+        if (recorder) {
+            detail::RecordingSink sink{*recorder};
+            go_on_with(this->counters_.partial_cell, sink);
+        } else {
+            detail::NoSink sink;
+            go_on_with(this->counters_.partial_cell, sink);
+        }
     }
 
     /// Projects the popped or partly rendered cell and adds its neighbours, as far as the budget allows.

@@ -47,10 +47,10 @@ std::optional<std::uint32_t> DepthScreen<D>::seen_at(const Problem<D>& problem, 
 template <int D>
 CellSight DepthScreen<D>::look(const Problem<D>& problem, std::uint32_t cell) const {
     if constexpr (D == 2) {
-        LineSight sight = look_at(seen_cell(problem.view, image_.width(), *problem.cells, cell), image_);
+        auto sight = look_at(seen_cell(problem.view, image_.width(), *problem.cells, cell), image_);
         return {sight.pixels, sight.seen, std::move(sight.hidden_by)};
     } else {
-        Sight sight = look_at(seen_cell(problem.view, image_.size(), *problem.cells, cell), image_);
+        auto sight = look_at(seen_cell(problem.view, image_.size(), *problem.cells, cell), image_);
         return {sight.pixels, sight.seen, std::move(sight.hidden_by)};
     }
 }
