@@ -102,4 +102,13 @@ std::string_view closest(std::string_view mistyped, std::span<const std::string_
     return best;
 }
 
+InputError unknown_word(std::string_view kind, std::string_view word, std::span<const std::string_view> words) {
+    std::string text = std::string(kind) + " '" + std::string(word) + "' does not exist; ";
+    if (const std::string_view close = closest(word, words); !close.empty())
+        return InputError(text + "did you mean " + std::string(close) + "?");
+    text += "there are ";
+    for (std::size_t i = 0; i < words.size(); ++i) text += (i == 0 ? "" : ", ") + std::string(words[i]);
+    return InputError(text);
+}
+
 }  // namespace sightline

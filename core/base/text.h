@@ -29,4 +29,7 @@ std::string clean_text(std::string_view text);
 /// The word that a mistyped one most likely stands for: few letters to put in, take out or change. Empty: none.
 std::string_view closest(std::string_view mistyped, std::span<const std::string_view> words);
 
+/// "setting 'penalti' does not exist; did you mean penalty?", or all words where none is close.
+InputError unknown_word(std::string_view kind, std::string_view word, std::span<const std::string_view> words);
+
 }  // namespace sightline

@@ -22,7 +22,9 @@ struct Entry {
 
 constexpr std::array entries{
     Entry{Look::projected, ShapeKind::polygon, "projected"},
+    Entry{Look::completed, ShapeKind::polygon, "projected in a round"},
     Entry{Look::enqueued, ShapeKind::polygon, "in the front (enqueued)"},
+    Entry{Look::hidden, ShapeKind::polygon, "in the front, tested: hidden"},
     Entry{Look::unseen, ShapeKind::polygon, "outside the view (unseen)"},
     Entry{Look::both, ShapeKind::polygon, "projected by both"},
     Entry{Look::only_left, ShapeKind::polygon, "only by the left method"},
@@ -58,7 +60,9 @@ struct SolidEntry {
 
 constexpr std::array solid_entries{
     SolidEntry{SolidLook::projected, text_of(Look::projected)},
+    SolidEntry{SolidLook::completed, text_of(Look::completed)},
     SolidEntry{SolidLook::enqueued, text_of(Look::enqueued)},
+    SolidEntry{SolidLook::hidden, text_of(Look::hidden)},
     SolidEntry{SolidLook::unseen, text_of(Look::unseen)},
     SolidEntry{SolidLook::both, text_of(Look::both)},
     SolidEntry{SolidLook::only_left, text_of(Look::only_left)},

@@ -5,6 +5,7 @@
 #include "core/draw/cell_number.h"
 #include "core/draw/palette.h"
 #include "core/draw/picture_3d.h"
+#include "core/draw/round_fields.h"
 #include "core/draw/shown_cells.h"
 #include "core/draw/solid_cells.h"
 #include "core/draw/solid_palette.h"
@@ -18,12 +19,12 @@ constexpr int solid_heat_steps = 32;
 
 std::uint8_t look_index(SolidLook look) { return static_cast<std::uint8_t>(look); }
 
-SolidLook look_of(CellState state) {
+SolidLook look_of(CellState state, InRounds rounds) {
     switch (state) {
         case CellState::enqueued:
-            return SolidLook::enqueued;
+            return rounds == InRounds::hidden ? SolidLook::hidden : SolidLook::enqueued;
         case CellState::projected:
-            return SolidLook::projected;
+            return rounds == InRounds::projected ? SolidLook::completed : SolidLook::projected;
         case CellState::unseen:
             return SolidLook::unseen;
         case CellState::clean:
@@ -37,6 +38,7 @@ DrawnAs drawn_as(const Settings& set, SolidLook look) {
         case SolidLook::clean:
             return set.clean_as;
         case SolidLook::enqueued:
+        case SolidLook::hidden:
             return set.enqueued_as;
         case SolidLook::unseen:
             return set.unseen_as;
@@ -69,10 +71,11 @@ std::vector<CellPaint> paint_cells(const Session<3>& session, const PictureOptio
     }
     const auto [low, high] = options.heat_range.value_or(std::array<double, 2>{0, 0});
     const std::vector<std::uint8_t> shown = shown_cells(session, list.slice);
+    const RoundFields<3> in_rounds(session.traversal());
     std::vector<CellPaint> paint(shown.size());
     for (std::uint32_t cell = 0; cell < paint.size(); ++cell) {
         if (!shown[cell]) continue;
-        SolidLook look = look_of(session.mark(cell).state);
+        SolidLook look = look_of(session.mark(cell).state, in_rounds(cell));
         if (!options.sides.empty() && !heat) {
             if (options.sides[cell] == Side::neither) continue;
             look = options.sides[cell] == Side::both   ? SolidLook::both
@@ -95,8 +98,9 @@ std::vector<CellPaint> paint_cells(const Session<3>& session, const PictureOptio
 }
 
 void make_glass(const Settings& set, SolidList& list) {
-    for (const SolidLook look : {SolidLook::clean, SolidLook::enqueued, SolidLook::projected, SolidLook::unseen,
-                                 SolidLook::both, SolidLook::only_left, SolidLook::only_right})
+    for (const SolidLook look :
+         {SolidLook::clean, SolidLook::enqueued, SolidLook::projected, SolidLook::unseen, SolidLook::both,
+          SolidLook::only_left, SolidLook::only_right, SolidLook::completed, SolidLook::hidden})
         if (drawn_as(set, look) == DrawnAs::translucent) list.styles[look_index(look)].colour.a = translucent_alpha;
 }
 

@@ -74,6 +74,8 @@ Colours standard() {
                 line("chain", vermilion, 1.3),
                 line("selected_primitive", vermilion, 3.4),
                 line("note", black, 0.8),
+                area("completed", {166, 203, 187}, Hatch::cross, {90, 150, 130}),
+                area("hidden", {36, 86, 150}, Hatch::dots, {150, 190, 235}),
             },
             // Solid is dark: black lines stay legible on the many cells of low numbers.
             {{255, 251, 232}, {252, 222, 150}, {240, 165, 85}, {205, 90, 80}, {120, 30, 90}}};
@@ -111,6 +113,8 @@ Colours paper() {
                 line("chain", {255, 220, 0}, 1.3),
                 line("selected_primitive", {255, 220, 0}, 3.4),
                 line("note", white, 0.8),
+                mark("completed", {0, 75, 0}, {255, 220, 0}, 0.6),
+                area("hidden", {25, 50, 170}, Hatch::dots, {90, 130, 255}),
             },
             {{0, 0, 90}, {60, 30, 170}, {190, 50, 120}, {240, 140, 50}, {255, 240, 120}}};
 }
@@ -147,6 +151,8 @@ Colours print() {
                 line("chain", black, 1.4),
                 line("selected_primitive", black, 3.4),
                 line("note", black, 0.8),
+                area("completed", {195, 195, 195}, Hatch::cross, {120, 120, 120}),
+                area("hidden", {86, 86, 86}, Hatch::dots, {215, 215, 215}),
             },
             {{250, 250, 250}, {205, 205, 205}, {155, 155, 155}, {110, 110, 110}, {75, 75, 75}}};
 }

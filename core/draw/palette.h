@@ -35,6 +35,8 @@ enum class Look : std::uint16_t {
     chain,
     selected_primitive,
     note,
+    completed,  ///< projected by a round that completes the picture
+    hidden,     ///< in the front, tested by a round and hidden
     count,
 };
 

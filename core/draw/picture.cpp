@@ -9,6 +9,7 @@
 #include "core/draw/cell_number.h"
 #include "core/draw/notes.h"
 #include "core/draw/palette.h"
+#include "core/draw/round_fields.h"
 #include "core/draw/shown_world.h"
 #include "core/methods/cells/facet_geometry.h"
 #include "core/session/explain.h"
@@ -59,10 +60,14 @@ private:
     }
 
     void states() {
+        const RoundFields<2> in_rounds(session_.traversal());
         for (std::uint32_t cell = 0; cell < cells_.cell_count(); ++cell) {
             const CellState state = session_.mark(cell).state;
-            if (state == CellState::enqueued) cell_shape(cell, index(Look::enqueued));
-            if (state == CellState::projected) cell_shape(cell, index(Look::projected));
+            const InRounds rounds = in_rounds(cell);
+            if (state == CellState::enqueued)
+                cell_shape(cell, index(rounds == InRounds::hidden ? Look::hidden : Look::enqueued));
+            if (state == CellState::projected)
+                cell_shape(cell, index(rounds == InRounds::projected ? Look::completed : Look::projected));
             if (state == CellState::unseen) cell_shape(cell, index(Look::unseen));
         }
     }

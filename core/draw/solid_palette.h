@@ -25,6 +25,8 @@ enum class SolidLook : std::uint8_t {
     wasted,      ///< rendered, but hidden
     other,       ///< neither
     fresh,       ///< rendered in the last step
+    completed,   ///< cells projected by a round that completes the picture
+    hidden,      ///< cells in the front, tested by a round and hidden
     count,
 };
 

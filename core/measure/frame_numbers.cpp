@@ -21,7 +21,8 @@ double ratio(double part, double whole) { return whole > 0 ? part / whole : std:
 
 template <int D>
 WholeRunner<D>::WholeRunner(const Method<D>& method, Problem<D> problem) {
-    problem.budget = none;
+    if (method.prefixes) problem.budget = none;
+    whole_.whole = !method.prefixes;
     run_ = method.start(problem);
     recording_.start = run_->counters();
     largest_front_ = run_->counters().front_size;
@@ -79,6 +80,7 @@ WholeRun whole_run(const Method<D>& method, Problem<D> problem, const Reference&
 }
 
 Cut cut_at(const WholeRun& run, std::uint32_t budget) {
+    if (run.whole) return {run.met.size(), run.touched_after.size()};
     if (!run.spent_after.empty()) {  // whole cells: the step that reaches the budget is the last
         if (budget == 0) return {};
         const auto reached = std::lower_bound(run.spent_after.begin(), run.spent_after.end(), budget);

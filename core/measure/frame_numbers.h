@@ -23,14 +23,15 @@ struct WholeRun {
     std::optional<std::uint32_t> k95;                  ///< rendered primitives with coverage >= 0.95 for the first time
     bool culled_costs = false;                         ///< the parameter culled_cost
     std::vector<std::uint32_t> zero_keys_after;        ///< per step, how many popped a cell with key 0; empty: no cells
-    std::vector<std::uint32_t> spent_after;            ///< per step, with budget_counts=per_cell; else empty
+    bool whole = false;                      ///< no budget cuts it: it was made with its own (Method::prefixes)
+    std::vector<std::uint32_t> spent_after;  ///< per step, with budget_counts=per_cell; else empty
 };
 
 /// The same in slices, for callers that must stay responsive.
 template <int D>
 class WholeRunner {
 public:
-    /// `problem` with its budget lifted; what it points to must live longer.
+    /// `problem`, with its budget lifted where a budget selects a prefix; what it points to must live longer.
     WholeRunner(const Method<D>& method, Problem<D> problem);
     /// At most `steps` steps; false when the run is at its end.
     bool advance(std::uint32_t steps);

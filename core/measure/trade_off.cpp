@@ -97,14 +97,17 @@ bool TradeOffStudy<D>::advance() {
         make_truth(view);
         return true;
     }
-    if (!work_ || work_->view != view || work_->variant != dot->variant) {
-        const Variant<D>& variant = task_.variants[dot->variant];
+    const Variant<D>& variant = task_.variants[dot->variant];
+    const std::uint32_t budget = variant.method.prefixes ? none : primitives(dot->budget);
+    if (!work_ || work_->view != view || work_->variant != dot->variant || work_->run_budget != budget) {
         work_.emplace();
         work_->view = view;
         work_->variant = dot->variant;
+        work_->run_budget = budget;
         work_->problem =
-            make_problem(variant.method, variant.parameters, *task_.scene, *task_.cells, task_.views[view], none,
-                         known_services(std::make_shared<std::vector<std::uint8_t>>(truth_.reference.visible)));
+            make_problem(variant.method, variant.parameters, *task_.scene, *task_.cells, task_.views[view], budget,
+                         known_services(std::make_shared<std::vector<std::uint8_t>>(truth_.reference.visible),
+                                        task_.reference_size));
         work_->runner.emplace(variant.method, work_->problem);
     } else if (!work_->run) {
         if (work_->runner->advance(steps_a_slice)) return true;

@@ -67,6 +67,7 @@ public:
 private:
     struct Work {
         std::size_t view = 0, variant = 0;
+        std::uint32_t run_budget = none;  ///< of its run; none: one that serves all budgets
         Problem<D> problem{};
         std::optional<WholeRunner<D>> runner{};
         std::optional<WholeRun> run{};

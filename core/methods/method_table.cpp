@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/methods/cells/cell_method.h"
+#include "core/methods/cplp/cplp.h"
 #include "core/methods/formula/formula_heuristic.h"
 #include "core/methods/layers/layers.h"
 #include "core/methods/orders/orders.h"
@@ -38,6 +39,11 @@ std::vector<Method<D>> rows() {
                                     "the visible primitives alone, nearest first: no method can do better",
                                     perfect_order<D>()));
     table.back().needs.visible_set = true;
+    table.back().compared = false;
+    std::vector<Method<D>> firsts;
+    for (const Method<D>& method : table)
+        if (method.orders_cells()) firsts.push_back(method);
+    table.push_back(cplp_method<D>(std::move(firsts), cell_parameter_rows(plp_parameter_rows())));
     table.back().compared = false;
     return table;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "core/base/text.h"
 
 namespace sightline {
 
@@ -65,12 +66,12 @@ std::string in_quotes(const std::string& value) {
 
 template <int D>
 const Method<D>& find_method(std::span<const Method<D>> table, std::string_view id) {
-    std::string known;
+    std::vector<std::string_view> known;
     for (const Method<D>& method : table) {
         if (method.is_called(id)) return method;
-        known += (known.empty() ? "" : ", ") + std::string(method.id);
+        known.push_back(method.id);
     }
-    throw InputError("method '" + std::string(id) + "' does not exist; there are " + known);
+    throw unknown_word("method", id, known);
 }
 
 std::string VariantText::text() const {

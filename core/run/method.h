@@ -19,6 +19,7 @@ namespace sightline {
 struct Needs {
     bool cells = true;
     bool visible_set = false;  ///< Services::visible_set
+    bool image = false;        ///< Services::image
     bool history = false;      ///< the frame before decides
 };
 
@@ -34,6 +35,8 @@ struct Method {
     Misses promise = Misses::may;  ///< of a run that came to its end
     /// Whether a budget in primitives is a fair question; false: measured without one.
     bool budgeted = true;
+    /// A budget selects a prefix of one order, and a larger one goes on where it ended; false: it changes the order.
+    bool prefixes = true;
     bool compared = true;  ///< stands in studies and charts that name no methods
     std::vector<const ParameterRow*> parameters{};
     std::vector<std::string_view> aliases{};
@@ -107,7 +110,7 @@ Problem<D> make_problem(const Method<D>& method, const Parameters& parameters, c
             budget,
             parameters,
             method.needs.history ? std::move(history) : nullptr,
-            method.needs.visible_set ? services : Services{}};
+            method.needs.visible_set || method.needs.image ? services : Services{}};
 }
 
 /// What can be said of a run's guarantee: "approximate", "conservative", "conservative at this resolution", or

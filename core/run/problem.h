@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 
+#include "core/base/image_size.h"
 #include "core/run/drawn.h"
 #include "core/run/parameters.h"
 #include "core/run/step.h"
@@ -24,6 +25,7 @@ struct FrameHistory {
 struct Services {
     /// The exact visible set, per primitive; empty: there is none to be had.
     std::function<std::shared_ptr<const std::vector<std::uint8_t>>()> visible_set;
+    ImageSize image;  ///< of depth images that decide; as image_size<D> completes it
 };
 
 /// The pointers outlive the run.

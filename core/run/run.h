@@ -93,6 +93,8 @@ public:
     }
     /// Why an item has not come into the front; empty: it has, or there is nothing to say.
     virtual Verdict why_not(const Item&) const { return {}; }
+    /// What else than its key keeps an item in the front; empty: nothing does.
+    virtual Verdict why_waiting(const Item&) const { return {}; }
     virtual std::vector<CodeLine> code(const CodePlace&) const { return {}; }
     virtual std::span<const Field<D>> fields() const { return {}; }
     virtual std::vector<Overlay<D>> overlays(const Step*) const { return {}; }

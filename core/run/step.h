@@ -71,9 +71,9 @@ inline bool comes_before(const Mark& a, const Mark& b) {
 }
 
 /// Why a run or a step ended.
-enum class Stop : std::uint8_t { none, front_empty, budget, breakpoint, steps };
-inline constexpr auto stop_words =
-    std::to_array<std::string_view>({"none", "front empty", "budget", "breakpoint", "steps"});
+enum class Stop : std::uint8_t { none, front_empty, budget, breakpoint, steps, complete };
+inline constexpr auto stop_words = std::to_array<std::string_view>(
+    {"none", "front empty", "budget", "breakpoint", "steps", "nothing visible is left"});
 
 /// The counters of a run: what a step changes besides marks and primitives.
 struct Counters {

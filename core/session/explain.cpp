@@ -19,8 +19,11 @@ template <int D>
 std::vector<std::uint32_t> steps_of_projection(const Session<D>& session) {
     std::vector<std::uint32_t> steps(session.cells().cell_count(), 0);
     for (std::uint32_t step = 1; step <= std::min(session.position(), session.recorded()); ++step)
-        if (const std::uint32_t cell = id_of(session.timeline().steps[step - 1].item, Kind::cell); cell != none)
-            steps[cell] = step;
+        if (const Item item = session.timeline().steps[step - 1].item; item.kind == Kind::cell)
+            steps[item.id] = step;
+        else if (item.kind == Kind::round)
+            for (const Change& change : session.timeline().changes_of(step))
+                if (Rule{change.rule} == Rule::projected_now) steps[change.id] = step;
     return steps;
 }
 
@@ -236,10 +239,12 @@ CellExplanation explain_cell(const Session<D>& session, std::uint32_t cell) {
     std::vector<Reach> reached = reaches(session, cell, projected_at);
     for (const Reach& reach : reached) e.reached.push_back(link(session, reach, e.digits));
     e.chain = chain_of(session, std::move(reached), projected_at, e.digits);
-    if (e.mark.state == CellState::enqueued)
-        e.verdict = why_waiting(session, e);
-    else
+    if (e.mark.state == CellState::enqueued) {
+        e.verdict = session.traversal().why_waiting(cell_item(cell));
+        if (!e.verdict) e.verdict = why_waiting(session, e);
+    } else {
         e.verdict = session.traversal().why_not(cell_item(cell));
+    }
     return e;
 }
 

@@ -72,7 +72,8 @@ void Session<D>::resolve_method(Settings& settings, Method<D>& method) const {
 template <int D>
 void Session<D>::restart() {
     if (method_.needs.visible_set) reference();
-    const Services services = reference_ ? known_services({reference_, &reference_->visible}) : Services{};
+    const Services services = reference_ ? known_services({reference_, &reference_->visible}, settings_.reference_size)
+                                         : Services{{}, settings_.reference_size};
     const Problem<D> problem = make_problem(method_, settings_.parameters, *scene_, *cells_, view_,
                                             settings_.budget.primitives(scene_->primitives.size()), services, history_);
     run_.start(problem, method_.start);

@@ -34,7 +34,8 @@ Invalidates Session<D>::change(const Settings& settings) {
     if (what == Invalidates::reference) forget_measures();
     const bool another_view = view.corners != view_.corners;  // the reference's size is the view's aspect
     view_ = view;
-    if (what >= Invalidates::traversal || another_view) {
+    const bool another_image = what == Invalidates::reference && method_.needs.image;
+    if (what >= Invalidates::traversal || another_view || another_image) {
         try {
             start_again(step);
         } catch (...) {  // the method cannot run here

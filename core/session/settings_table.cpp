@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/number.h"
+#include "core/base/text.h"
 #include "core/methods/method_table.h"
 
 namespace sightline {
@@ -258,9 +259,9 @@ SettingRow parameter_setting(const ParameterRow& row) {
 const SettingRow& setting_row(std::string_view name) {
     for (const SettingRow& row : all_rows())
         if (row.name == name) return row;
-    std::string known;
-    for (const SettingRow& row : all_rows()) known += (known.empty() ? "" : ", ") + std::string(row.name);
-    throw InputError("setting '" + std::string(name) + "' does not exist; there are " + known);
+    std::vector<std::string_view> known;
+    for (const SettingRow& row : all_rows()) known.push_back(row.name);
+    throw unknown_word("setting", name, known);
 }
 
 const SettingRow& apply_setting(Settings& settings, std::string_view assignment) {
@@ -325,9 +326,9 @@ void apply_preset(Settings& settings, std::string_view id) {
                 for (const std::string_view assignment : preset.assignments) apply_setting(settings, assignment);
                 return;
             }
-    std::string known;
-    for (const Preset& preset : presets()) known += (known.empty() ? "" : ", ") + std::string(preset.id);
-    throw InputError("preset '" + std::string(id) + "' does not exist; there are " + known);
+    std::vector<std::string_view> known;
+    for (const Preset& preset : presets()) known.push_back(preset.id);
+    throw unknown_word("preset", id, known);
 }
 
 Invalidates difference(const Settings& a, const Settings& b) {

@@ -55,15 +55,16 @@ Services exact_services(const Scene<D>& scene, const View<D>& view, const ImageS
     };
     const auto kept = std::make_shared<Kept>();
     return {[&scene, view, size, draw_ids, kept] {
-        std::call_once(kept->once, [&] { kept->visible = visible_set<D>(scene, view, size, draw_ids); });
-        return std::shared_ptr<const std::vector<std::uint8_t>>(kept, &kept->visible);
-    }};
+                std::call_once(kept->once, [&] { kept->visible = visible_set<D>(scene, view, size, draw_ids); });
+                return std::shared_ptr<const std::vector<std::uint8_t>>(kept, &kept->visible);
+            },
+            size};
 }
 template Services exact_services<2>(const Scene<2>&, const View<2>&, const ImageSize&, const DrawIds&);
 template Services exact_services<3>(const Scene<3>&, const View<3>&, const ImageSize&, const DrawIds&);
 
-Services known_services(std::shared_ptr<const std::vector<std::uint8_t>> visible) {
-    return {[visible = std::move(visible)] { return visible; }};
+Services known_services(std::shared_ptr<const std::vector<std::uint8_t>> visible, const ImageSize& size) {
+    return {[visible = std::move(visible)] { return visible; }, size};
 }
 
 template <>

@@ -26,7 +26,7 @@ std::vector<std::uint8_t> visible_set(const Scene<D>& scene, const View<D>& view
 template <int D>
 Services exact_services(const Scene<D>& scene, const View<D>& view, const ImageSize& size, const DrawIds& draw_ids);
 /// With one that is known.
-Services known_services(std::shared_ptr<const std::vector<std::uint8_t>> visible);
+Services known_services(std::shared_ptr<const std::vector<std::uint8_t>> visible, const ImageSize& size);
 
 /// The set, what of it lies in which cell, and in 3D the image.
 template <int D>

@@ -109,8 +109,9 @@ private:
         return make_problem(c.variant.method, c.variant.parameters, *lab_.scene, lab_.on(c.choice.tessellation),
                             lab_.views[i], none, services);
     }
-    static Services services_of(const FrameOfAll& frame) {
-        return known_services(std::make_shared<std::vector<std::uint8_t>>(frame.reference.visible));
+    Services services_of(const FrameOfAll& frame) const {
+        return known_services(std::make_shared<std::vector<std::uint8_t>>(frame.reference.visible),
+                              lab_.settings.reference_size);
     }
 
     FrameOfAll numbers(std::uint32_t i) {
@@ -132,10 +133,12 @@ private:
             const Truth& truth = truths[truth_of[static_cast<std::size_t>(methods_[m].choice.tessellation)]];
             Problem<D> problem = problem_of(m, i, services);
             const Method<D>& method = methods_[m].variant.method;
-            const WholeRun run = whole_run<D>(method, problem, truth.reference);
+            WholeRun run;
+            if (method.prefixes) run = whole_run<D>(method, problem, truth.reference);
             Shown& shown = frame.methods[m];
             for (const AtBudget& budget : methods_[m].budgets) {
                 const std::uint32_t k = problem.budget = budget.primitives;
+                if (!method.prefixes) run = whole_run<D>(method, problem, truth.reference);
                 const auto best = method.orders_cells() ? cell_oracle<D>(truth.reference, problem) : std::nullopt;
                 DrawnFrame drawn;
                 drawn.rendered = rendered_by(run, cut_at(run, k).met, lab_.scene->primitives.size());

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "core/base/error.h"
+#include "core/base/text.h"
 #include "shell/commands/arguments.h"
 #include "shell/commands/groups.h"
 
@@ -104,10 +105,9 @@ void run_commands(Workbench<D>& bench, std::string_view text) {
         const std::string &word = words[0], &argument = words[1];
         const Command<D>* const found = find_command<D>(word);
         if (!found) {
-            std::string known;
-            for (const Command<D>& command : command_table<D>())
-                known += (known.empty() ? "" : ", ") + std::string(command.id);
-            throw InputError("command '" + word + "' does not exist; there are " + known);
+            std::vector<std::string_view> known;
+            for (const Command<D>& command : command_table<D>()) known.push_back(command.id);
+            throw unknown_word("command", word, known);
         }
         try {
             found->run(bench, argument);

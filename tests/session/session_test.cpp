@@ -191,7 +191,7 @@ TEST(Session, WhatCannotBeLeavesItAsItWas) {
     settings.method = "nothing";
     test::expect_input_error(
         [&] { Session<2>(start.scene, start.view, settings); },
-        "method 'nothing' does not exist; there are published, layers, centroid, view, everything, formula, perfect");
+        "method 'nothing' does not exist; there are published, layers, centroid, view, everything, formula, perfect, cplp");
 }
 
 TEST(Session, CellsThatCannotBeMadeLeaveItAsItWas) {

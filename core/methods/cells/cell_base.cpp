@@ -35,6 +35,12 @@ const Front::Entry* CellBase<D>::front_top() {
 template <int D>
 bool CellBase<D>::finished() const {
     const Counters& counters = this->counters_;
+    if (in_rounds()) {
+        if (rounds_->done == 0) return false;
+        for (std::uint32_t cell = 0; cell < marks_.size(); ++cell)
+            if (may_be_seen(cell)) return false;
+        return true;
+    }
     return counters.spent >= this->problem_.budget || (counters.front_size == 0 && counters.partial_cell == none);
 }
 
@@ -57,17 +63,28 @@ bool CellBase<D>::move(Direction direction, const Step& step, std::span<Change> 
         const Mark here = marks_[change.id];
         marks_.set(change.id, change.mark());
         change.set_mark(here);
+        if (!rounds_) return;
+        const bool forward = direction == Direction::forward;
+        if (Rule{change.rule} == Rule::tested_hidden) rounds_->hidden[change.id] = forward;
+        if (Rule{change.rule} == Rule::projected_now) rounds_->round_of[change.id] = forward ? step.item.id : 0;
     };
+    const bool round = step.item.kind == Kind::round;
     if (direction == Direction::back) {
         // The last first: a cell may be reached through several facets.
         std::for_each(changes.rbegin(), changes.rend(), exchange);
-        set_state(step.item.id, CellState::enqueued);
+        if (round)
+            --rounds_->done;
+        else
+            set_state(step.item.id, CellState::enqueued);
         this->drawn_.take_back(before.touched_count, this->counters_.touched_count);
         --this->steps_;
         set_counters(before);
     } else {
         ++this->steps_;
-        set_state(step.item.id, CellState::projected);
+        if (round)
+            ++rounds_->done;
+        else
+            set_state(step.item.id, CellState::projected);
         std::for_each(changes.begin(), changes.end(), exchange);
         this->drawn_.put_back(this->counters_.touched_count, step.after.touched_count);
         set_counters(step.after);
@@ -77,6 +94,7 @@ bool CellBase<D>::move(Direction direction, const Step& step, std::span<Change> 
 
 template <int D>
 std::size_t CellBase<D>::facets_looked_across(const Step& step) const {
+    if (step.item.kind != Kind::cell) return 0;
     if (step.item.id == rewound_cell_) return rewound_facets_;
     const bool neighbours_first = parameters_.neighbours_before_break == YesNo::yes;
     if (!neighbours_first && step.after.partial_cell == step.item.id) return 0;
@@ -84,12 +102,18 @@ std::size_t CellBase<D>::facets_looked_across(const Step& step) const {
 }
 
 template <int D>
-std::uint32_t CellBase<D>::substeps(const Step& step, std::span<const Change>) const {
+std::uint32_t CellBase<D>::substeps(const Step& step, std::span<const Change> changes) const {
+    if (step.item.kind == Kind::round) return first_test_substep + static_cast<std::uint32_t>(tests_of(changes).size());
     return first_facet_substep + static_cast<std::uint32_t>(facets_looked_across(step));
 }
 
 template <int D>
 void CellBase<D>::rewind_to(Step& step, std::vector<Change>& changes, const Counters& before, std::uint32_t substep) {
+    if (step.item.kind == Kind::round) {
+        rewind_round(changes, before, substep);
+        step.after = this->counters_;
+        return;
+    }
     const auto facets = this->problem_.cells->facets_of(step.item.id);
     rewound_cell_ = step.item.id;
     rewound_facets_ = substep < first_facet_substep ? 0 : substep - first_facet_substep + 1;
@@ -122,13 +146,18 @@ void CellBase<D>::rewind_to(Step& step, std::vector<Change>& changes, const Coun
 
 template <int D>
 std::size_t CellBase<D>::memory_bytes() const {
-    return marks_.memory_bytes() + this->drawn_.memory_bytes();
+    return marks_.memory_bytes() + this->drawn_.memory_bytes() + (rounds_ ? std::size_t{5} * marks_.size() : 0);
 }
 
 template <int D>
 std::uint64_t CellBase<D>::hash() const {
     Hash hash;
     for (std::uint32_t cell = 0; cell < marks_.size(); ++cell) add_mark(hash, marks_[cell]);
+    if (rounds_) {
+        hash.add(rounds_->done);
+        for (std::uint32_t cell = 0; cell < marks_.size(); ++cell)
+            hash.add(std::uint64_t{rounds_->round_of[cell]} << 1 | rounds_->hidden[cell]);
+    }
     add_run(hash, *this);
     return hash.value();
 }
@@ -147,6 +176,7 @@ std::vector<std::pair<Item, Mark>> CellBase<D>::front() const {
 
 template <int D>
 std::vector<Considered> CellBase<D>::considered(const Step& step, std::span<const Change> changes, int digits) const {
+    if (step.item.kind == Kind::round) return tests_of(changes);
     std::vector<Considered> all;
     if (step.item.kind != Kind::cell) return all;
     const double key = marks_[step.item.id].key;

@@ -7,6 +7,7 @@
 #include "core/methods/cells/cell_parameters.h"
 #include "core/methods/cells/cell_rules.h"
 #include "core/methods/cells/front.h"
+#include "core/methods/cells/rounds.h"
 #include "core/run/run.h"
 
 namespace sightline {
@@ -34,6 +35,13 @@ public:
     std::string_view rule_words(std::uint8_t rule) const override { return sightline::rule_words[rule]; }
     std::vector<Considered> considered(const Step&, std::span<const Change>, int digits) const override;
     Verdict why_not(const Item&) const override;
+    Verdict why_waiting(const Item&) const override;
+    Misses misses() const override;
+    std::string popped_words(const Step& step) const override;
+
+    /// From the end of the budget on the run goes on in rounds until nothing visible is left (cplp/cplp.h). To be
+    /// called before the first step.
+    void complete_in_rounds();
     std::vector<CodeLine> code(const CodePlace&) const override;
 
 protected:
@@ -60,13 +68,29 @@ protected:
     /// The lines below "key(n, c): …"; the first line says what the key is. `explained`: of the facet at hand.
     virtual void add_key_lines(std::vector<CodeLine>& lines, const KeyExplanation* explained, int digits) const = 0;
 
+    /// Projects a cell that waits in the front, whatever its place, and adds its neighbours.
+    virtual void project_now(std::uint32_t cell, Recorder* recorder) = 0;
+    /// Renders the rest of the cell that the budget left partly rendered, and adds its neighbours where they are
+    /// pending.
+    virtual void finish_partial(Recorder* recorder) = 0;
+    /// The budget has ended, or the front is empty: a round, where the run goes on in rounds.
+    bool in_rounds() const { return rounds_ && (rounds_->done > 0 || rounds_begin()); }
+    Stop make_round(Recorder* recorder);
+
     CellParameters parameters_;
     CellMarks marks_;
     Front front_;
     bool front_is_stale_ = false;  ///< marks were put back by an undo: rebuild the front before using it
     std::vector<Item> seeds_;
+    std::optional<Rounds<D>> rounds_;
 
 private:
+    bool rounds_begin() const;
+    bool may_be_seen(std::uint32_t cell) const;
+    void begin_rounds(Recorder* recorder);
+    void rewind_round(std::vector<Change>& changes, const Counters& before, std::uint32_t substep);
+    void add_round_lines(std::vector<CodeLine>& lines, const CodePlace& at, bool in_round) const;
+    std::vector<Considered> tests_of(std::span<const Change> changes) const;
     void set_state(std::uint32_t cell, CellState to);
     void set_counters(const Counters& counters);
     Verdict why_clean(std::uint32_t cell) const;

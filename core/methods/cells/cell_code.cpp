@@ -84,8 +84,10 @@ void add_rules(std::vector<CodeLine>& lines, const CellPlace& place, const CellP
 template <int D>
 std::vector<CodeLine> CellBase<D>::code(const CodePlace& at) const {
     const int digits = at.step ? digits_of(*at.step) : 3;
+    const bool in_round = at.in_step() && at.step->item.kind == Kind::round;
     const CellPlace place =
-        place_of(at, at.in_step() ? considered(*at.step, at.changes, digits) : std::vector<Considered>{});
+        in_round ? CellPlace{}
+                 : place_of(at, at.in_step() ? considered(*at.step, at.changes, digits) : std::vector<Considered>{});
     const bool neighbours_first = parameters_.neighbours_before_break == YesNo::yes;
     const Counters& counters = this->counters();
     std::vector<CodeLine> lines;
@@ -138,6 +140,7 @@ std::vector<CodeLine> CellBase<D>::code(const CodePlace& at) const {
     if (key)
         lines[heading].values =
             "n = cell " + std::to_string(place.facet->item.id) + ", c = cell " + std::to_string(place.facet->from.id);
+    if (rounds_) add_round_lines(lines, at, in_round);
     return lines;
 }
 

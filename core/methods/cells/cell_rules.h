@@ -18,8 +18,12 @@ enum class Rule : std::uint8_t {
     kept,           ///< was in the front and keeps its key (on_reenqueue = min or max, or a method without updates)
     marked_unseen,  ///< was clean and lies outside the view: now unseen
     unseen,         ///< found outside the view before: left alone
+    tested_seen,    ///< cPLP, in the front: a pixel of it lies before all that is drawn (Change::via); it stays there
+    tested_hidden,  ///< cPLP, in the front: no pixel does; it stays there
+    projected_now,  ///< cPLP: was in the front, whatever its place
 };
-inline constexpr auto rule_words = std::to_array<std::string_view>(
-    {"border", "projected before", "enqueued", "re-enqueued", "kept", "marked unseen", "unseen before"});
+inline constexpr auto rule_words =
+    std::to_array<std::string_view>({"border", "projected before", "enqueued", "re-enqueued", "kept", "marked unseen",
+                                     "unseen before", "tested, seen", "tested, hidden", "projected"});
 
 }  // namespace sightline

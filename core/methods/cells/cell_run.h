@@ -54,6 +54,7 @@ public:
     }
 
     bool restart(const Problem<D>& problem) override {
+        if (this->rounds_) return false;  // another first method may be wanted
         this->begin(problem);
         this->parameters_ = CellParameters(problem.parameters);
         heuristic_ = made_from(problem);
@@ -68,20 +69,29 @@ public:
     std::unique_ptr<Run<D>> clone() const override { return std::make_unique<CellRun>(*this); }
 
     std::span<const Field<D>> fields() const override {
-        static const auto table =
-            std::to_array<Field<D>>({{"rho", key_title(), "the key of the cell",
-                                      [](const Run<D>& run, const Item& item) -> std::optional<double> {
-                                          const Mark mark = run.mark(item);
-                                          if (mark.state != CellState::enqueued && mark.state != CellState::projected)
-                                              return std::nullopt;
-                                          return mark.key;
-                                      }},
-                                     {"count", "primitives in the cell |A|", "|A|, the primitives in the cell",
-                                      [](const Run<D>& run, const Item& item) -> std::optional<double> {
-                                          if (item.kind != Kind::cell) return std::nullopt;
-                                          return run.problem().cells->count(item.id);
-                                      }}});
-        return table;
+        static const auto table = std::to_array<Field<D>>(
+            {{"rho", key_title(), "the key of the cell",
+              [](const Run<D>& run, const Item& item) -> std::optional<double> {
+                  const Mark mark = run.mark(item);
+                  if (mark.state != CellState::enqueued && mark.state != CellState::projected) return std::nullopt;
+                  return mark.key;
+              }},
+             {"count", "primitives in the cell |A|", "|A|, the primitives in the cell",
+              [](const Run<D>& run, const Item& item) -> std::optional<double> {
+                  if (item.kind != Kind::cell) return std::nullopt;
+                  return run.problem().cells->count(item.id);
+              }},
+             {"round", "round", "the round of cPLP that projected the cell; 0: none did",
+              [](const Run<D>& run, const Item& item) -> std::optional<double> {
+                  if (run.mark(item).state != CellState::projected) return std::nullopt;
+                  return static_cast<const CellRun&>(run).rounds_->round_of[item.id];
+              }},
+             {"hidden", "hidden", "1 where a round of cPLP found the cell hidden, 0 where it did not test it or saw it",
+              [](const Run<D>& run, const Item& item) -> std::optional<double> {
+                  if (run.mark(item).state != CellState::enqueued) return std::nullopt;
+                  return static_cast<const CellRun&>(run).rounds_->hidden[item.id];
+              }}});
+        return std::span<const Field<D>>(table).first(this->rounds_ ? 4 : 2);
     }
 
 private:
@@ -111,10 +121,11 @@ private:
     Stop step(Sink& sink) {
         Counters& counters = this->counters_;
         std::uint32_t cell = counters.partial_cell;
-        if (counters.spent >= this->problem_.budget) return Stop::budget;
+        if (counters.spent >= this->problem_.budget) return round_or(Stop::budget, sink);
+        if (this->rounds_ && this->rounds_->done > 0) return round_or(Stop::budget, sink);
         if (cell == none) {
             const Front::Entry* top = this->front_top();
-            if (!top) return Stop::front_empty;
+            if (!top) return round_or(Stop::front_empty, sink);
             cell = top->cell;
             const Mark mark{top->key, top->stamp, CellState::projected};
             this->front_.pop();
@@ -133,6 +144,42 @@ private:
         prefetch_rows(cell);
         if constexpr (Sink::enabled) sink.recorder.finished(counters);
         return Stop::none;
+    }
+
+    template <typename Sink>
+    Stop round_or(Stop stop, Sink& sink) {
+        if (!this->rounds_) return stop;
+        if constexpr (Sink::enabled)
+            return this->make_round(&sink.recorder);
+        else
+            return this->make_round(nullptr);
+    }
+
+    void project_now(std::uint32_t cell, Recorder* recorder) override {
+        Mark mark = this->marks_[cell];
+        if (recorder) recorder->changed(cell_item(cell), mark, static_cast<std::uint8_t>(Rule::projected_now));
+        mark.state = CellState::projected;
+        this->marks_.set(cell, mark);
+        --this->counters_.front_size;
+        this->counters_.offset = 0;
+        project(cell);
+        this->counters_.offset = 0;
+        if (recorder) {
+            detail::RecordingSink sink{*recorder};
+            add_neighbours(cell, sink);
+        } else {
+            detail::NoSink sink;
+            add_neighbours(cell, sink);
+        }
+    }
+    void finish_partial(Recorder* recorder) override {
+        if (recorder) {
+            detail::RecordingSink sink{*recorder};
+            go_on_with(this->counters_.partial_cell, sink);
+        } else {
+            detail::NoSink sink;
+            go_on_with(this->counters_.partial_cell, sink);
+        }
     }
 
     /// Projects the popped or partly rendered cell and adds its neighbours, as far as the budget allows.

@@ -174,8 +174,10 @@ TEST_F(Commands, ErrorsNameTheCommandAndChangeNothing) {
     }
     EXPECT_TRUE(std::filesystem::is_empty(folder));
     for (const Command<2>& command : command_table<2>())
-        test::expect_input_error([&] { run(std::string(command.id) + "x"); },
-                                 "command '" + std::string(command.id) + "x' does not exist; there are step, back, *");
+        test::expect_input_error(
+            [&] { run(std::string(command.id) + "x"); },
+            "command '" + std::string(command.id) + "x' does not exist; did you mean " + std::string(command.id) + "?");
+    test::expect_input_error([&] { run("qqqqqq"); }, "command 'qqqqqq' does not exist; there are step, back, *");
     // Those before the wrong one were carried out.
     EXPECT_THROW(run("step 2; nothing; step 2"), InputError);
     EXPECT_EQ(session().position(), 12u);

@@ -265,7 +265,7 @@ void WindowOffScreen::check(bool typed) {
         if (!message.bad) continue;
         // A command may refuse what it cannot do here; anything else is an error of the program.
         EXPECT_TRUE(message.text.starts_with("command")) << message.text;
-        EXPECT_TRUE(typed || message.text.find("does not exist; there are") == std::string::npos) << message.text;
+        EXPECT_TRUE(typed || message.text.find("does not exist;") == std::string::npos) << message.text;
     }
     driver->window().ui().messages.clear();
 }

@@ -1,0 +1,154 @@
+// cPLP: whatever the first method and its budget, what is nearest at a pixel is rendered in the end.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/methods/cplp/cplp.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/error.h"
+#include "core/measure/metrics.h"
+#include "core/methods/cells/cell_rules.h"
+#include "core/methods/cells/rounds.h"
+#include "core/space/builders.h"
+#include "core/truth/software_ids.h"
+#include "tests/run/run_support.h"
+#include "tests/scene/random_scene.h"
+#include "tests/soak.h"
+#include "tests/space/random_cells.h"
+
+namespace sightline {
+namespace {
+
+template <int D>
+struct CplpCase {
+    Scene<D> scene;
+    CellComplex<D> cells;
+    Settings settings;
+    View<D> view;
+    ImageSize size = D == 2 ? ImageSize{512, 0} : ImageSize{80, 60};
+
+    Problem<D> problem(const Method<D>& method) const {
+        Services services;
+        services.image = size;
+        return make_problem(method, settings.parameters, scene, cells, view,
+                            settings.budget.primitives(scene.primitives.size()), services);
+    }
+};
+
+template <int D>
+CplpCase<D> random_cplp_case(Random& random) {
+    CplpCase<D> made;
+    made.settings = test::random_settings(random);
+    made.settings.budget = {Budget::Kind::primitives, static_cast<double>(random.below(40))};
+    if constexpr (D == 2) {
+        made.scene = test::random_scene(random, random.below(100));
+        made.view = make_view(test::random_view(random));
+    } else {
+        made.scene.primitives = test::random_triangles(random, random.below(80));
+        made.settings.jitter = 0.02;
+        made.settings.border = Border::inflated;
+        made.settings.error_bound = random.uniform(0.1, 0.5);
+        const double reach = random.below(3) == 0 ? 1.5 : 0;
+        const auto point = [&](double low, double high) {
+            return Vec<3>(random.uniform(low, high), random.uniform(low, high), random.uniform(low, high));
+        };
+        made.view = make_view(ViewSpec<3>{point(-reach, 1 + reach), point(0.2, 0.8), random.uniform(20, 120)}, 4.0 / 3);
+    }
+    made.cells = build_cells(made.scene, made.settings);
+    return made;
+}
+
+IdImage exact_ids(const CplpCase<2>& c) { return item_row(c.scene, c.view, c.size); }
+IdImage exact_ids(const CplpCase<3>& c) { return draw_ids_in_software(c.scene, c.view, c.size, 1).front(); }
+
+template <int D>
+void nothing_is_missed(std::uint64_t seed, int count) {
+    Random random(seed);
+    const Method<D>& method = find_method<D>(method_table<D>(), "cplp");
+    std::size_t rounds = 0, added = 0, hidden = 0, cut = 0;
+    for (int i = 0; i < count; ++i) {
+        SCOPED_TRACE(i);
+        CplpCase<D> made = random_cplp_case<D>(random);
+        for (const char* first : {"published", "layers", "formula key=depth"}) {
+            made.settings.parameters.set(cplp_first_row(), first);
+            const Problem<D> problem = made.problem(method);
+            const std::unique_ptr<Run<D>> run = method.start(problem);
+            std::uint32_t before = 0;
+            while (!run->finished()) {
+                ASSERT_EQ(run->misses(), Misses::may);
+                const std::uint32_t spent = run->counters().spent;
+                ASSERT_EQ(run->run(1), Stop::steps);
+                if (spent >= problem.budget) added += run->counters().rendered_count - before;
+                before = run->counters().rendered_count;
+            }
+            ASSERT_EQ(run->run(1), Stop::complete);
+            ASSERT_EQ(run->misses(), Misses::none_at_this_resolution);
+            const auto rendered = rendered_mask(run->met(), made.scene.primitives.size());
+            for (const std::uint32_t id : exact_ids(made).ids)
+                if (id != none) {
+                    ASSERT_TRUE(rendered[id]) << first << ", primitive " << id;
+                }
+            cut += static_cast<std::size_t>(std::count(rendered.begin(), rendered.end(), 0)) > 0;
+            // What is still in the front could change nothing; what is projected was seen.
+            DepthScreen<D> screen;
+            screen.draw(run->problem(), run->met());
+            for (std::uint32_t cell = 0; cell < made.cells.cell_count(); ++cell)
+                if (run->mark(cell).state == CellState::enqueued) {
+                    ++hidden;
+                    ASSERT_FALSE(screen.seen_at(run->problem(), cell)) << cell;
+                    ASSERT_EQ(run->why_waiting(cell_item(cell)).reason, "hidden");
+                }
+            ++rounds;
+        }
+    }
+    EXPECT_GT(added, 100u);
+    EXPECT_GT(hidden, 100u);
+    EXPECT_GT(cut, rounds / 4);
+}
+
+TEST(Cplp, InThePlaneNothingThatAPixelShowsIsMissed) { nothing_is_missed<2>(81, test::soak_count(60)); }
+TEST(Cplp, InSpaceNothingThatAPixelShowsIsMissed) { nothing_is_missed<3>(82, test::soak_count(25)); }
+
+TEST(Cplp, ARoundSaysWhatItTestedAndStepsThroughIt) {
+    Random random(83);
+    const Method<2>& method = find_method<2>(method_table<2>(), "cplp");
+    std::size_t tests = 0, seen = 0;
+    for (int i = 0; i < test::soak_count(40); ++i) {
+        const CplpCase<2> made = random_cplp_case<2>(random);
+        const test::Recorded<2> recorded = test::record_all(method, made.problem(method));
+        for (std::uint32_t step = 1; step <= recorded.timeline.size(); ++step) {
+            const Step& record = recorded.timeline.steps[step - 1];
+            if (record.item.kind != Kind::round) continue;
+            const auto changes = recorded.timeline.changes_of(step);
+            const auto looked = recorded.run->considered(record, changes, 3);
+            ASSERT_EQ(recorded.run->substeps(record, changes), first_test_substep + looked.size());
+            std::size_t now = 0;
+            for (const Change& change : changes) now += Rule{change.rule} == Rule::projected_now;
+            std::size_t saw = 0;
+            for (const Considered& test : looked) saw += Rule{test.rule} == Rule::tested_seen;
+            ASSERT_EQ(saw, now) << "what is seen is projected, and nothing else";
+            tests += looked.size();
+            seen += saw;
+            // Each substep has one lit line.
+            OwnRun<2> at = OwnRun<2>(recorded.run->clone());
+            for (std::uint32_t substep = 0; substep < first_test_substep + looked.size(); ++substep) {
+                CodePlace place{&record, step, changes, 0, substep};
+                std::size_t lit = 0;
+                for (const CodeLine& line : at->code(place)) lit += line.lit;
+                ASSERT_EQ(lit, 1u) << substep;
+            }
+        }
+    }
+    EXPECT_GT(tests, 200u);
+    EXPECT_GT(seen, 100u);
+}
+
+TEST(Cplp, RefusesAFirstMethodWithoutCells) {
+    Random random(84);
+    const Method<2>& method = find_method<2>(method_table<2>(), "cplp");
+    CplpCase<2> made = random_cplp_case<2>(random);
+    made.settings.parameters.set(cplp_first_row(), "everything");
+    EXPECT_THROW(method.start(made.problem(method)), InputError);
+}
+
+}  // namespace
+}  // namespace sightline
