@@ -109,13 +109,13 @@ const char* handle_tip(Handle handle) {
         case Handle::look:
             return "drag: turn the view";
         case Handle::opening:
-            return "drag: open or close the view";
+            return "drag: widen or narrow the view";
         case Handle::frozen_eye:
-            return "drag: move the frozen eye, which decides what is drawn";
+            return "drag: move the frozen eye, which decides what is rendered";
         case Handle::frozen_look:
-            return "drag: turn the frozen view, which decides what is drawn";
+            return "drag: turn the frozen view, which decides what is rendered";
         case Handle::frozen_opening:
-            return "drag: open or close the frozen view, which decides what is drawn";
+            return "drag: widen or narrow the frozen view, which decides what is rendered";
         case Handle::segment_start:
         case Handle::segment_end:
             return "drag: move this end; Delete removes the segment";
@@ -124,7 +124,7 @@ const char* handle_tip(Handle handle) {
         case Handle::note_text:
             return "drag: move; double-click: edit; Delete removes the note";
         case Handle::note_anchor:
-            return "drag: point at something else";
+            return "drag: point the note at something else";
         case Handle::none:
             break;
     }

@@ -70,7 +70,7 @@ std::vector<Counter> counters(const Session<3>& session, const std::string& titl
     all.push_back({"traversal " + short_number(session.times().traverse) + how, "traversal 88.8" + how});
     all.push_back({"drawing " + short_number(draw_ms) + " ms", "drawing 88.8 ms"});
     if (speed) all.push_back({"speed " + short_number(*speed), "speed 888.8"});
-    if (!measured) all.push_back({"… measured when the eye rests"});
+    if (!measured) all.push_back({"… measured when the eye stops"});
     return all;
 }
 

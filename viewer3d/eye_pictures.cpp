@@ -107,7 +107,7 @@ void EyePictures::draw_insets(ImDrawList& list, const Ui& ui, const Area& area, 
         add_image(list, shown.texture, shown.upside_down, at);
         if (shown.measured && stale_) list.AddRectFilled(at.min(), at.max(), veil);
         list.AddRect(at.min(), at.max(), colour(theme::ink), 0, 0, 1.5f * ui.unit);
-        const char* const title = shown.measured && stale_ ? "measured when the eye rests" : shown.title;
+        const char* const title = shown.measured && stale_ ? "measured when the eye stops" : shown.title;
         ImVec2 text = ImGui::CalcTextSize(title);
         const float shrunk = std::min(1.0f, (at.w - 8 * ui.unit) / text.x);  // into a narrow one
         text = {text.x * shrunk, text.y * shrunk};
@@ -134,7 +134,7 @@ std::string EyePictures::split_title(const Session<3>& session) const {
     const bool exact = session.settings().split == Split::exact;
     std::string title = seen_from_outside(session) ? "frozen eye: " : "";
     title += exact ? title_of_exact : title_of_missed;
-    if (stale_) return title + ", when the eye rests";
+    if (stale_) return title + ", when the eye stops";
     if (exact) return title + ", " + std::to_string(session.reference().count) + " visible triangles";
     return title;
 }

@@ -160,7 +160,7 @@ void Picture3d::draw_part(ImDrawList& list, const Ui& ui, std::size_t pane) {
         list.AddText(ui.fonts.text, size * shrunk, {at.x + pad, at.y + 2 * ui.unit}, colour(theme::ink), text.c_str());
         note(text, area);
     };
-    title(part.picture, seen_from_outside(session) ? "from another eye than the frozen one"
+    title(part.picture, seen_from_outside(session) ? "seen from a different eye"
                                                    : "what " + std::string(session.method().id) + " draws");
     title(*part.split, eyes_[pane].split_title(session));
     eyes_[pane].draw_split(list, *part.split, session);

@@ -67,14 +67,14 @@ private:
 
     [[noreturn]] void fail_at_operand() const {
         const std::string wanted = "a number, a name or (";
-        if (token_.kind == TokenKind::end) fail(token_.at, "it ends where " + wanted + " should follow");
+        if (token_.kind == TokenKind::end) fail(token_.at, "it ends, but " + wanted + " is needed here");
         if (token_.kind == TokenKind::unknown) fail_unknown_sign();
-        fail(token_.at, quoted() + " stands where " + wanted + " should");
+        fail(token_.at, "found " + quoted() + " where " + wanted + " is needed");
     }
     [[noreturn]] void fail_after_operand() const {
         if (token_.kind == TokenKind::unknown || token_.text == "=") fail_unknown_sign();
-        if (token_.text == ")") fail(token_.at, "no ( belongs to this )");
-        if (token_.text == ":") fail(token_.at, "no ? belongs to this :");
+        if (token_.text == ")") fail(token_.at, ") without (");
+        if (token_.text == ":") fail(token_.at, ": without ?");
         if (token_.text == ",") fail(token_.at, "write one expression, not several");
         if (token_.text == "and" || token_.text == "or") fail_unknown_sign();
         fail(token_.at, "an operator is missing before " + quoted());
@@ -82,7 +82,7 @@ private:
     [[noreturn]] void fail_unknown_sign() const {
         const std::string instead(written_instead(token_.text));
         if (!instead.empty()) fail(token_.at, "write " + instead + " for " + quoted());
-        fail(token_.at, quoted() + " means nothing here");
+        fail(token_.at, quoted() + " is not allowed here");
     }
     [[noreturn]] void fail_unknown_word(const Token& word, bool is_call) const {
         std::string reason =
@@ -132,7 +132,7 @@ private:
         const std::size_t at = token_.at;
         if (!take("?")) return condition;
         const Operand yes = choice();
-        if (token_.kind == TokenKind::end) fail(at, "no : belongs to this ?");
+        if (token_.kind == TokenKind::end) fail(at, "? without :");
         if (!take(":")) fail_after_operand();
         const Operand no = choice();
         return emit(Op::choose, condition, yes, no);
@@ -218,7 +218,7 @@ private:
     }
 
     void close(const Token& open) {
-        if (token_.kind == TokenKind::end) fail(open.at, "no ) belongs to this (");
+        if (token_.kind == TokenKind::end) fail(open.at, "( without )");
         if (!take(")")) fail_after_operand();
     }
 

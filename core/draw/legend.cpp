@@ -27,8 +27,8 @@ constexpr std::array entries{
     Entry{Look::hidden, ShapeKind::polygon, "in the front, tested: hidden"},
     Entry{Look::unseen, ShapeKind::polygon, "outside the view (unseen)"},
     Entry{Look::both, ShapeKind::polygon, "projected by both"},
-    Entry{Look::only_left, ShapeKind::polygon, "only by the left method"},
-    Entry{Look::only_right, ShapeKind::polygon, "only by the right method"},
+    Entry{Look::only_left, ShapeKind::polygon, "projected by the left only"},
+    Entry{Look::only_right, ShapeKind::polygon, "projected by the right only"},
     Entry{Look::clean, ShapeKind::polygon, "not touched (clean)"},
     Entry{Look::last, ShapeKind::polygon, "projected last"},
     Entry{Look::selected, ShapeKind::polygon, "selected cell"},
@@ -86,7 +86,7 @@ struct StarEntry {
 
 constexpr std::array star_entries{
     StarEntry{"star_ray", ShapeKind::polyline, "ray to the cell's centre"},
-    StarEntry{"star_facet", ShapeKind::polyline, "facet that the cell was reached through"},
+    StarEntry{"star_facet", ShapeKind::polyline, "facet through which the cell was reached"},
 };
 
 /// Whether some of the shape may lie in the picture: a legend says nothing about what a magnification leaves out.

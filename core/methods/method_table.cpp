@@ -21,22 +21,20 @@ std::vector<Method<D>> rows() {
         "published", "PLP", "Prioritized-Layered Projection with accumulated solidity (TVCG 2000)",
         plp_parameter_rows()));
     table.push_back(
-        cell_method<D, LayerNumber>("layers", "layers", "cells by their distance from the seed in facets (the gem)"));
+        cell_method<D, LayerNumber>("layers", "layers", "cells by the number of facets from the seed (the gem)"));
     table.push_back(order_method<D>("centroid", "centroid order",
                                     "primitives by the distance of their centroid (TVCG 4.5)", centroid_order<D>()));
     table.back().aliases = {"distance"};
-    table.push_back(order_method<D>("view", "view culling", "primitives in the view, in the order of the scene",
-                                    scene_order_in_view<D>()));
-    table.back().budgeted = false;
     table.push_back(
-        order_method<D>("everything", "everything", "all primitives, in the order of the scene", scene_order<D>()));
+        order_method<D>("view", "view culling", "primitives in the view, in scene order", scene_order_in_view<D>()));
     table.back().budgeted = false;
-    table.push_back(cell_method<D, FormulaHeuristic<D>>("formula", "formula",
-                                                        "cells by an expression of your own: formula key=content+hops",
-                                                        formula_parameter_rows()));
+    table.push_back(order_method<D>("everything", "everything", "all primitives, in scene order", scene_order<D>()));
+    table.back().budgeted = false;
+    table.push_back(cell_method<D, FormulaHeuristic<D>>(
+        "formula", "formula", "cells by a key that you type: formula key=content+hops", formula_parameter_rows()));
     table.back().compared = false;
     table.push_back(order_method<D>("perfect", "perfect order",
-                                    "the visible primitives alone, nearest first: no method can do better",
+                                    "only the visible primitives, nearest first: no method can do better",
                                     perfect_order<D>()));
     table.back().needs.visible_set = true;
     table.back().compared = false;

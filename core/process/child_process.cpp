@@ -69,7 +69,7 @@ void send_all(int to, const void* bytes, std::size_t size) {
 
 ChildProcess::ChildProcess(const std::function<void(const Send&)>& work, double seconds, double bytes) {
     int ends[2];
-    if (pipe2(ends, O_CLOEXEC) != 0) throw WorkError(std::string("no pipe to be had: ") + std::strerror(errno));
+    if (pipe2(ends, O_CLOEXEC) != 0) throw WorkError(std::string("cannot create a pipe: ") + std::strerror(errno));
     process_ = fork();
     if (process_ == 0) {
         close(ends[0]);
@@ -80,7 +80,7 @@ ChildProcess::ChildProcess(const std::function<void(const Send&)>& work, double 
     from_child_ = ends[0];
     if (process_ < 0) {
         close(from_child_);
-        throw WorkError(std::string("no process to be had: ") + std::strerror(error));
+        throw WorkError(std::string("cannot start a process: ") + std::strerror(error));
     }
     fcntl(from_child_, F_SETPIPE_SZ, 1 << 20);  // best effort
 }
@@ -114,7 +114,7 @@ std::string ChildProcess::end() {
     }
     process_ = -1;
     if (WIFSIGNALED(status)) {
-        if (WTERMSIG(status) == SIGXCPU) return "came to no end";
+        if (WTERMSIG(status) == SIGXCPU) return "did not finish in time";
         return WTERMSIG(status) == SIGKILL ? "was killed (too little memory?)"
                                            : std::string("crashed (") + strsignal(WTERMSIG(status)) + ")";
     }

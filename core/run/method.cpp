@@ -90,10 +90,10 @@ VariantText read_variant(std::string_view text) {
         const std::size_t equals = part.find('=');
         if (equals == std::string::npos || equals == 0)
             throw InputError("method '" + std::string(text) + "': '" + part +
-                             "' is no parameter: write NAME=VALUE, a value with spaces in quotes");
+                             "' is not a parameter: write NAME=VALUE, with quotes around a value that has spaces");
         variant.assignments.emplace_back(part.substr(0, equals), without_quotes(part.substr(equals + 1)));
     }
-    if (variant.id.empty()) throw InputError("a method is missing");
+    if (variant.id.empty()) throw InputError("no method given");
     return variant;
 }
 

@@ -137,12 +137,11 @@ bool differs(const Outcome& a, const Outcome& b) { return a.step != b.step || a.
 std::string outcome_words(const Outcome& outcome) {
     const std::string steps = std::to_string(outcome.steps) + (outcome.steps == 1 ? " step" : " steps");
     if (outcome.step > 0) return "step " + std::to_string(outcome.step) + (outcome.culled ? ", outside the view" : "");
-    return outcome.stop == Stop::budget ? "not within the budget, " + steps
-                                        : "never, the run ends after " + steps;
+    return outcome.stop == Stop::budget ? "not within the budget, " + steps : "never, the run ends after " + steps;
 }
 
 std::vector<std::string> rows(const Counterfactuals& all) {
-    std::vector<std::string> text{"With one thing changed (as it is: " + outcome_words(all.now) + "):"};
+    std::vector<std::string> text{"With one setting changed (now: " + outcome_words(all.now) + "):"};
     std::string same;
     for (const auto& [change, outcome] : all.changes) {
         if (differs(outcome, all.now))

@@ -203,20 +203,21 @@ std::string lost_words(const LostKey& lost, std::string_view rule) {
     std::string text =
         rule.empty() ? "the method's rule for cells reached again: " : "on_reenqueue=" + std::string(rule) + ": ";
     text += lost.taken
-                ? "its key " + key + " of step " + std::to_string(lost.step) + " was replaced by " + instead +
+                ? "its key " + key + " from step " + std::to_string(lost.step) + " was replaced by " + instead +
                       " in step " + std::to_string(lost.lost_in)
-                : "the key " + key + " of step " + std::to_string(lost.step) + " was not taken, it kept " + instead;
+                : "the key " + key + " from step " + std::to_string(lost.step) + " was not taken; it kept " + instead;
     if (!lost.with_min) return text;
     const Outcome& min = *lost.with_min;
-    if (min.step > 0) return text + "; with on_reenqueue=min it would have come in step " + std::to_string(min.step);
-    return text + "; with on_reenqueue=min it would not have come either";
+    if (min.step > 0)
+        return text + "; with on_reenqueue=min it would have been projected in step " + std::to_string(min.step);
+    return text + "; with on_reenqueue=min it would not have been projected either";
 }
 
 /// Of a cell in the front.
 template <int D>
 Verdict why_waiting(const Session<D>& session, CellExplanation& e) {
     if (e.rank == 1)
-        return {"first", session.finished() ? "the budget: it is the first of the front" : "nothing: it comes next"};
+        return {"first", session.finished() ? "the budget: it is first in the front" : "nothing: it comes next"};
     e.lost = lost_key(session, e);
     if (e.lost) {
         const ParameterRow* row = session.method().parameter(on_reenqueue_row().name);

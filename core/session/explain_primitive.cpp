@@ -93,11 +93,11 @@ std::string sight_sentence(const Session<D>& session, const PrimitiveExplanation
         case Unseen::outside:
             return text + " lies outside the view.";
         case Unseen::turned_away:
-            return text + " is hidden: it turns its back to the eye.";
+            return text + " is hidden: it faces away from the eye.";
         case Unseen::edge_on:
             return text + " is hidden: it lies on a line through the eye.";
         case Unseen::no_pixel:
-            return text + " is hidden: it covers the centre of no pixel.";
+            return text + " is hidden: it covers no pixel centre.";
         case Unseen::no:
             break;
     }
@@ -108,7 +108,7 @@ std::string sight_sentence(const Session<D>& session, const PrimitiveExplanation
 }
 
 std::string met_sentence(const PrimitiveExplanation& e, std::uint32_t position) {
-    if (e.met_at == 0) return "No recorded step meets it.";
+    if (e.met_at == 0) return "No recorded step reaches it.";
     const std::string step = "Step " + std::to_string(e.met_at);
     const bool done = e.met_at <= position;
     if (e.culled) return step + (done ? " found it outside the view." : " will find it outside the view.");

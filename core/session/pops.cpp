@@ -22,11 +22,11 @@ std::vector<Marker> pop_markers(const Session<D>& session, const ViewSpec<D>& be
         const std::uint32_t first = now.timeline().before(step).touched_count;
         for_rendered(now.met().subspan(first, now.timeline().after(step).touched_count - first),
                      [&](std::uint32_t p) { appear += visible_here[p] && visible_then[p] && !then[p]; });
-        mark(step, appear, " appear that the frame before, too, should have shown");
+        mark(step, appear, " appear that were already visible in the previous frame");
     }
     std::size_t vanish = 0;
     for (std::size_t p = 0; p < count; ++p) vanish += visible_here[p] && visible_then[p] && then[p] && !here[p];
-    if (now.position() > 0) mark(now.position(), vanish, " vanish that the frame before has shown");
+    if (now.position() > 0) mark(now.position(), vanish, " vanish that are still visible");
     return markers;
 }
 

@@ -27,12 +27,12 @@ std::vector<std::string> read_settings(std::string_view text, const std::string&
         throw InputError(name + ": format: not sightline-settings");
     if (json.value("version", OrderedJson()) != 1) throw InputError(name + ": version: only 1 can be read");
     if (!json.contains("settings") || !json["settings"].is_object())
-        throw InputError(name + ": settings: an object is needed here");
+        throw InputError(name + ": settings: expected an object");
     std::vector<std::string> assignments;
     Settings settings;
     for (const auto& [field, value] : json["settings"].items()) {
         if (!value.is_string() && !value.is_number())
-            throw InputError(name + ": settings: " + field + ": neither text nor a number");
+            throw InputError(name + ": settings: " + field + ": expected text or a number");
         assignments.push_back(field + "=" + (value.is_string() ? value.get<std::string>() : value.dump()));
         try {
             apply_setting(settings, assignments.back());

@@ -123,16 +123,17 @@ using S = Settings;
 std::vector<SettingRow> own_rows() {
     return {
         choice<&S::two_sided>("two_sided", Invalidates::scene, "Doom WAD",
-                              "read two-sided lines of a level too, not only its solid walls"),
+                              "also read the two-sided lines of a level, not only its solid walls"),
 
         choice<&S::tessellation>("tessellation", Invalidates::tessellation, "TVCG 4.3",
                                  "cells: Delaunay of the leaf centres, the leaves of the tree, or those of a kd-tree"),
         real<&S::error_bound>("error_bound", {0, 1, true, false}, Invalidates::tessellation, "(0, 1]",
-                              "TVCG 4.3, note 4", "leaves are split down to this share of the scene's longest side"),
+                              "TVCG 4.3, note 4",
+                              "tree nodes are split down to this share of the scene's longest side"),
         choice<&S::border>("border", Invalidates::tessellation, "docs/algorithm.md, border",
-                           "corners of an inflated box close the gap between hull and scene border (Delaunay)"),
+                           "add the corners of a larger box, so that cells reach the scene's border (Delaunay)"),
         real<&S::jitter>("jitter", {0, 0.5, false, true}, Invalidates::tessellation, "[0, 0.5)", "TVCG 4.3",
-                         "random shift of a leaf's centre, in sides of the leaf"),
+                         "random shift of a leaf's centre, as a share of the leaf's side"),
         whole<&S::seed, 0, 0xffffffffffffffffull>("seed", Invalidates::tessellation, "[0, 2^64)", "TVCG 4.3",
                                                   "seed of the jitter"),
         whole<&S::leaf_capacity, 1, 1'000'000>("leaf_capacity", Invalidates::tessellation, "[1, 1000000]", "TVCG 4.3",
@@ -143,7 +144,7 @@ std::vector<SettingRow> own_rows() {
         choice<&S::neighbours>("neighbours", Invalidates::tessellation, "gem, add_neighbors_to_front",
                                "cells next to a leaf share a facet with it, or touch it at all (tree and kd)"),
 
-        SettingRow{"method", "which rule orders cells or primitives; see --help for the ids", "TVCG 5",
+        SettingRow{"method", "the method that orders cells or primitives; --help lists the ids", "TVCG 5",
                    Invalidates::traversal, "a method id", MemberText<&S::method>::get,
                    [](Settings& s, std::string_view value) { s.method = std::string(value); }},
         SettingRow{"budget", "how much may be rendered: 500, 5%, 16ms or unlimited", "TVCG 3", Invalidates::traversal,
@@ -151,13 +152,13 @@ std::vector<SettingRow> own_rows() {
                    [](Settings& s, std::string_view value) { s.budget = parse_budget(value); }},
         SettingRow{
             "reference_size",
-            "pixels of the item buffer: a width in 2D (auto: 8192), width x height in 3D (auto: 1024x768), where "
-            "it also gives the view its aspect",
+            "pixels of the item buffer: a width in 2D (auto: 8192), width x height in 3D (auto: 1024x768), which "
+            "also sets the aspect ratio of the view",
             "TVCG 4.4", Invalidates::reference, image_size_range, MemberText<&S::reference_size>::get,
             [](Settings& s, std::string_view value) { s.reference_size = parse_image_size(value); }},
         only_in(3, choice<&S::reference>("reference", Invalidates::reference, "TVCG 4.4",
-                                         "who draws the item buffer: OpenGL, or the program itself, the same on every "
-                                         "machine; without OpenGL always the program")),
+                                         "what draws the item buffer: OpenGL, or the program itself (the same on every "
+                                         "machine, and always used without OpenGL)")),
 
         choice<&S::palette>("palette", Invalidates::picture, "TR figs 1, 2, 4",
                             "colours: safe for colour-blind readers, as in the papers, or for print"),
@@ -166,10 +167,10 @@ std::vector<SettingRow> own_rows() {
         only_in(2, choice<&S::show_states>("show_states", Invalidates::picture, "TR figs 1, 4",
                                            "fill cells by their state")),
         only_in(2, choice<&S::show_primitives>("show_primitives", Invalidates::picture, "TR fig. 1",
-                                               "draw the scene: rendered, missed, hidden but rendered")),
+                                               "draw the segments: rendered, missed, rendered but hidden")),
         choice<&S::show_visibility>(
             "show_visibility", Invalidates::picture, "TR figs 1, 4",
-            "tell visible from hidden segments; off: only what is rendered, as the papers draw"),
+            "mark visible and hidden primitives; off: show only what is rendered, as the papers do"),
         choice<&S::show_view>("show_view", Invalidates::picture, "TR fig. 1", "draw eye, view cone and seed cell"),
         choice<&S::show_normals>("show_normals", Invalidates::picture, "TVCG fig. 6",
                                  "draw eye rays and facet normals of the last step"),
@@ -179,10 +180,11 @@ std::vector<SettingRow> own_rows() {
                                "draw the chain of updates from the seed to the selected cell"),
         choice<&S::label>("label", Invalidates::picture, "docs/figures.md", "the number written on cells"),
         choice<&S::label_where>("label_where", Invalidates::picture, "docs/figures.md",
-                                "number the front with the last cell, every touched cell, or the selected one"),
+                                "which cells carry numbers: the front and the last cell, all touched, or the selected"),
         choice<&S::heat>("heat", Invalidates::picture, "docs/figures.md", "the number shown as a heat map"),
-        choice<&S::legend>("legend", Invalidates::picture, "docs/figures.md", "where the legend stands"),
-        choice<&S::caption>("caption", Invalidates::picture, "docs/figures.md", "a caption with the conditions"),
+        choice<&S::legend>("legend", Invalidates::picture, "docs/figures.md", "where the legend is placed"),
+        choice<&S::caption>("caption", Invalidates::picture, "docs/figures.md",
+                            "add a caption that states the conditions"),
         only_in(2, real<&S::zoom>("zoom", {0.01, 1000}, Invalidates::picture, "[0.01, 1000]", "docs/figures.md",
                                   "magnification; 1 shows the whole scene")),
         only_in(2, choice<&S::zoom_at>(
@@ -190,29 +192,28 @@ std::vector<SettingRow> own_rows() {
                        "the middle of the picture: what the display eye looks at, the cell projected last, the "
                        "selected cell, or the point zoom_x, zoom_y")),
         only_in(2, finite<&S::zoom_x>("zoom_x", Invalidates::picture, "docs/figures.md",
-                                      "the middle of the picture with zoom_at=point, less the scene's origin")),
+                                      "x of the picture's centre with zoom_at=point, relative to the scene's origin")),
         only_in(2, finite<&S::zoom_y>("zoom_y", Invalidates::picture, "docs/figures.md",
-                                      "the middle of the picture with zoom_at=point, less the scene's origin")),
+                                      "y of the picture's centre with zoom_at=point, relative to the scene's origin")),
 
-        only_in(3, choice<&S::clean_as>(
-                       "clean_as", Invalidates::picture, "TVCG figs 1, 2",
-                       "how cells that no step has touched are drawn, seen from another eye than the culling view's")),
-        only_in(3, choice<&S::projected_as>(
-                       "projected_as", Invalidates::picture, "TVCG fig. 1",
-                       "how projected cells are drawn, seen from another eye than the culling view's")),
-        only_in(3, choice<&S::enqueued_as>(
-                       "enqueued_as", Invalidates::picture, "TVCG fig. 1",
-                       "how cells in the front are drawn, seen from another eye than the culling view's")),
+        only_in(3, choice<&S::clean_as>("clean_as", Invalidates::picture, "TVCG figs 1, 2",
+                                        "how clean cells are drawn when the display eye is not the culling eye")),
+        only_in(3,
+                choice<&S::projected_as>("projected_as", Invalidates::picture, "TVCG fig. 1",
+                                         "how projected cells are drawn when the display eye is not the culling eye")),
+        only_in(
+            3, choice<&S::enqueued_as>("enqueued_as", Invalidates::picture, "TVCG fig. 1",
+                                       "how cells in the front are drawn when the display eye is not the culling eye")),
         only_in(3, choice<&S::unseen_as>(
                        "unseen_as", Invalidates::picture, "gem, NS_UNSEEN",
-                       "how cells outside the view are drawn, seen from another eye than the culling view's")),
+                       "how cells outside the view are drawn when the display eye is not the culling eye")),
         only_in(3, real<&S::shrink>("shrink", {0.05, 1}, Invalidates::picture, "[0.05, 1]", "docs/figures.md",
-                                    "cells drawn at this share of their size, each about its centre")),
+                                    "draw each cell at this share of its size, about its centre")),
         only_in(3, choice<&S::slice>("slice", Invalidates::picture, "docs/figures.md",
-                                     "cut away what lies above slice_at along an axis, or nearer to the eye")),
+                                     "cut away what lies above slice_at along an axis, or (view) nearer to the eye")),
         only_in(3, real<&S::slice_at>("slice_at", {0, 1}, Invalidates::picture, "[0, 1]", "docs/figures.md",
-                                      "where the slice lies in the box of the scene; cells whose centre lies beyond "
-                                      "are left out whole")),
+                                      "position of the slice in the scene's bounding box; cells whose centre lies "
+                                      "beyond it are not drawn")),
         only_in(3, choice<&S::only>("only", Invalidates::picture, "docs/figures.md",
                                     "which cells are drawn: all, the front, or those around the selected or last one")),
         only_in(3, whole<&S::around, 0, 1000>("around", Invalidates::picture, "[0, 1000]", "docs/figures.md",
@@ -220,11 +221,11 @@ std::vector<SettingRow> own_rows() {
         only_in(3, choice<&S::triangles>("triangles", Invalidates::picture, "TVCG figs 1, 14",
                                          "which triangles are drawn")),
         only_in(3, choice<&S::inset>("inset", Invalidates::picture, "TVCG fig. 14",
-                                     "in a corner what the culling eye sees at this step, the pixels it misses, or "
-                                     "what it would see of everything")),
+                                     "a picture in a corner: what the culling eye sees at this step, the pixels it "
+                                     "misses, both, or the exact image")),
         only_in(3, choice<&S::split>("split", Invalidates::picture, "TVCG fig. 13",
-                                     "beside the picture what the culling eye would see of everything, or the pixels "
-                                     "that it misses")),
+                                     "a second picture beside the first: the exact image from the culling eye, or "
+                                     "the pixels that it misses")),
     };
 }
 

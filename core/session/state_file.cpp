@@ -32,7 +32,8 @@ OrderedJson view_json(const ViewSpec<D>& view) {
 
 template <int D>
 Vec<D> read_point(const Json& json) {
-    if (json.size() != D) throw InputError(D == 2 ? "a point is no pair of numbers" : "a point is not three numbers");
+    if (json.size() != D)
+        throw InputError(D == 2 ? "a point is not a pair of numbers" : "a point is not three numbers");
     Vec<D> point;
     for (int i = 0; i < D; ++i) point[i] = json.at(static_cast<std::size_t>(i)).get<double>();
     return point;
@@ -54,7 +55,7 @@ std::uint32_t read_count(const Json& object, const char* key, std::uint32_t othe
 const Json& list(const Json& object, const char* key) {
     static const Json nothing = Json::array();
     if (!object.contains(key)) return nothing;
-    if (!object.at(key).is_array()) throw InputError("\"" + std::string(key) + "\" is no list");
+    if (!object.at(key).is_array()) throw InputError("\"" + std::string(key) + "\" is not a list");
     return object.at(key);
 }
 

@@ -72,7 +72,7 @@ std::string knee_text(const CellsCurve& curve, std::size_t knee) {
     const std::uint32_t cells = curve.points[knee].row.cells;
     const bool coarsest = std::none_of(curve.points.begin(), curve.points.end(),
                                        [&](const CellsPoint& point) { return point.row.cells < cells; });
-    return std::to_string(cells) + " cells" + (coarsest ? ", the coarsest that was tried" : "");
+    return std::to_string(cells) + " cells" + (coarsest ? ", the coarsest tried" : "");
 }
 
 std::size_t complexity(const MethodChoice& method) {

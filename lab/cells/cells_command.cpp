@@ -49,7 +49,7 @@ std::string on_cells(const Row& row, const MethodTables& tables) {
 
 int cells_command(int argc, const char* const* argv, const MethodTables& tables) {
     CLI::App app{
-        "Sweeps the size of the cells and names the coarsest tessellation, and the simplest method, that will do.",
+        "Sweeps the size of the cells and finds the coarsest tessellation, and the simplest method, that suffice.",
         "lab cells"};
     StudyOptions options;
     options.budgets = {"5%"};
@@ -59,12 +59,13 @@ int cells_command(int argc, const char* const* argv, const MethodTables& tables)
     std::string measure_id = "wrong", out = "out/cells";
     double within = 0.01;
     std::optional<double> reach;
-    app.add_option("--error-bounds", bounds, "with commas between, each in (0, 1]")
+    app.add_option("--error-bounds", bounds, "comma-separated, each in (0, 1]")
         ->delimiter(',')
         ->check(CLI::Range(1e-3, 1.0));
-    app.add_option("--measure", measure_id, "what is looked at, such as wrong, coverage or total_ms")
+    app.add_option("--measure", measure_id, "the measure to judge by, such as wrong, coverage or total_ms")
         ->capture_default_str();
-    app.add_option("--within", within, "how much worse than the best the knee may be; a share is of 1")
+    app.add_option("--within", within,
+                   "how much worse than the best the knee may be, in units of the measure (shares: 0.01 is 1 %)")
         ->capture_default_str();
     app.add_option("--reach", reach, "also name the simplest method that reaches this value of the measure");
     app.add_option("--out", out, "folder of the results")->capture_default_str();
@@ -94,9 +95,9 @@ int cells_command(int argc, const char* const* argv, const MethodTables& tables)
         for (const Group& group : groups(simple)) {
             const Row* found = simplest(group.rows, measure, *reach);
             std::cout << one_line(group.scene, 1000) << ": "
-                      << (found ? "the simplest that reaches it is " + method_text(found->method) + ", budget " +
+                      << (found ? "the simplest method that reaches it is " + method_text(found->method) + ", budget " +
                                       found->budget + on_cells(*found, tables)
-                                : std::string("nothing that was tried reaches it"))
+                                : std::string("no method that was tried reaches it"))
                       << "\n";
         }
     std::cout << "Written: " << one_line(out, 4096)

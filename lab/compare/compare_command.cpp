@@ -25,7 +25,7 @@ int compare_command(int argc, const char* const* argv, const MethodTables& table
     std::string a, b, out = "out/compare";
     StudyOptions options;
     app.add_option("A", a, "folder or results.json of a study, or a method")->required();
-    app.add_option("B", b, "those of another study, or another method")->required();
+    app.add_option("B", b, "the same of another study, or another method")->required();
     add_study_options(app, options);
     app.add_option("--out", out, "folder of the results")->capture_default_str();
     if (!parse(app, argc, argv)) return 0;

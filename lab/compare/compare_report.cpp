@@ -110,11 +110,11 @@ std::vector<std::string> notes_of(const Comparison& comparison) {
     std::vector<std::string> notes;
     if (two_runs) {
         const Conditions &x = a.conditions, &y = b.conditions;
-        notes.push_back(x.program == y.program ? "One build of the program measured both."
+        notes.push_back(x.program == y.program ? "The same build of the program measured both."
                                                : "Two builds of the program: what changed may be the code.");
         if (x.machine != y.machine || x.renderer != y.renderer)
-            notes.push_back("Times are of two machines: " + x.machine + ", " + x.renderer + " and " + y.machine + ", " +
-                            y.renderer + ".");
+            notes.push_back("Times come from two machines: " + x.machine + ", " + x.renderer + " and " + y.machine +
+                            ", " + y.renderer + ".");
         std::set<std::pair<std::string, std::string>> places;
         for (const Pair& pair : pairs) places.insert({pair.a->scene, pair.a->path});
         for (const auto& [scene, path] : places) {
@@ -124,7 +124,7 @@ std::vector<std::string> notes_of(const Comparison& comparison) {
                 scene + ", path " + path + ": " +
                 (share ? "the machine alone changed times by up to " + short_number(100 * *share) +
                              " % (view and everything, which no heuristic touches); less than that counts as noise."
-                       : "neither view nor everything is in both studies, so that a busy machine looks like a change "
+                       : "neither view nor everything is in both studies, so a busy machine can look like a change "
                          "of times."));
         }
     }
@@ -135,8 +135,8 @@ std::vector<std::string> notes_of(const Comparison& comparison) {
             changed += change.significant();
         }
     notes.push_back(std::to_string(changed) + " of " + std::to_string(numbers) +
-                    " numbers that differ do so by more than the noise; of as many that differ by chance alone about " +
-                    std::to_string((numbers + 10) / 20) + " would look so.");
+                    " numbers that differ do so by more than the noise; chance alone would account for about " +
+                    std::to_string((numbers + 10) / 20) + ".");
     return notes;
 }
 

@@ -75,7 +75,7 @@ void print(const Verdict& verdict) {
     line.resize(12, ' ');
     std::cout << line << verdict.subject << ": ";
     if (verdict.kind == Verdict::Kind::pending) {
-        std::cout << "skipped, there is no such method yet; will be held to " << e.measure << " " << bound_text(e)
+        std::cout << "skipped, there is no such method yet; will be tested for " << e.measure << " " << bound_text(e)
                   << "\n";
         return;
     }
@@ -83,7 +83,7 @@ void print(const Verdict& verdict) {
               << bound_text(e) << ": " << e.means << "\n";
     if (verdict.kind != Verdict::Kind::surprise) return;
     if (e.expect == Expect::pending)
-        std::cout << "            was pending, but it exists now: say what is expected of it\n";
+        std::cout << "            was pending, but the method exists now: add what is expected of it\n";
     else
         std::cout << "            was expected to " << (e.expect == Expect::pass ? "pass" : "fail") << "\n";
 }
@@ -165,20 +165,21 @@ std::string conditions(const Asked& asked, LabGraphics& graphics) {
 }  // namespace
 
 int gallery_command(int argc, const char* const* argv, const MethodTables& tables) {
-    CLI::App app{"Measures the scenes in which methods fail, and says who passes and who does not.", "lab gallery"};
+    CLI::App app{"Measures the scenes in which methods fail, and says which methods pass and which do not.",
+                 "lab gallery"};
     Asked asked;
     app.add_option("SCENE", asked.ids,
-                   "ids of the gallery, 2d: or 3d: before one for that dimension only; default: all");
-    app.add_flag("--list", asked.list, "lists the scenes with what to look at, measures nothing");
+                   "ids of gallery scenes, with 2d: or 3d: before one for that dimension only; default: all");
+    app.add_flag("--list", asked.list, "list the scenes and what to look at, and measure nothing");
     app.add_option(
         "--out", asked.out,
-        "folder for gallery.html, a page to hand out, and a state file per scene, which a viewer opens where "
-        "it goes wrong");
+        "folder for gallery.html, a page to hand out, and for a state file per scene, which a viewer opens at "
+        "the step that goes wrong");
     app.add_option("--also", asked.also,
-                   "a method, with parameters if you like, that is held to what is asked of published; may be given "
-                   "several times")
+                   "another method, with or without parameters, tested on all that published is tested on; may be "
+                   "given several times")
         ->allow_extra_args(false);
-    app.add_option("--json", asked.json, "writes what was measured to this file");
+    app.add_option("--json", asked.json, "write the measured values to this file");
     if (!parse(app, argc, argv)) return 0;
     asked.tables = tables;
     for (const std::string& method : asked.also) parse_method(method, tables);  // throws for what does not exist

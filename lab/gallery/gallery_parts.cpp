@@ -18,7 +18,7 @@ template <int D>
 PartCounts counts_of(const Probe<D>& p, CarPart part) {
     const std::span<const CarPart> parts = p.at.parts();
     if (parts.size() != p.at.scene().primitives.size())
-        throw InputError(p.at.scene().id + ": which primitive is which part of a car is not known");
+        throw InputError(p.at.scene().id + ": it is not known which primitives are which part of a car");
     const Reference reference = p.at.truth(p.view, p.settings).reference;
     const OneRun run = ran(p);
     PartCounts counts;

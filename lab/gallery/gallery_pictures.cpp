@@ -50,8 +50,8 @@ GalleryPicture end_picture(const Session<3>& end, Stop stop, const fs::path& ste
     const Pixels pixels = missed_in_red(image_so_far(end), end.reference().image, graphics);
     write_file(file, encode_png(image_of(pixels).get(), screen_dpi));
     const double wrong = wrong_pixels(end.reference(), end.met());
-    return {file, end_text(end, stop) + ". Red: what should be seen and is missed, " + short_number(100 * wrong) +
-                      " % of the pixels."};
+    return {file,
+            end_text(end, stop) + ". Red: visible but missed, " + short_number(100 * wrong) + " % of the pixels."};
 }
 
 }  // namespace

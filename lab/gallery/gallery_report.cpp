@@ -173,7 +173,7 @@ std::string anchor(const GalleryEntry& entry) {
 std::string plain_name(const GalleryEntry& entry) { return entry.name.substr(entry.name.find(':') + 1); }
 
 std::string matrix(std::span<const GalleryEntry> entries) {
-    static constexpr const char* titles[] = {"methods", "whatever the method", "not there yet"};
+    static constexpr const char* titles[] = {"methods", "independent of the method", "not implemented yet"};
     const Columns columns = columns_of(entries);
     std::string top = "<tr><th colspan=3></th>", heads = "<tr><th></th><th class=t>scene</th><th></th>", body, sums;
     for (std::size_t g = 0; g < 3; ++g) {
@@ -197,19 +197,21 @@ std::string matrix(std::span<const GalleryEntry> entries) {
         if (const auto& used = columns.groups[0]; std::find(used.begin(), used.end(), method.id) != used.end())
             who += (who.empty() ? "" : "; ") + swatch(variant_looks(std::vector{std::string(method.id)}).front()) +
                    "<b>" + std::string(method.id) + "</b>: " + escaped(method.sentence);
-    return "<h2>Who survives what</h2><p>A mark for each thing that is asked: <span class=holds>✓</span> it keeps to "
-           "the bound, <span class=not>✗</span> it does not, <span class=waits>○</span> it waits for a method that "
-           "is not there yet. Small marks are with settings of their own, which the scene's table names; colours and "
+    return "<h2>Which method passes where</h2><p>One mark per expectation: <span class=holds>✓</span> the method keeps "
+           "to "
+           "the bound, <span class=not>✗</span> it does not, <span class=waits>○</span> the method does not exist "
+           "yet. Small marks are runs with other settings, which the scene's table names; colours and "
            "the last line leave them out: <span class=all>all</span>, <span class=some>some</span> or <span "
-           "class=nothing>none</span> of it is kept. Both ✓ and ✗ are what is known of the method; what is not as it "
-           "was is a <span class=surprise>surprise!</span></p><p>" +
+           "class=nothing>none</span> of the bounds are kept. Both ✓ and ✗ are expected results; an unexpected one "
+           "is a <span class=surprise>surprise!</span></p><p>" +
            who + ".</p><table class=matrix><thead>" + top + "</tr>" + heads + "</tr></thead><tbody>" + body +
            "</tbody><tfoot><tr><th colspan=3 class=t>passes</th>" + sums + "</tr></tfoot></table>";
 }
 
 std::string table_of(const GalleryEntry& entry) {
     std::string html =
-        "<table><tr><th class=t>who</th><th class=t>measure</th><th>value</th><th>bound</th><th class=t>to pass means"
+        "<table><tr><th class=t>method</th><th class=t>measure</th><th>value</th><th>bound</th><th class=t>to pass "
+        "means"
         "</th><th class=t>result</th></tr>";
     std::map<std::string, std::string> swatches = swatches_of(entry);
     for (const Verdict& verdict : entry.verdicts) {
@@ -239,7 +241,7 @@ std::string section(const GalleryEntry& entry) {
     html += "<div class=pictures>";
     for (const GalleryPicture& p : entry.pictures) html += picture(p.file, escaped(p.caption));
     html += "</div>" + table_of(entry);
-    if (!entry.command.empty()) html += "<p>Opens at this step: <code>" + escaped(entry.command) + "</code></p>";
+    if (!entry.command.empty()) html += "<p>To open it at this step: <code>" + escaped(entry.command) + "</code></p>";
     return html + "</section>";
 }
 
@@ -251,7 +253,8 @@ std::string measures(std::span<const GalleryEntry> entries) {
             if (std::find(ids.begin(), ids.end(), verdict.expectation->measure) == ids.end())
                 ids.push_back(verdict.expectation->measure);
     std::string html =
-        "<h2>What the numbers mean</h2><p>S is the scene, k the budget, V the set of primitives that are really seen, "
+        "<h2>What the numbers mean</h2><p>S is the scene, k the budget, V the set of primitives that are really "
+        "visible, "
         "T_k what is drawn within the budget, ε the coverage, |V ∩ T_k| / |V|. Shares are in per cent.</p>"
         "<table><tr><th class=t>measure</th><th class=t>unit</th><th class=t>is</th></tr>";
     for (const std::string_view id : ids) {
@@ -285,7 +288,7 @@ std::string counts_text(const GalleryCounts& counts) {
 std::string gallery_page(std::span<const GalleryEntry> entries, const std::string& conditions) {
     const GalleryCounts counts = count(entries);
     std::string html =
-        "<p class=lead>Small scenes, each with something that a method is known to get wrong, and what "
+        "<p class=lead>Small scenes, each with something that a method is known to get wrong, and the measure that "
         "exposes it. " +
         escaped(conditions) + "</p><p class='" + (counts.surprises > 0 ? "surprise" : "holds") + "'><b>" +
         counts_text(counts) + "</b></p>" + matrix(entries) + "<h2>The scenes</h2>";

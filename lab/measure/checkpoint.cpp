@@ -28,7 +28,7 @@ Checkpoint::Checkpoint(std::filesystem::path file, const Conditions& c) : file_(
         std::getline(in, line);
         const Json found = Json::parse(line, nullptr, false);
         if (found.is_discarded() || !found.is_object() || line_of(found.value("study", Json())) != c.study)
-            throw InputError(file_.string() + ": holds pieces of another study; choose another --out, or remove it");
+            throw InputError(file_.string() + ": belongs to another study; choose another --out, or remove it");
         began_anew_ = line != head;
         if (began_anew_) write_file(file_.string() + ".old", text);
         while (!began_anew_ && std::getline(in, line)) {

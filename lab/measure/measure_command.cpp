@@ -90,12 +90,12 @@ int measure_command(int argc, const char* const* argv, const MethodTables& table
     add_study_options(app, options);
     std::string out = "out/lab", shard, markdown;
     const CLI::Option* out_option =
-        app.add_option("--out", out, "folder of the results; a study that was stopped goes on there")
+        app.add_option("--out", out, "folder of the results; an interrupted study continues there")
             ->capture_default_str();
     app.add_option("--shard", shard,
                    "I/N: only every N-th pair of scene and path, from the I-th on; in out/lab-I-of-N");
     app.add_option("--markdown", markdown,
-                   "also a page of documentation, FILE.md, with its charts in images/ beside it");
+                   "also write a documentation page, FILE.md, with its charts in images/ beside it");
     if (!parse(app, argc, argv)) return 0;
     ask_for_claims(options);
     const Study study = study_of(options, tables);
@@ -121,13 +121,13 @@ int measure_command(int argc, const char* const* argv, const MethodTables& table
     }
     say("");
     print_table(results);
-    if (all_kept) std::cout << "Every frame was measured before; to measure it again choose another --out.\n";
+    if (all_kept) std::cout << "All frames were measured before; to measure them again choose another --out.\n";
     say_written(out);
     return 0;
 }
 
 int merge_command(int argc, const char* const* argv, const MethodTables& tables) {
-    CLI::App app{"Puts the parts of a study together that were measured apart.", "lab merge"};
+    CLI::App app{"Merges the parts of a study that were measured separately.", "lab merge"};
     std::vector<std::string> parts;
     std::string out = "out/lab";
     app.add_option("RESULTS", parts, "folder or results.json of each part")->required();

@@ -204,7 +204,7 @@ Results read_results(std::string_view text, const std::string& name) {
                               c.at("machine"),      c.at("renderer"), c.at("date")};
         for (const Json& row : json.at("rows")) results.rows.push_back(read_row(row));
     } catch (const Json::exception& error) {
-        throw InputError(name + ": not results of a study: " + error.what());
+        throw InputError(name + ": not the results of a study: " + error.what());
     }
     return results;
 }
@@ -263,7 +263,7 @@ Results merge(const std::vector<Results>& parts) {
             machines.push_back(part.conditions.machine);
         for (const Row& row : part.rows) {
             if (std::any_of(all.rows.begin(), all.rows.end(), [&](const Row& r) { return same_row(r, row); }))
-                throw InputError("merge: two parts hold " + row.scene + ", " + row.path + ", " +
+                throw InputError("merge: two parts both contain " + row.scene + ", " + row.path + ", " +
                                  method_text(row.method) + ", " + row.budget);
             all.rows.push_back(row);
         }

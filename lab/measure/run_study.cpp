@@ -134,7 +134,8 @@ Results run_study(const Study& study, const std::filesystem::path& folder, LabGr
     Results results{conditions_here(study_json(study), has_3d(study) ? graphics.description() : ""), {}};
     Checkpoint checkpoint(folder / "frames.jsonl", results.conditions);
     if (run.say && checkpoint.began_anew())
-        run.say("frames of another build, machine or renderer are measured again; the old ones: frames.jsonl.old");
+        run.say(
+            "frames of another build, machine or renderer are measured again; the old ones are in frames.jsonl.old");
     const std::vector<Unit> units = units_of(study, run.shard);
     Remaining remaining(static_cast<double>(units.size()));
     for (const Unit& unit : units) {

@@ -54,22 +54,22 @@ void add_study_options(CLI::App& app, StudyOptions& o) {
         "catalogue ids, with a size if you like (city:100k), or files; 2d: or 3d: before a name that both "
         "dimensions have; @PATH puts one on a path of its own: city@air; default: city cars room jungle plant");
     app.add_option("--path", o.paths,
-                   "id of a path of the scene, a file, start (the start view) or turn (once round on the spot); "
+                   "id of a path of the scene, a file, start (the start view) or turn (one full turn on the spot); "
                    "a part of one: street:60-67; default: test, else turn; may be given several times")
         ->allow_extra_args(false);
-    app.add_option("--frames", o.frames, "so many frames, spread evenly over the path; default: all");
+    app.add_option("--frames", o.frames, "number of frames, spread evenly over the path; default: all");
     app.add_option("--methods", o.methods,
                    "ids with commas between; @tree puts one on octree cells, @kd on those of a kd-tree: "
                    "published@tree; with parameters and "
                    "semicolons between: \"published; published on_reenqueue=min\"");
-    app.add_option("--budgets", o.budgets, "with commas between, such as 1%,2%,5%,10% or 500,5000")->delimiter(',');
-    app.add_option("--size", o.size, "of the reference: 1024x768, in 2D 8192");
+    app.add_option("--budgets", o.budgets, "comma-separated, such as 1%,2%,5%,10% or 500,5000")->delimiter(',');
+    app.add_option("--size", o.size, "size of the reference in pixels: such as 1024x768 in 3D, 8192 in 2D");
     app.add_option("--set", o.settings, "FIELD=VALUE as in the viewers; may be given several times")
         ->allow_extra_args(false);
     app.add_option("--settings", o.settings_file,
-                   "a settings file such as lab cells writes: its method, budget and tessellation where no other is "
-                   "asked for, and its other settings");
-    app.add_option("--repeats", o.repeats, "timed runs a frame, of which the median counts; 0: nothing is timed")
+                   "a settings file such as lab cells writes: its method, budget and tessellation unless others are "
+                   "given here, and all its other settings");
+    app.add_option("--repeats", o.repeats, "timed runs per frame, of which the median is taken; 0: no timing")
         ->check(CLI::Range(0, 1000));
 }
 

@@ -15,7 +15,7 @@ std::vector<std::uint32_t> reduce(std::uint32_t count, const Holds& holds,
                                   const std::function<bool(std::size_t left)>& progress) {
     std::vector<std::uint32_t> kept(count);
     std::iota(kept.begin(), kept.end(), 0u);
-    if (!holds(kept)) throw InputError("reduce: it does not hold in the whole scene");
+    if (!holds(kept)) throw InputError("reduce: the condition does not hold in the whole scene");
     std::size_t parts = 2;
     std::vector<std::uint32_t> rest;
     while (kept.size() >= 2) {
@@ -57,7 +57,7 @@ template <int D>
 Holds holds_in(const LabScene<D>& lab, const MethodChoice& method, const Budget& budget, const Wanted& wanted,
                const DrawIds& draw_ids) {
     if (wanted.condition.empty() == wanted.measures.empty())
-        throw InputError("reduce: give either --until, over a step's record, or --holds, over measures");
+        throw InputError("reduce: give either --until, a condition on a step, or --holds, a condition on measures");
     Settings settings = lab.settings_for(method);
     settings.budget = budget;
     if (!wanted.condition.empty()) {

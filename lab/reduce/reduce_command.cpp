@@ -80,10 +80,10 @@ int run(const Study& study, const SceneOnPath& where, const Wanted& wanted, cons
         still = run_until(session, condition_for(session, wanted.condition)) == Stop::breakpoint;
     write_file(folder / "reduced.json", state_json<D>(session));
     std::cout << kept.size() << " of " << count << " primitives"
-              << (interrupted() ? "; stopped before it was the fewest" : "") << "\n";
+              << (interrupted() ? "; interrupted, so it may not be the fewest" : "") << "\n";
     if (!still)
         std::cerr << "lab: warning: read back from " << (folder / "reduced.obj").string()
-                  << " it does not hold any more: coordinates were rounded\n";
+                  << " the condition no longer holds: coordinates were rounded\n";
     std::cout << "See it: ./run viewer" << D << "d --state " << shell_quoted((folder / "reduced.json").string())
               << "\n";
     return interrupted() ? 1 : 0;
@@ -92,7 +92,7 @@ int run(const Study& study, const SceneOnPath& where, const Wanted& wanted, cons
 }  // namespace
 
 int reduce_command(int argc, const char* const* argv, const MethodTables& tables) {
-    CLI::App app{"Shrinks a scene to the fewest primitives in which an expression holds.", "lab reduce"};
+    CLI::App app{"Shrinks a scene to the fewest primitives for which an expression still holds.", "lab reduce"};
     StudyOptions options;
     options.budgets = {"10%"};
     options.methods = {"published"};
@@ -101,9 +101,9 @@ int reduce_command(int argc, const char* const* argv, const MethodTables& tables
     Wanted wanted;
     std::string out = "out/reduce";
     app.add_option("--until", wanted.condition,
-                   "holds after any step of the run, over its record, such as inversion == 1 && hidden_now > 2");
+                   "condition that must hold after some step of the run, such as inversion == 1 && hidden_now > 2");
     app.add_option("--holds", wanted.measures,
-                   "holds in the last of the frames, over measures, such as coverage < 0.5 or pop > 0.2");
+                   "condition on measures that must hold in the last frame, such as coverage < 0.5 or pop > 0.2");
     app.add_option("--out", out, "folder of the reduced scene")->capture_default_str();
     if (!parse(app, argc, argv)) return 0;
     const Study study = study_of(options, tables);

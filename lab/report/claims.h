@@ -47,8 +47,9 @@ std::string claims_json(const std::vector<Claim>& claims);
 /// What stands under the claims.
 inline constexpr const char* claims_note =
     "Speeds are judged against view culling (method view), since the papers cull what is out of view or turns its back "
-    "in all that they compare. The papers' data are not to be had: generated scenes stand for them, so shapes can be "
-    "compared, not figures. Our reading of the formula and the renderer differ too.";
+    "in all that they compare. The papers' data are not available: generated scenes stand in for them, so trends can "
+    "be "
+    "compared, not numbers. Our reading of the formula and the renderer differ too.";
 
 /// The papers' name for a scene that stands for one of theirs, else nullptr.
 const char* papers_name(const std::string& scene);

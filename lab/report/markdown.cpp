@@ -50,7 +50,7 @@ void write_markdown(const Results& results, const std::string& command, const st
     const Conditions& c = results.conditions;
     std::string text = "# Results\n\nMade by\n\n```sh\n" + command + "\n```\n\non " +
                        markdown_escaped(c.date + ": " + c.machine + "; " + c.build + "; " + c.renderer) +
-                       ". Times hold for this machine only; everything else is the same everywhere but for single "
+                       ". Times hold for this machine only; everything else is the same everywhere except for single "
                        "pixels. [Measuring](measuring.md) says what each number is and how to read the charts.\n";
     if (const std::vector<Claim> claims = judge_claims(results); !claims.empty()) text += claims_of(claims);
     if (const std::vector<Table1Row> table = table_1(results); !table.empty())

@@ -30,8 +30,9 @@ std::vector<PreprocessingRow> preprocessing(const Results& results);
 
 /// What stands with the tables.
 inline constexpr const char* table_1_caption =
-    "Coverage in % by budget, theirs and ours. Their data are not to be had; generated scenes stand for them, so that "
-    "shapes can be compared, not figures.";
+    "Coverage in % by budget, theirs and ours. Their data are not available; generated scenes stand in for them, so "
+    "that "
+    "trends can be compared, not numbers.";
 inline constexpr const char* preprocessing_caption =
     "Bytes per cell are those of the tessellation with its tree; the memory is that of cells and references over that "
     "of the primitives. Seconds are for building the cells and assigning the primitives. A line crosses so many cells "

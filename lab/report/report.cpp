@@ -34,8 +34,8 @@ std::string conditions(const Results& results) {
 std::string answers(const std::vector<Group>& all) {
     static constexpr std::array limits{5.0, 10.0, 16.0, 33.0, 100.0};
     std::string html =
-        "<h2>Which method in the time I have?</h2><table><caption>Fewest wrong pixels within a time per "
-        "frame, in the mean over frames: method, budget, wrong pixels.</caption><tr><th class=t>scene</th>";
+        "<h2>Which method in the time available?</h2><table><caption>Fewest wrong pixels within a time per "
+        "frame, mean over frames: method, budget, wrong pixels.</caption><tr><th class=t>scene</th>";
     for (const double ms : limits) html += "<th>" + short_number(ms) + " ms</th>";
     html += "</tr>";
     for (const Group& group : all) {
@@ -96,7 +96,8 @@ std::string table_of_rows(const Group& group) {
                                         Measure::cell_oracle, Measure::wrong,       Measure::blob,
                                         Measure::pop,         Measure::flip,        Measure::zero_keys};
     std::string html = "<table><caption>Means over " + std::to_string(group.rows.front()->frames.size()) +
-                       " frames in %, wrong pixels also of the worst frame; " + escaped(group.rows.front()->reference) +
+                       " frames in %; wrong pixels also for the worst frame; " +
+                       escaped(group.rows.front()->reference) +
                        ".</caption><tr><th class=t>method</th><th>cells</th>"
                        "<th>budget</th>";
     for (const Measure m : columns) html += "<th>" + std::string(measure_row(m).title) + "</th>";

@@ -33,7 +33,7 @@ bool interrupted() { return seen != 0; }
 
 int stopped() {
     say("");
-    std::cerr << "lab: stopped; the same command goes on where it was\n";
+    std::cerr << "lab: stopped; run the same command again to continue\n";
     return 1;
 }
 

@@ -187,11 +187,10 @@ std::vector<NamedChart> study_charts(const Results& results) {
                                        [](const Row* row) { return !std::isnan(summary(*row, Measure::total_ms)); });
         const bool has_curve = group.rows.front()->frames.size() > 1;
         if (timed) {
-            add(stem + "-trade-off-wrong",
-                "Down and to the left is better. The grey line joins what nothing beats in both.",
+            add(stem + "-trade-off-wrong", "Lower and further left is better. The grey line joins the Pareto points.",
                 trade_off(group, Measure::wrong));
             add(stem + "-trade-off-coverage",
-                "Up and to the left is better. The oracle is what the budget could find at best.",
+                "Higher and further left is better. The oracle is the best that the budget could find.",
                 trade_off(group, Measure::coverage));
         }
         if (!has_curve) continue;
@@ -201,10 +200,10 @@ std::vector<NamedChart> study_charts(const Results& results) {
                         (rows.front()->method.tessellation == Tessellation::delaunay
                              ? ""
                              : "-" + std::string(word(rows.front()->method.tessellation))),
-                    "TVCG figs. 10 and 11 in form: an order that estimates visibility well keeps the shape "
+                    "Like TVCG figs. 10 and 11: an order that estimates visibility well keeps the shape "
                     "of the exact curve.",
                     found_per_frame(group, rows));
-        add(stem + "-frames-wrong", "TVCG figs. 10 to 12 in form: each method at its largest budget.",
+        add(stem + "-frames-wrong", "Like TVCG figs. 10 to 12: each method at its largest budget.",
             per_frame(group, Measure::wrong));
         add(stem + "-frames-coverage",
             "By count. Beside the wrong pixels it shows where count and picture disagree (TVCG fig. 15).",

@@ -85,7 +85,7 @@ FramePicture draw_frame(const LabScene<D>& lab, const Study& study, const Row& r
         throw InputError(one_line(row.scene) + ": the results have other frames than path " + one_line(row.path));
     const double budget = row.values[frame][Measure::budget];
     if (!(budget >= 0 && budget <= std::numeric_limits<std::uint32_t>::max()))
-        throw InputError(one_line(row.scene) + ": the results have a budget that is no number of primitives");
+        throw InputError(one_line(row.scene) + ": the results have a budget that is not a number of primitives");
     const ViewSpec<D>& view = lab.specs[frame];
     FramePicture drawn{
         row.scene, row.path, method_text(row.method), row.budget, row.frames[frame], row.values[frame][Measure::wrong],

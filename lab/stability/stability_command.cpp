@@ -55,19 +55,20 @@ std::string study_text(const Study& study, const StabilityOptions& options) {
 }  // namespace
 
 int stability_command(int argc, const char* const* argv, const MethodTables& tables) {
-    CLI::App app{"Measures how much what is rendered changes for what should not matter.", "lab stability"};
+    CLI::App app{"Measures how much the rendered set changes under disturbances that should not matter.",
+                 "lab stability"};
     StudyOptions options;
     options.budgets = {"5%"};
     add_study_options(app, options);
     StabilityOptions stability;
     std::string out = "out/stability";
-    app.add_option("--samples", stability.repeats, "random directions, orders and seeds of each kind")
+    app.add_option("--samples", stability.repeats, "number of random directions, of orders and of seeds")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
     app.add_option("--spots", stability.frames, "frames of the path at which the disturbances are tried")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
-    app.add_option("--seed", stability.seed, "of the random directions and orders")->capture_default_str();
+    app.add_option("--seed", stability.seed, "seed of the random directions and orders")->capture_default_str();
     app.add_option("--out", out, "folder of the results")->capture_default_str();
     if (!parse(app, argc, argv)) return 0;
     Study study = study_of(options, tables);

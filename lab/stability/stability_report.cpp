@@ -156,9 +156,10 @@ void write_stability(const Conditions& conditions, const std::vector<StabilityRo
     write_file(folder / "stability.json", stability_json(conditions, rows));
     write_file(folder / "stability.csv", stability_csv(rows));
     std::string html =
-        "<p>The set of primitives that a budget renders, before and after something that should not matter. Jaccard is "
+        "<p>The set of primitives that a budget renders, before and after a disturbance that should not matter. "
+        "Jaccard is "
         "|T ∩ T'| / |T ∪ T'|: 1 means the same set. Scaling by powers of two must keep the order bit by bit; NaN and "
-        "infinite keys must not occur. The eye moves by so much of the scene's longest side.</p>";
+        "infinite keys must not occur. The eye moves by the stated share of the scene's longest side.</p>";
     for (const StabilityGroup& group : stability_groups(rows)) {
         html += "<h2>" + escaped(group.scene + ", path " + group.path + ", budget " + group.budget) + "</h2>";
         for (const NamedChart& chart : stability_charts(group, along_path)) {

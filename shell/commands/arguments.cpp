@@ -95,7 +95,7 @@ std::uint32_t note_argument(const Workbench<D>& bench, Text text) {
         return bench.selected_note;
     }
     const std::uint32_t n = whole_argument(text, "the number of a note");
-    if (n < 1 || n > count) throw InputError("there is no note " + text + ", only " + std::to_string(count));
+    if (n < 1 || n > count) throw InputError("there is no note " + text + "; there are " + std::to_string(count));
     return n - 1;
 }
 

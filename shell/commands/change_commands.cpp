@@ -22,7 +22,7 @@ void set(Workbench<D>& bench, Text text) {
 template <int D>
 void cycle(Workbench<D>& bench, Text text) {
     const SettingRow& row = setting_row(text);
-    if (row.words.empty()) throw InputError("'" + text + "' has no words to go through");
+    if (row.words.empty()) throw InputError("'" + text + "' has no list of values to cycle through");
     const auto now = std::find(row.words.begin(), row.words.end(), row.get(bench.session.settings()));
     const std::string next(now + 1 == row.words.end() ? row.words.front() : *(now + 1));
     set(bench, text + "=" + next);
@@ -41,7 +41,7 @@ void preset(Workbench<D>& bench, Text text) {
 template <int D>
 std::span<const Command<D>> change_commands() {
     static constexpr std::array table{
-        Command<D>{"set", "Set", "FIELD=VALUE", "change a setting", "", set<D>},
+        Command<D>{"set", "Change setting", "FIELD=VALUE", "change a setting", "", set<D>},
         Command<D>{"cycle", "Next value", "FIELD", "change a setting to its next value",
                    D == 2 ? "H=heat L=label K=penalty N=show_normals X=show_penalties M=show_chain"
                           : "H=heat L=label K=penalty N=show_normals X=show_penalties M=show_chain Z=split "
@@ -55,7 +55,7 @@ std::span<const Command<D>> change_commands() {
         Command<D>{"undo", "Undo", "", "undo a change of view, settings, scene or notes; never a step", "Ctrl+Z",
                    [](Workbench<D>& bench, Text) { bench.say(undo(bench) ? "undone" : "nothing to undo"); }},
         Command<D>{"redo", "Redo", "", "redo the change that was undone", "Ctrl+Y Ctrl+Shift+Z",
-                   [](Workbench<D>& bench, Text) { bench.say(redo(bench) ? "done again" : "nothing to redo"); }},
+                   [](Workbench<D>& bench, Text) { bench.say(redo(bench) ? "redone" : "nothing to redo"); }},
     };
     return table;
 }

@@ -53,7 +53,7 @@ std::span<const CommandGroup<D>> command_groups() {
         CommandGroup<D>{"Fly", flight_commands<D>()},      CommandGroup<D>{"Change", change_commands<D>()},
         CommandGroup<D>{"Compare", compare_commands<D>()}, CommandGroup<D>{"Measure", trade_off_commands<D>()},
         CommandGroup<D>{"Edit", edit_commands<D>()},       CommandGroup<D>{"Mark", mark_commands<D>()},
-        CommandGroup<D>{"Note", note_commands<D>()},       CommandGroup<D>{"Say", say_commands<D>()},
+        CommandGroup<D>{"Note", note_commands<D>()},       CommandGroup<D>{"Explain", say_commands<D>()},
         CommandGroup<D>{"File", file_commands<D>()},       CommandGroup<D>{"Window", desk_commands<D>()},
     };
     // 2D has nothing to fly with.

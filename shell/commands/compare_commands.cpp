@@ -52,10 +52,10 @@ std::span<const Command<D>> compare_commands() {
         Command<D>{"compare", "Compare with", "METHOD | FIELD=VALUE,… | preset:ID | FILE | same | off",
                    "open a second session beside this one: with one change, or from a file", "", compare<D>},
         Command<D>{"align", "Align by", "step | rendered",
-                   "what the two sides share: the step, or the number of rendered primitives", "", align<D>},
+                   "keep both sides at the same step, or at the same number of rendered primitives", "", align<D>},
         Command<D>{"difference", "First difference", "", "go to the first step that differs, on both sides", "D",
                    [](Workbench<D>& bench, Text) { go_to_difference(bench); }},
-        Command<D>{"swap", "Swap sides", "", "exchange the left and the right side", "",
+        Command<D>{"swap", "Swap sides", "", "swap the left and right sides", "",
                    [](Workbench<D>& bench, Text) { swap_sides(bench); }},
     };
     return table;

@@ -26,7 +26,7 @@ void show(Workbench<D>& bench, Text text) {
     if (!panel) {
         std::string known = "timeline, legend";
         for (const Panel<D>& p : panel_table<D>()) known += ", " + std::string(p.id);
-        throw InputError("there is no panel '" + text + "', only " + known);
+        throw InputError("there is no panel '" + text + "'; panels: " + known);
     }
     std::string& column = panel->column == Column::left ? desk.left : desk.right;
     column = column == text ? "" : text;
@@ -91,16 +91,15 @@ std::span<const Command<D>> desk_commands() {
         Command<D>{
             "tool", "Tool",
             D == 2 ? "select | segment | text | arrow | ring | callout" : "select | text | arrow | ring | callout",
-            "what the mouse does on the picture",
+            "choose what the mouse does in the picture",
             D == 2 ? "V=select G=segment T=text A=arrow R=ring C=callout" : "V=select T=text A=arrow R=ring C=callout",
             tool<D>},
-        Command<D>{"axis", "Timeline axis", "steps | primitives", "what the timeline counts: steps or primitives", "",
-                   axis<D>},
-        Command<D>{"zoom-timeline", "Timeline range", "FROM-TO | all", "which steps the timeline shows", "",
+        Command<D>{"axis", "Timeline axis", "steps | primitives", "choose what the timeline counts", "", axis<D>},
+        Command<D>{"zoom-timeline", "Timeline range", "FROM-TO | all", "choose which steps the timeline shows", "",
                    zoom_timeline<D>},
         Command<D>{"projector", "Projector mode", "", "hide the panels; large text and a banner with the formula",
                    "P F11", flip<&Desk::projector, D>},
-        Command<D>{"fullscreen", "Full screen", "", "fill the screen, or go back to a window", "Alt+Enter",
+        Command<D>{"fullscreen", "Full screen", "", "switch full screen on or off", "Alt+Enter",
                    flip<&Desk::fullscreen, D>},
         Command<D>{"scale", "Scale", "up | down | N", "make text and controls larger or smaller",
                    "Ctrl+Plus=up Ctrl+Minus=down Ctrl+0=1", scale<D>},

@@ -47,9 +47,9 @@ void edit_scene(Workbench<2>& bench, Text text) {
 template <>
 std::span<const Command<2>> edit_commands<2>() {
     static constexpr std::array table{
-        Command<2>{"segment", "Segment", "add X,Y X,Y | move ID X,Y X,Y | delete [ID]",
-                   "change the segments; ID is a number or selected, delete alone takes the selected one", "",
-                   edit_segment},
+        Command<2>{"segment", "Edit segments", "add X,Y X,Y | move ID X,Y X,Y | delete [ID]",
+                   "add, move or delete a segment; ID is a number or selected; delete alone deletes the selected one",
+                   "", edit_segment},
         Command<2>{"delete", "Delete", "", "delete the selected note or segment", "Delete", delete_selected},
         Command<2>{"scene", "Scene file", "new | save FILE", "start an empty scene, or save this one", "Ctrl+N=new",
                    edit_scene},

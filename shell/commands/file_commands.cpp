@@ -38,7 +38,7 @@ void film(Workbench<D>& bench, Text text) {
         spec.first = (*range)[0];
         spec.last = (*range)[1];
     } else if (!spec.path) {
-        throw InputError("write the steps of a film as FROM-TO");
+        throw InputError("write the first and last step of the film as FROM-TO");
     }
     spec.file = rest;
     const std::size_t space = rest.rfind(' ');
@@ -55,14 +55,14 @@ template <int D>
 void copy(Workbench<D>& bench, Text) {
     if (!bench.clipboard.set) throw InputError("there is no clipboard without a window");
     bench.clipboard.set(bench_state(bench));
-    bench.say("the whole state is on the clipboard, as text");
+    bench.say("state copied to the clipboard, as text");
 }
 
 template <int D>
 void paste(Workbench<D>& bench, Text) {
     if (!bench.clipboard.get) throw InputError("there is no clipboard without a window");
     open_state_text(bench, bench.clipboard.get(), "clipboard");
-    bench.say("the state of the clipboard is open");
+    bench.say("opened the state on the clipboard");
 }
 
 template <int D>
@@ -77,13 +77,13 @@ void other_viewer(Workbench<D>& bench, Text text) {
 template <int D>
 std::span<const Command<D>> file_commands() {
     static constexpr std::array table{
-        Command<D>{"open", "Open", "SCENE | FILE", "open a scene by any name, or a state file", "Ctrl+O=?",
+        Command<D>{"open", "Open", "SCENE | FILE", "open a scene (catalogue id or file) or a state file", "Ctrl+O=?",
                    [](Workbench<D>& bench, Text text) {
                        open(bench, file_argument(text));
                        note_opened<D>(bench.recent, text);
                    }},
         Command<D>{D == 2 ? "viewer3d" : "viewer2d", D == 2 ? "3D viewer" : "2D viewer", "[SCENE]",
-                   "start the other viewer beside this one", "", other_viewer<D>},
+                   "open the other viewer in its own window", "", other_viewer<D>},
         Command<D>{"size", "Figure size", "84mm | WxH", "set the size of figures", "",
                    [](Workbench<D>& bench, Text text) { set_figure_size(bench, text); }},
         Command<D>{"shot", "Export figure", "FILE", "write a figure (.png, .svg, .pdf) and its sidecar", "Ctrl+E=?",
@@ -94,7 +94,7 @@ std::span<const Command<D>> file_commands() {
                    "", film<D>, "Writing the film; the window will not respond until it is done."},
         Command<D>{"save", "Save state", "FILE", "write a state file", "Ctrl+S=?",
                    [](Workbench<D>& bench, Text text) { write_text(file_argument(text), bench_state(bench)); }},
-        Command<D>{"cells", "Export cells", "FILE", "save the cells and their primitives, to be read by --cells", "",
+        Command<D>{"cells", "Export cells", "FILE", "save the cells and the primitives in them, for --cells", "",
                    [](Workbench<D>& bench, Text text) { write_cells(bench, file_argument(text)); }},
         Command<D>{"trace", "Export trace", "FILE", "save the records of all steps so far", "",
                    [](Workbench<D>& bench, Text text) { write_text(file_argument(text), trace_json(bench.session)); }},
@@ -103,7 +103,7 @@ std::span<const Command<D>> file_commands() {
                        write_text(file_argument(text), stats_json(bench.session, bench.last_stop));
                    }},
         Command<D>{"copy", "Copy state", "", "copy the whole state to the clipboard, as text", "Ctrl+C", copy<D>},
-        Command<D>{"paste", "Paste state", "", "open the state that the clipboard holds", "Ctrl+V", paste<D>},
+        Command<D>{"paste", "Paste state", "", "open the state on the clipboard", "Ctrl+V", paste<D>},
         Command<D>{"quit", "Quit", "", "close the program", "Ctrl+Q",
                    [](Workbench<D>& bench, Text) { bench.quit = true; }},
     };

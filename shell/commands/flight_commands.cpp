@@ -49,7 +49,7 @@ void walk(Workbench<3>& bench, Text text) {
 }
 
 void through(Workbench<3>& bench, Text) {
-    if (!bench.session.frozen()) throw InputError("nothing is frozen: this is the culling view already");
+    if (!bench.session.frozen()) throw InputError("the view is not frozen: this is already the culling view");
     change_view(bench, bench.session.culling_view());
 }
 
@@ -57,10 +57,9 @@ void fly(Workbench<3>& bench, Text text) {
     constexpr auto words = std::to_array<std::string_view>({"off", "on"});
     bench.flight.on = text.empty() ? !bench.flight.on : word_argument(text, words) == 1;
     land_unless_moving(bench);
-    bench.say(
-        bench.flight.on
-            ? "flying: W A S D Q E move, Shift faster, dragging turns, { } change the speed, F freezes here, G lands"
-            : "landed: the frame is recorded and can be stepped through");
+    bench.say(bench.flight.on ? "flying: W A S D Q E move, Shift faster, dragging turns, { } change the speed, F "
+                                "freezes the view, G lands"
+                              : "landed: the frame is recorded and can be stepped through");
 }
 
 void set_speed(Workbench<3>& bench, Text text) {
@@ -117,13 +116,13 @@ constexpr std::array path_words{
     PathWord{"loop",
              [](Workbench<3>& bench, Text) {
                  bench.flight.loop = !bench.flight.loop;
-                 bench.say(bench.flight.loop ? "the path begins again where it ends" : "the path stops where it ends");
+                 bench.say(bench.flight.loop ? "the path repeats" : "the path stops at its end");
              }},
     PathWord{"record",
              [](Workbench<3>& bench, Text) {
                  if (bench.flight.recording) return stop_path(bench);
                  record_path(bench);
-                 bench.say("recording where the eye goes: G flies, path stop ends it");
+                 bench.say("recording the flight: G flies, path stop ends the recording");
              }},
     PathWord{"save",
              [](Workbench<3>& bench, Text rest) {
@@ -152,19 +151,19 @@ std::span<const Command<2>> flight_commands<2>() {
 template <>
 std::span<const Command<3>> flight_commands<3>() {
     static constexpr std::array table{
-        Command<3>{"orbit", "Orbit", "RIGHT,UP", "circle around the point that the display view looks at, by degrees",
+        Command<3>{"orbit", "Orbit", "RIGHT,UP", "circle about the point that the display view looks at, in degrees",
                    "Ctrl+Right=15,0 Ctrl+Left=-15,0 Ctrl+Up=0,15 Ctrl+Down=0,-15", orbit},
-        Command<3>{"turn", "Turn", "RIGHT,UP", "turn the display view in place, by degrees", "", turn},
+        Command<3>{"turn", "Turn", "RIGHT,UP", "turn the display view in place, in degrees", "", turn},
         Command<3>{"walk", "Walk", "RIGHT,UP,FORWARD", "move the display view, in scene units", "", walk},
         Command<3>{"through", "Frozen eye", "", "look through the frozen eye", "I", through},
         Command<3>{"fly", "Fly", "[on | off]", "fly: keys and mouse move the eye, and the traversal follows it", "G",
                    fly},
-        Command<3>{"fly-speed", "Flying speed", "UNITS | xFACTOR", "the speed of flying, in scene units a second",
+        Command<3>{"fly-speed", "Flying speed", "UNITS | xFACTOR", "set the flying speed, in scene units per second",
                    "}=x2 {=x0.5", set_speed},
         Command<3>{"path", "Flight path",
                    "[ID | frame N | start | step [N] | back [N] | play | stop | toggle | loop | record | save FILE | "
                    "open FILE]",
-                   "flight paths, with a bar: choose one, show its frames (from 0), replay or record it",
+                   "show the path bar; choose, replay, record, save or open a flight path (frames count from 0)",
                    "Shift+P Shift+Space=toggle Shift+PageDown=step Shift+PageUp=back Shift+Home=start Shift+L=loop "
                    "Shift+R=record",
                    path},

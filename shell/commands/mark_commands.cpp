@@ -56,7 +56,7 @@ void set_breakpoint(Workbench<D>& bench, Text text) {
     }
     const std::string condition = condition_text(bench, text);
     const auto same = [&](const Breakpoint& b) { return b.condition == condition; };
-    if (std::erase_if(breakpoints, same) > 0) return bench.say("breakpoint taken away: " + condition);
+    if (std::erase_if(breakpoints, same) > 0) return bench.say("breakpoint removed: " + condition);
     condition_for(bench.session, condition);  // throws for what is none
     breakpoints.push_back({condition, true});
     bench.say("breakpoint: " + condition);
@@ -68,7 +68,7 @@ void switch_breakpoint(Workbench<D>& bench, Text text) {
     const std::uint32_t number = whole_argument(text, "the number of a breakpoint");
     auto& breakpoints = bench.session.breakpoints;
     if (number < 1 || number > breakpoints.size())
-        throw InputError("there is no breakpoint " + text + ", only " + std::to_string(breakpoints.size()));
+        throw InputError("there is no breakpoint " + text + "; there are " + std::to_string(breakpoints.size()));
     breakpoints[number - 1].on = !breakpoints[number - 1].on;
 }
 
@@ -93,11 +93,11 @@ std::span<const Command<D>> mark_commands() {
         Command<D>{"select", "Select", "ID | last | primitive:ID | note:N | none",
                    "select a cell, a primitive or a note", "J=last", select<D>},
         Command<D>{"bookmark", "Bookmark", "LABEL", "give this step a name", "B=?", bookmark<D>},
-        Command<D>{"break", "Breakpoint", "CONDITION | selected | here | none", "set a breakpoint, or remove it",
+        Command<D>{"break", "Breakpoint", "CONDITION | selected | here | none", "set or remove a breakpoint",
                    "F9=? Shift+F9=selected", set_breakpoint<D>},
         Command<D>{"break-switch", "Breakpoint on or off", "N", "switch a breakpoint off or on", "",
                    switch_breakpoint<D>},
-        Command<D>{"mark", "Mark steps", "CONDITION | none", "mark every step that matches on the timeline", "",
+        Command<D>{"mark", "Mark steps", "CONDITION | none", "mark all matching steps on the timeline", "",
                    mark_all<D>},
     };
     return table;

@@ -109,12 +109,13 @@ void edit_note(Workbench<D>& bench, Text text) {
 template <int D>
 std::span<const Command<D>> note_commands() {
     static constexpr std::array table{
-        Command<D>{"note", "Note", "KIND ANCHOR [[DX,DY]] [{FROM-TO}] TEXT",
-                   "text, arrow, ring or callout at X,Y, cell:ID, cell:last or primitive:ID, text shifted in points, "
-                   "shown in these steps",
-                   "", note<D>},
+        Command<D>{
+            "note", "Add note", "KIND ANCHOR [[DX,DY]] [{FROM-TO}] TEXT",
+            "add a text, arrow, ring or callout at X,Y, cell:ID, cell:last or primitive:ID; DX,DY moves its text, "
+            "in points; FROM-TO are the steps that show it",
+            "", note<D>},
         Command<D>{"note-edit", "Edit note", "N TEXT | N [DX,DY] | N {FROM-TO} | N at ANCHOR | N delete",
-                   "change, move or delete the note of this number, or the selected one", "", edit_note<D>},
+                   "change, move or delete note N (its number, or selected)", "", edit_note<D>},
     };
     return table;
 }

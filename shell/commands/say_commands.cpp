@@ -71,7 +71,7 @@ void explain(Workbench<D>& bench, Text text) {
         throw InputError("write explain, explain step N, explain cell ID or explain primitive ID");
     if (step == 0) return bench.say("Step 0: the seed cell is in the front, nothing is projected yet.");
     if (step > session.position())
-        throw InputError("step " + std::to_string(step) + " is not done yet; the session stands at step " +
+        throw InputError("step " + std::to_string(step) + " has not been made yet; the session is at step " +
                          std::to_string(session.position()));
     say_all(bench, rows(explain_step(session, step)));
 }
@@ -145,8 +145,9 @@ template <int D>
 std::span<const Command<D>> say_commands() {
     static constexpr std::array table{
         Command<D>{"explain", "Explain", "[step N | cell ID | primitive ID [seeds]] [FILE.json]",
-                   "explain a step, where a cell stands, or how a primitive is seen", "", explain<D>},
-        Command<D>{"what-if", "What if", "", "run each single change of the parameters, for what is selected", "",
+                   "explain a step, why a cell waits, or why a primitive is visible or hidden", "", explain<D>},
+        Command<D>{"what-if", "What if", "",
+                   "change one parameter at a time; say when the selected cell or primitive is then reached", "",
                    what_if_changed<D>},
         Command<D>{"front", "List front", "", "list the front", "", front<D>},
         Command<D>{"inversions", "List inversions", "", "list hidden cells projected before visible ones", "",
@@ -154,9 +155,8 @@ std::span<const Command<D>> say_commands() {
         Command<D>{"markers", "List markers", "",
                    "list penalties, inversions, the first wrong pixel, budget ticks, pops and bookmarks", "",
                    markers<D>},
-        Command<D>{"glossary", "Glossary", "[TERM]", "explain the words of the field", "", say_glossary<D>},
-        Command<D>{"panels", "Panels as text", "[FILE]", "write what all panels say, as text", "F12=panels.txt",
-                   panels<D>},
+        Command<D>{"glossary", "Glossary", "[TERM]", "explain the terms used here", "", say_glossary<D>},
+        Command<D>{"panels", "Panels as text", "[FILE]", "print the text of all panels", "F12=panels.txt", panels<D>},
     };
     return table;
 }

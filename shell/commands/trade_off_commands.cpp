@@ -61,7 +61,7 @@ std::span<const Command<D>> trade_off_commands() {
     static constexpr std::array table{
         Command<D>{"trade-off", "Trade-off",
                    "METHOD BUDGET | add METHOD | stop | go | restart | finish | wrong | coverage",
-                   "set method and budget of a dot; measure one more method or variant; stop, go on, restart, finish; "
+                   "set this method and budget; measure one more method or variant; stop, continue, restart, finish; "
                    "choose the vertical axis",
                    "", trade_off<D>},
     };

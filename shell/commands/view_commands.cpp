@@ -53,7 +53,7 @@ void unfreeze(Workbench<D>& bench, Text) {
 template <int D>
 void pan_by(Workbench<D>& bench, Text text) {
     const auto shares = parse_pair(text);
-    if (!shares) throw InputError("write the shares of the picture to move by as DX,DY");
+    if (!shares) throw InputError("write by which share of the picture to move as DX,DY");
     pan(bench, *shares);
 }
 
@@ -63,19 +63,21 @@ template <int D>
 std::span<const Command<D>> view_commands() {
     static constexpr std::array table{
         Command<D>{"eye", "Move eye", D == 2 ? "X,Y" : "X,Y,Z",
-                   "move the eye; while frozen, moves only the display view's eye", "", eye<D>},
+                   "move the eye; while frozen, move only the eye of the display view", "", eye<D>},
         Command<D>{"look", "Look at", D == 2 ? "X,Y" : "X,Y,Z", "turn the view towards a point", "", look<D>},
         Command<D>{"fov", "Field of view", "DEGREES",
-                   D == 2 ? "set the angle of the view; 360 looks all round" : "set the angle of the view", "", fov<D>},
+                   D == 2 ? "set the field of view; 360 looks all around" : "set the field of view", "", fov<D>},
         Command<D>{"fit", "Fit scene", "", "show the whole scene again", "0",
                    [](Workbench<D>& bench, Text) { fit(bench); }},
-        Command<D>{"zoom", "Zoom", "FACTOR", "magnify the picture about its middle", "+=1.25 -=0.8",
+        Command<D>{"zoom", "Zoom", "FACTOR", "zoom about the centre of the picture", "+=1.25 -=0.8",
                    [](Workbench<D>& bench, Text text) { zoom(bench, number_argument(text, "a factor")); }},
-        Command<D>{"pan", "Pan", "DX,DY", "move over the scene, by shares of what is shown: 0.1,0 to the right",
+        Command<D>{"pan", "Pan", "DX,DY", "pan by a share of the picture: 0.1,0 moves to the right",
                    "Alt+Right=0.1,0 Alt+Left=-0.1,0 Alt+Up=0,0.1 Alt+Down=0,-0.1", pan_by<D>},
         Command<D>{"freeze", "Freeze", "[all | eye | direction]",
-                   "keep the culling view, its eye or its direction; then only the display view moves", "F", freeze<D>},
-        Command<D>{"unfreeze", "Unfreeze", "", "use one view again for culling and display", "Shift+F", unfreeze<D>},
+                   "freeze the culling view, or only its eye or direction; then only the display view moves", "F",
+                   freeze<D>},
+        Command<D>{"unfreeze", "Unfreeze", "", "end the freeze: one view for culling and display", "Shift+F",
+                   unfreeze<D>},
     };
     return table;
 }

@@ -22,7 +22,7 @@ std::string what_became(const Workbench<D>& bench, const std::vector<Step>& befo
     if (what >= Invalidates::tessellation)
         line += "new cells: " + std::to_string(bench.session.cells().cell_count());
     else
-        line += same < common ? "order differs from step " + std::to_string(same + 1) : "same order so far";
+        line += same < common ? "the order differs from step " + std::to_string(same + 1) : "same order so far";
     return line;
 }
 

@@ -14,7 +14,7 @@ constexpr std::size_t most_in_title = 2;
 
 template <int D>
 Other<D>& need_other(Workbench<D>& bench) {
-    if (!bench.other) throw InputError("there is nothing to compare with; write compare first");
+    if (!bench.other) throw InputError("nothing to compare with: use compare first");
     return *bench.other;
 }
 

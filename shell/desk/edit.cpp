@@ -33,7 +33,7 @@ void check(const Scene<2>& scene, std::uint32_t index) {
     for (std::uint32_t i = 0; i < scene.primitives.size(); ++i) {
         const Primitive<2>& other = scene.primitives[i];
         if (i != index && (other == segment || other == Primitive<2>{segment[1], segment[0]}))
-            throw InputError("segment: " + std::to_string(i) + " lies between the same points");
+            throw InputError("segment: " + std::to_string(i) + " already joins these points");
     }
 }
 

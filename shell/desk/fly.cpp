@@ -71,7 +71,8 @@ template <int D>
 void go_to_frame(Workbench<D>& bench, std::uint32_t frame) {
     const std::size_t count = bench.flight.path.frames.size();
     if (frame >= count)
-        throw InputError("there is no frame " + std::to_string(frame) + ": the path has " + std::to_string(count));
+        throw InputError("there is no frame " + std::to_string(frame) + ": the path has " + std::to_string(count) +
+                         " frames, from 0");
     bench.flight.frame = frame;
     fly_to(bench, bench.flight.path.frames[frame], "path");
 }
@@ -90,7 +91,7 @@ template <int D>
 void record_path(Workbench<D>& bench) {
     Flight<D>& flight = bench.flight;
     const Session<D>& s = bench.session;
-    if (s.frozen()) throw InputError("the view is frozen: a path is recorded of the culling view; unfreeze it first");
+    if (s.frozen()) throw InputError("unfreeze the view first: a path records the culling view");
     flight.path = {"recorded", {s.culling_view()}, s.scene().id, s.scene().origin};
     flight.frame = 0;
     flight.replaying = false;

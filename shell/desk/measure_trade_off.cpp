@@ -42,7 +42,7 @@ void update_trade_off(Workbench<D>& bench) {
     const Session<D>& session = bench.session;
     const auto& all = bench.flight.path.frames;
     std::vector<ViewSpec<D>> views;
-    std::string path = "this view alone";
+    std::string path = "current view only";
     if (all.empty()) {
         views.push_back(session.culling_view());
     } else {
@@ -108,7 +108,7 @@ std::string trade_off_progress_text(const Workbench<D>& bench) {
     const std::string count = std::to_string(study.done()) + " of " + std::to_string(study.total());
     if (study.finished()) return count;
     if (bench.trade_off.stopped) return count + ", stopped";
-    if (!stands_still(bench)) return count + ", waits for rest";
+    if (!stands_still(bench)) return count + ", paused during playback and flight";
     if (study.done() == 0) return count;
     const auto done = static_cast<double>(study.done()), total = static_cast<double>(study.total());
     return count + ", about " + duration_text(bench.trade_off.spent_ms / 1000 / done * (total - done)) + " left";

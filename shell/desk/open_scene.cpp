@@ -75,7 +75,7 @@ void add_bookmarks(Session<D>& session) {
 template <int D>
 std::shared_ptr<const Scene<D>> reread(const std::shared_ptr<const Scene<D>>& scene, const Settings& settings) {
     if (D == 2 && !scene->source.starts_with("wad")) return scene;
-    if (scene->name.empty()) throw InputError("two_sided: the scene's file is not known, it cannot be read again");
+    if (scene->name.empty()) throw InputError("two_sided: the scene's file is unknown, so it cannot be read again");
     return std::make_shared<const Scene<D>>(
         load_scene<D>(scene->name, {.two_sided = settings.two_sided == Switch::on}));
 }

@@ -38,7 +38,7 @@ void go_to_place(Session<D>& session, const std::string& place) {
         const Condition<D> condition = condition_for(session, place.substr(6));
         session.seek(0);
         if (run_until(session, condition) != Stop::breakpoint)
-            throw InputError("panel '" + place + "': the condition never holds before the run ends");
+            throw InputError("panel '" + place + "': the run ends before the condition holds");
         return;
     }
     throw InputError("panel '" + place + "': write start, end, step N or until CONDITION");

@@ -29,7 +29,7 @@ Format format_of(const std::filesystem::path& path) {
     if (ending == ".svg") return Format::svg;
     if (ending == ".pdf") return Format::pdf;
     throw InputError("cannot write " + path.string() + ": " +
-                     (ending.empty() ? std::string("the name has no ending") : "unknown ending " + ending) +
+                     (ending.empty() ? std::string("the name has no extension") : "unknown extension " + ending) +
                      "; use .png, .svg or .pdf");
 }
 
@@ -127,7 +127,7 @@ void write_figure(const Figure& figure, const FigureSize& size, const std::files
 void write_figure_pages(std::span<const Figure> plan, const MakePage& page, const FigureSize& size,
                         const std::filesystem::path& path, const DrawSolid& draw_solid) {
     if (format_of(path) != Format::pdf)
-        throw InputError("cannot write " + path.string() + ": several pages need the ending .pdf");
+        throw InputError("cannot write " + path.string() + ": several pages need the extension .pdf");
     if (plan.empty()) throw InputError("cannot write " + path.string() + ": there are no pages");
     check_size(size);
     const Font font = find_font();

@@ -117,7 +117,7 @@ GlContext::Video::Video(Place place) {
     const bool good = SDL_InitSubSystem(SDL_INIT_VIDEO) == 0;
     const std::string why = good ? "" : SDL_GetError();
     if (place == Place::off_screen) SDL_SetHintWithPriority(SDL_HINT_VIDEODRIVER, kept.c_str(), SDL_HINT_OVERRIDE);
-    if (!good) throw WorkError("SDL has no video to open a window or a context on: " + why + remedy);
+    if (!good) throw WorkError("SDL finds no video driver for a window or an OpenGL context: " + why + remedy);
     // Without a display SDL falls back on drivers that show nothing.
     if (place == Place::window && !is_window_system(SDL_GetCurrentVideoDriver())) {
         SDL_QuitSubSystem(SDL_INIT_VIDEO);
@@ -138,7 +138,7 @@ GlContext::GlContext(Place place, const std::string& title, int width, int heigh
     const X11ErrorHandler handler = set_x11_error_handler(ignore_x11_error);
     window_.reset(SDL_CreateWindow(title.c_str(), SDL_WINDOWPOS_UNDEFINED, SDL_WINDOWPOS_UNDEFINED, width, height,
                                    SDL_WINDOW_OPENGL | shown));
-    if (!window_) throw WorkError("SDL opens no window for OpenGL: " + std::string(SDL_GetError()) + remedy);
+    if (!window_) throw WorkError("SDL cannot open a window for OpenGL: " + std::string(SDL_GetError()) + remedy);
     context_.reset(SDL_GL_CreateContext(window_.get()));
     const std::string why = context_ ? "" : SDL_GetError();
     if (!context_ || epoxy_gl_version() < 33)

@@ -48,7 +48,7 @@ void NoteField::draw(Ui& ui, const Area& area) {
     if (focus_) ImGui::SetKeyboardFocusHere();
     focus_ = false;
     ImGui::SetNextItemWidth(-1);
-    bool done = ImGui::InputTextWithHint("##text", "what the note says", &text_, ImGuiInputTextFlags_EnterReturnsTrue);
+    bool done = ImGui::InputTextWithHint("##text", "text of the note", &text_, ImGuiInputTextFlags_EnterReturnsTrue);
     const auto step = [&](const char* label, const char* hint, std::string& value) {
         ImGui::AlignTextToFramePadding();
         ImGui::TextUnformatted(label);
@@ -60,7 +60,7 @@ void NoteField::draw(Ui& ui, const Area& area) {
     step("from step", "start", from_);
     ImGui::SameLine();
     step("to step", "end", to_);
-    ImGui::TextDisabled("Enter keeps it, Esc drops it");
+    ImGui::TextDisabled("Enter saves, Esc cancels");
     ImGui::End();
     ImGui::PopStyleVar();
     ImGui::PopStyleColor(2);

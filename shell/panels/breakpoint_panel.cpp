@@ -13,10 +13,11 @@ std::vector<Row> breakpoint_rows(const Workbench<D>& bench) {
         row.command = "break-switch " + std::to_string(i + 1);
         rows.push_back(std::move(row));
     }
-    if (breakpoints.empty()) rows.push_back({"none: F9, then step:N, cell:ID or an expression", Tone::faint});
+    if (breakpoints.empty())
+        rows.push_back({"none; press F9, then type step:N, cell:ID or an expression", Tone::faint});
     rows.push_back({"Marked steps", Tone::heading});
     if (bench.marked_by.empty())
-        rows.push_back({"none: type mark CONDITION", Tone::faint});
+        rows.push_back({"none; type mark CONDITION", Tone::faint});
     else
         rows.push_back({std::to_string(bench.marked.size()) + " match " + bench.marked_by});
     for (const std::uint32_t step : bench.marked) {

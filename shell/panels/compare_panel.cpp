@@ -24,7 +24,7 @@ std::vector<Row> compare_rows(const Workbench<D>& bench) {
     const Session<D>&left = bench.session, &right = bench.other->session;
     const auto titles = side_titles(bench);
     std::vector<Row> rows{{titles[0] + " | " + titles[1], Tone::heading, "swap"}};
-    rows.back().tip = "a click exchanges left and right";
+    rows.back().tip = "click to swap left and right";
     const auto add = [&](const char* what, const std::string& a, const std::string& b, const char* command = "") {
         rows.push_back({std::string(what) + ": " + a + " | " + b, Tone::plain, command});
     };
@@ -33,7 +33,7 @@ std::vector<Row> compare_rows(const Workbench<D>& bench) {
         if (pair.name != "method")
             rows.push_back({std::string(pair.name) + ": " + pair.left + " | " + pair.right, Tone::lit});
     if (left.shared_scene() != right.shared_scene()) add("scene", left.scene().id, right.scene().id);
-    if (left.culling_view() != right.culling_view()) rows.push_back({"seen from different places", Tone::lit});
+    if (left.culling_view() != right.culling_view()) rows.push_back({"the culling views differ", Tone::lit});
     const bool flying = left.flying();
     const bool by_step = bench.other->align == Align::step;
     if (!flying)
@@ -46,15 +46,15 @@ std::vector<Row> compare_rows(const Workbench<D>& bench) {
     if (!flying)
         add("inversions", std::to_string(left.inversions().size()), std::to_string(right.inversions().size()),
             "show inversions");
-    if (!same_cells(left, right)) rows.push_back({"different cells: their numbers do not compare", Tone::faint});
+    if (!same_cells(left, right)) rows.push_back({"the cells differ: cell numbers cannot be compared", Tone::faint});
     if (flying) {
-        rows.push_back({"flying: frames are not recorded, their order is not compared", Tone::faint});
+        rows.push_back({"flying: frames are not recorded, so their order cannot be compared", Tone::faint});
     } else {
         const Difference& difference = first_difference(bench);
         rows.push_back({difference.sentence, difference.step == none ? Tone::good : Tone::lit,
                         difference.step == none ? "" : "difference"});
     }
-    rows.push_back({"compare no more", Tone::faint, "compare off"});
+    rows.push_back({"stop comparing", Tone::faint, "compare off"});
     return rows;
 }
 

@@ -7,9 +7,9 @@ namespace sightline {
 template <int D>
 std::vector<Row> inversion_rows(const Workbench<D>& bench) {
     if (bench.session.flying())
-        return {{"Flying", Tone::heading}, {"frames of a flight are not recorded: nothing is known of their order"}};
+        return {{"Flying", Tone::heading}, {"frames of a flight are not recorded: their order is not known"}};
     const auto found = bench.session.inversions();
-    std::vector<Row> rows{{std::to_string(found.size()) + " inversions in the recorded run", Tone::heading}};
+    std::vector<Row> rows{{"Inversions in the recorded run: " + std::to_string(found.size()), Tone::heading}};
     for (const Inversion& i : found) {
         Row row{"step " + std::to_string(i.step) + ": hidden cell " + std::to_string(i.cell) + " before cell " +
                 std::to_string(i.waiting) + ", " + std::to_string(i.wasted) + " wasted, " +

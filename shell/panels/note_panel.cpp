@@ -17,14 +17,14 @@ std::vector<Row> note_rows(const Workbench<D>& bench) {
                     (note.last_step == none ? "end" : std::to_string(note.last_step)) + ")";
         rows.push_back({std::move(text)});
     }
-    if (s.notes.empty()) rows.push_back({"none: T, A, R or C, then click in the picture", Tone::faint});
+    if (s.notes.empty()) rows.push_back({"none; press T, A, R or C, then click in the picture", Tone::faint});
     rows.push_back({"Bookmarks", Tone::heading});
     for (const Bookmark& bookmark : s.bookmarks) {
         Row row{"step " + std::to_string(bookmark.step) + ": " + bookmark.label};
         row.command = "seek " + std::to_string(bookmark.step);
         rows.push_back(std::move(row));
     }
-    if (s.bookmarks.empty()) rows.push_back({"none: B names this step", Tone::faint});
+    if (s.bookmarks.empty()) rows.push_back({"none; B gives this step a name", Tone::faint});
     return rows;
 }
 

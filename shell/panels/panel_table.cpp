@@ -11,21 +11,20 @@ namespace sightline {
 template <int D>
 std::span<const Panel<D>> panel_table() {
     static constexpr std::array table{
-        Panel<D>{"run", "Run", "where the run stands, and under which conditions", Column::left, run_rows<D>},
+        Panel<D>{"run", "Run", "the state of the run, and its conditions", Column::left, run_rows<D>},
         Panel<D>{"settings", "Settings", "every setting with its source", Column::left, settings_rows<D>,
                  Body::widgets},
         Panel<D>{"why", "Why", "why this cell now, and why the selected cell not yet", Column::right, why_rows<D>},
-        Panel<D>{"code", "Code", "the algorithm, at the line and with the values of this step", Column::right,
-                 code_rows<D>},
-        Panel<D>{"front", "Front", "the front, first to last", Column::right, front_rows<D>},
+        Panel<D>{"code", "Code", "the algorithm, with the current line and its values", Column::right, code_rows<D>},
+        Panel<D>{"front", "Front", "the cells in the front, first to last", Column::right, front_rows<D>},
         Panel<D>{"inversions", "Inversions", "hidden cells projected before visible ones", Column::right,
                  inversion_rows<D>},
         Panel<D>{"compare", "Compare", "two sessions beside each other", Column::right, compare_rows<D>},
-        Panel<D>{"trade-off", "Trade-off", "speed against accuracy of every method in this scene", Column::right,
+        Panel<D>{"trade-off", "Trade-off", "speed against accuracy for every method in this scene", Column::right,
                  trade_off_rows<D>, Body::chart},
-        Panel<D>{"breakpoints", "Breakpoints", "where a run stops, and marks", Column::right, breakpoint_rows<D>},
+        Panel<D>{"breakpoints", "Breakpoints", "breakpoints and marked steps", Column::right, breakpoint_rows<D>},
         Panel<D>{"notes", "Notes", "notes and bookmarks", Column::right, note_rows<D>},
-        Panel<D>{"words", "Words", "what each term means and where it is defined", Column::right, glossary_rows<D>,
+        Panel<D>{"words", "Glossary", "what each term means and where it is defined", Column::right, glossary_rows<D>,
                  Body::rows, true},
     };
     return table;

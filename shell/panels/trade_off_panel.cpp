@@ -12,7 +12,7 @@ namespace sightline {
 
 namespace {
 
-std::string per_cent(double share) { return std::isnan(share) ? "none" : short_number(100 * share) + "%"; }
+std::string per_cent(double share) { return std::isnan(share) ? "none" : short_number(100 * share) + " %"; }
 
 }  // namespace
 
@@ -22,15 +22,15 @@ std::vector<Row> trade_off_rows(const Workbench<D>& bench) {
     const TradeOffStudy<D>& study = trade_off.study;
     if (!study.task().scene)
         return {
-            {"Speed against accuracy of this scene. Fills in while this panel is open; `trade-off finish` measures it "
-             "at once",
+            {"Speed against accuracy in this scene, measured while this panel is open; `trade-off finish` measures "
+             "it all at once",
              Tone::faint}};
     std::vector<Row> rows{{study.task().scene->id + ", " + trade_off.path, Tone::heading}};
-    Row progress{study.finished() ? "measured, all " + std::to_string(study.total())
+    Row progress{study.finished() ? "measured all " + std::to_string(study.total())
                                   : "measured: " + trade_off_progress_text(bench)};
     if (!study.finished()) {
         progress.command = trade_off.stopped ? "trade-off go" : "trade-off stop";
-        progress.text += trade_off.stopped ? " (click: go on)" : " (click: stop)";
+        progress.text += trade_off.stopped ? " (click to continue)" : " (click to stop)";
     }
     rows.push_back(std::move(progress));
     if (const std::string work = trade_off_work_text(bench); !work.empty()) rows.push_back({work, Tone::faint});
@@ -45,21 +45,21 @@ std::vector<Row> trade_off_rows(const Workbench<D>& bench) {
         row.text += std::isnan(ms) ? "…"
                                    : short_number(ms) + " ms, wrong " + per_cent(study.value(dot, Measure::wrong)) +
                                          ", coverage " + per_cent(study.value(dot, Measure::coverage));
-        if (is_best) row.text += ", front";
+        if (is_best) row.text += ", Pareto";
         const bool now = is_current(bench, dot);
         row.tone = now ? Tone::lit : is_best ? Tone::good : Tone::plain;
         if (now) row.text += " (now)";
         row.command = trade_off_command(bench, dot);
         row.tip = std::string(variant.method.sentence) +
                   (variant.method.promise == Misses::may ? " [approximate]" : " [conservative]") +
-                  ". A click sets this method and this budget.";
+                  ". Click to set this method and budget.";
         rows.push_back(std::move(row));
     }
     const ImageSize reference = image_size<D>(study.task().reference_size);
     const std::string size = D == 2 ? std::to_string(reference.width) + " pixels" : image_size_text(reference);
     rows.push_back({"Time: " + trade_off_time_text(bench) +
                         (study.task().time_drawing ? ", off screen at " + size : "") +
-                        ", median of 3 in this window's program; it differs from run to run. Accuracy: mean over " +
+                        ", median of 3 runs of this program; times differ from run to run. Accuracy: mean over " +
                         "frames against " + (D == 2 ? "an item buffer of " : "the item buffer ") + size + ".",
                     Tone::faint});
     rows.push_back({"measure again from the start", Tone::faint, "trade-off restart"});

@@ -65,14 +65,14 @@ void write_considered(Writer& to, const Considered& c, int digits) {
 void write_step(Writer& to, const StepExplanation& step, bool partly) {
     std::string title = "Step " + std::to_string(step.step);
     if (step.cell != none) title += ": " + name(step.cell);
-    to.heading(title + (partly ? ", as far as it is done" : ""));
+    to.heading(title + (partly ? " (so far)" : ""));
     if (step.cell == none) {
         to.add(step.words);
     } else {
         const int digits = step.digits;
         to.cell("lowest key of the front: " + short_number(step.key, digits), step.cell);
         if (step.runner_up == none)
-            to.add("it was alone in the front");
+            to.add("it was the only cell in the front");
         else if (step.runner_up_key == step.key)
             to.cell("runner-up: " + name(step.runner_up) + ", the same key: tie, older stamp wins", step.runner_up);
         else
@@ -145,17 +145,27 @@ template <int D>
 void write_what_if(Writer& to, const Workbench<D>& bench) {
     const Item item = selected_item(bench);
     if (!item || (item.kind == Kind::cell && !bench.session.method().orders_cells())) return;
-    to.heading("With one thing changed");
+    to.heading("With one setting changed");
     const Counterfactuals* all = what_if(bench);
     if (!all) {
-        to.add("run each single change: this may take seconds", 0, Tone::lit).command = "what-if";
+        to.add("run every change (may take seconds)", 0, Tone::lit).command = "what-if";
         return;
     }
-    const std::vector<std::string> lines = rows(*all);
-    to.add("as it is: " + outcome_words(all->now));
-    for (const auto& [change, outcome] : all->changes)
-        if (differs(outcome, all->now)) to.add(change + ": " + outcome_words(outcome), 1).command = "compare " + change;
-    if (lines.back().starts_with("  no difference")) to.add(lines.back().substr(2), 1, Tone::faint);
+    to.add("now: " + outcome_words(all->now));
+    std::uint32_t same = 0;
+    std::string same_list;
+    for (const auto& [change, outcome] : all->changes) {
+        if (differs(outcome, all->now)) {
+            to.add(change + ": " + outcome_words(outcome), 1).command = "compare " + change;
+        } else {
+            ++same;
+            same_list += (same_list.empty() ? "" : ", ") + change;
+        }
+    }
+    if (same > 0)
+        to.add("no difference: " + counted(same, same < all->changes.size() ? "other change" : "change"), 1,
+               Tone::faint)
+            .tip = same_list;
 }
 
 }  // namespace
@@ -167,12 +177,12 @@ std::vector<Row> why_rows(const Workbench<D>& bench) {
     Writer to;
     if (s.flying()) {
         to.heading("Flying");
-        to.add("frames of a flight are not recorded: F freezes this one, and it can be stepped through");
+        to.add("frames of a flight are not recorded: press F to freeze this one and step through it");
         return to.rows;
     } else if (s.position() == 0) {
         to.heading("Step 0");
         if (seed_cell(s) != none) to.cell("the seed " + name(seed_cell(s)) + " is in the front", seed_cell(s));
-        to.add("nothing is projected yet: Right, or Space");
+        to.add("nothing is projected yet: press Right or Space");
     } else {
         write_step(to, explain_step(s, s.position()), bench.substep.has_value());
     }
@@ -180,7 +190,8 @@ std::vector<Row> why_rows(const Workbench<D>& bench) {
     if (s.selected_cell != none) write_cell(to, explain_cell(s, s.selected_cell), key_title(s));
     write_what_if(to, bench);
     if (s.selected_cell == none && s.selected_primitive == none)
-        to.add("Click a cell or a primitive in the picture to see why it is where it is.", 0, Tone::faint);
+        to.add("Click a cell or a primitive in the picture to see why it is rendered, waiting or hidden.", 0,
+               Tone::faint);
     return to.rows;
 }
 

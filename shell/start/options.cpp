@@ -67,27 +67,27 @@ template <int D>
 void add_scene_options(CLI::App& app, Options& o, Typed& typed) {
     constexpr const char* point = D == 2 ? "X,Y" : "X,Y,Z";
     app.add_option("SCENE", o.scene,
-                   D == 2 ? "a catalogue id (--list), a file (Sightline JSON, GeoJSON, Doom WAD as FILE.wad#MAP), "
-                            "freedoom1#E1M2, or a state file; default: the last one opened, without a window bottleneck"
-                          : "a catalogue id (--list), with a size if you like (city:100k), a file (OBJ, PLY, STL, OFF, "
-                            "glTF, GLB and whatever else Assimp reads), a folder of them, or a state file; default: "
-                            "the last one opened, without a window bottleneck");
+                   D == 2
+                       ? "a catalogue id (--list), a file (Sightline JSON, GeoJSON, Doom WAD as FILE.wad#MAP), "
+                         "freedoom1#E1M2, or a state file; default: the last one opened; without a window, bottleneck"
+                       : "a catalogue id (--list), optionally with a size (city:100k), a file (OBJ, PLY, STL, OFF, "
+                         "glTF, GLB and whatever else Assimp reads), a folder of them, or a state file; default: "
+                         "the last one opened; without a window, bottleneck");
     app.add_flag("--list", o.list,
-                 D == 2 ? "print the catalogue and the installed levels, and end" : "print the catalogue, and end");
-    app.add_flag("--headless", o.headless, "no window: obey the options, write the files, end");
+                 D == 2 ? "print the catalogue and the installed levels, and exit" : "print the catalogue, and exit");
+    app.add_flag("--headless", o.headless, "no window: run the options, write the files, exit");
     app.add_option("--eye", o.eye, std::string(point) + " of the eye, in the file's coordinates");
     app.add_option("--look-at", o.look_at, std::string(point) + " of a point to look at");
     app.add_option("--fov", typed.fov,
-                   D == 2 ? "opening of the view in degrees; 360 looks all round"
-                          : "opening of the view in degrees, from top to bottom");
+                   D == 2 ? "field of view in degrees; 360 looks all around" : "vertical field of view in degrees");
 }
 
 void add_setting_options(CLI::App& app, Options& o) {
     app.add_option("--method", o.method, "method id, see below");
     app.add_option("--preset", o.preset, "preset id, see below");
     app.add_option("--cells", o.cells,
-                   "file of the scene's cells: read where it exists and fits, else made and written");
-    app.add_option("--settings", o.settings_file, "FILE with settings, such as lab cells writes; --set goes before it");
+                   "file with the scene's cells: read if it exists, else the cells are made and written to it");
+    app.add_option("--settings", o.settings_file, "file with settings, such as lab cells writes; --set overrides it");
     app.add_option("--set", o.settings, "FIELD=VALUE, see below; may be given several times")->allow_extra_args(false);
     app.add_option("--budget", o.budget, "500 | 5% | 16ms | unlimited");
 }
@@ -98,17 +98,18 @@ void add_step_options(CLI::App& app, Options& o, Typed& typed) {
     app.add_option("--until", o.until, "start at step 0 and stop at step:N, cell:ID or where an expression holds");
     app.add_option("--do", o.commands, "\"COMMAND; COMMAND\": start at step 0 and run commands, see below");
     if (D == 2) return;
-    app.add_option("--path", o.path, "a flight path: one of the scene (--list), or a file; at its first frame");
-    app.add_option("--frame", typed.frame, "of the path, from 0: where to look from");
-    app.add_option("--frames", typed.frames,
-                   "with --headless and --stats: N frames spread evenly over the path, an array of their statistics");
+    app.add_option("--path", o.path, "a flight path of the scene (--list) or from a file; opens at its first frame");
+    app.add_option("--frame", typed.frame, "frame of the path to open at, from 0");
+    app.add_option(
+        "--frames", typed.frames,
+        "with --headless and --stats: write the statistics of N frames spread evenly over the path, as an array");
 }
 
 void add_file_options(CLI::App& app, Options& o, Typed& typed) {
     app.add_option("--shot", o.shots, "write a figure: FILE.png, .svg or .pdf; its sidecar is FILE.ext.json")
         ->allow_extra_args(false);
     app.add_option("--panels", o.panels, "\"step 1; step 12; end\": a figure with panels (a), (b), (c)");
-    app.add_option("--size", o.size, "of the figure: a width such as 84mm, or pixels such as 1280x720");
+    app.add_option("--size", o.size, "size of the figure: a width such as 84mm, or pixels such as 1280x720");
     app.add_option("--font", typed.font, "size of the figure's text, such as 8pt");
     app.add_option("--state", o.state, "open a state file or sidecar: same scene, settings, view, step");
     app.add_option("--trace", o.trace, "write the records of all steps as JSON (- for standard output)");
@@ -117,7 +118,7 @@ void add_file_options(CLI::App& app, Options& o, Typed& typed) {
 
 void add_window_options(CLI::App& app, Typed& typed) {
     app.add_option("--scale", typed.scale,
-                   "of everything in the window, such as 1.5, instead of what the density of the screen asks");
+                   "scale of text and controls, such as 1.5; default: chosen from the screen's pixel density");
     app.add_option("--window", typed.window, "size of the window at the start, such as 1280x720");
 }
 
@@ -145,7 +146,7 @@ void read_numbers(const Typed& typed, Options& o) {
 void check_path(const Options& o) {
     if ((o.frame || o.frames) && o.path.empty()) throw InputError("--frame and --frames need --path");
     if (!o.path.empty() && !(o.eye.empty() && o.look_at.empty()))
-        throw InputError("--path says where to look from: leave out --eye and --look-at");
+        throw InputError("--path sets the view: leave out --eye and --look-at");
     if (o.frames && (*o.frames == 0 || o.frame || !o.headless || o.stats.empty() || o.steps || !o.until.empty() ||
                      !o.commands.empty() || !o.shots.empty() || !o.trace.empty()))
         throw InputError(
@@ -166,7 +167,7 @@ void read_window(const Typed& typed, Options& o) {
 
 void check_scene(const Options& o) {
     if (!o.state.empty() && !o.scene.empty()) throw InputError("--state names its own scene: leave out " + o.scene);
-    if (!o.cells.empty() && o.scene.empty()) throw InputError("--cells belongs to a scene: name the scene, too");
+    if (!o.cells.empty() && o.scene.empty()) throw InputError("--cells needs a scene: name the scene, too");
 }
 
 }  // namespace

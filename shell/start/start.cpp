@@ -66,7 +66,7 @@ Asked asked_for(const Options& o) {
     if (!o.state.empty()) return {o.state, read_file(o.state)};
     const std::string name = o.scene.empty() ? first_scene : o.scene;
     const Asked asked{name, state_text<D>(name)};
-    if (asked.state && !o.cells.empty()) throw InputError("--cells belongs to a scene: " + name + " is a state file");
+    if (asked.state && !o.cells.empty()) throw InputError("--cells needs a scene: " + name + " is a state file");
     return asked;
 }
 
@@ -130,7 +130,7 @@ Workbench<D> open_last(const Options& o, Asked& asked, bool in_window, Recalled&
         // Throws again where the options are to blame.
         Workbench<D> bench = open_bench<D>(o, asked, in_window, methods, graphics);
         recalled.word +=
-            (recalled.word.empty() ? "" : "; ") + std::string("the last scene does not open: ") + error.what();
+            (recalled.word.empty() ? "" : "; ") + std::string("the last scene cannot be opened: ") + error.what();
         recalled.memory.recent.erase(recalled.memory.recent.begin());
         note_opened<D>(recalled.memory.recent, first_scene);
         return bench;
@@ -274,8 +274,7 @@ void obey(const Options& o, std::span<const Method<D>> methods, const Viewer<D>&
     std::optional<Display> display;
     if (!o.headless) display.emplace();
     const bool in_window = display && display->found();
-    if (!o.headless && !in_window)
-        std::cerr << viewer.name << ": no display found; doing the same as with --headless\n";
+    if (!o.headless && !in_window) std::cerr << viewer.name << ": no display found; running as with --headless\n";
     Recalled recalled;
     const std::filesystem::path memory = memory_file(viewer.name);
     if (in_window) recalled = recall<D>(memory);

@@ -189,7 +189,7 @@ Recalled recall(const std::filesystem::path& file) {
     try {
         text = read_file(file, most_bytes);
     } catch (const InputError& unreadable) {
-        return {{}, std::string("the memory of the last time: ") + unreadable.what()};
+        return {{}, std::string("the saved window layout: ") + unreadable.what()};
     }
     try {
         return {read_memory<D>(text, file.string()), ""};
@@ -197,8 +197,8 @@ Recalled recall(const std::filesystem::path& file) {
         std::filesystem::path aside;
         const bool moved = set_aside(file, aside);
         return {{},
-                "the memory of the last time is damaged" +
-                    (moved ? " and set aside as " + aside.string() : " and cannot be set aside") + " (" +
+                "the saved window layout is damaged" +
+                    (moved ? " and was renamed to " + aside.string() : " and cannot be renamed") + " (" +
                     damage.what() + ")"};
     }
 }

@@ -21,7 +21,7 @@ void chooser(Ui& ui, Workbench<D>& bench, const Stage& stage, const Area& area) 
     ImGui::TextUnformatted("Choose a scene");
     ImGui::PopFont();
     ImGui::SameLine();
-    ImGui::TextDisabled("Esc leaves");
+    ImGui::TextDisabled("Esc closes this");
     ImGui::BeginChild("list");
     const float thumb_w = 150 * ui.unit, thumb_h = 100 * ui.unit, gap = 12 * ui.unit;
     const float least = 420 * ui.unit;

@@ -22,7 +22,7 @@ void path_choice(Ui& ui, Workbench<D>& bench) {
     ImGui::SetNextItemWidth(8 * ImGui::GetFontSize());
     const bool open = ImGui::BeginCombo("##path", shown.c_str());
     note_place(bench, "path " + shown);
-    if (ImGui::IsItemHovered() && !open) ImGui::SetTooltip("the path: of the scene, or one of a file");
+    if (ImGui::IsItemHovered() && !open) ImGui::SetTooltip("choose a path of the scene, or open one from a file");
     if (!open) return;
     std::string chosen;
     for (const FlightPath<D>& path : bench.session.scene().paths)
@@ -76,9 +76,10 @@ void path_bar(Ui& ui, Workbench<D>& bench, const Area& area) {
     const std::array buttons{
         Button{"##start", "path start", "to its first frame (Shift+Home)", Icon::start, any && flight.frame > 0},
         Button{"##back", "path back", "one frame back (Shift+PageUp)", Icon::back, any && flight.frame > 0},
-        Button{"##toggle", "path toggle", playing ? "stop (Shift+Space)" : "fly along it (Shift+Space)",
+        Button{"##toggle", "path toggle", playing ? "stop (Shift+Space)" : "play the path (Shift+Space)",
                playing ? Icon::pause : Icon::play, any},
-        Button{"##step", "path step", "one frame on (Shift+PageDown)", Icon::step, any && flight.frame + 1 < count},
+        Button{"##step", "path step", "one frame forward (Shift+PageDown)", Icon::step,
+               any && flight.frame + 1 < count},
     };
     std::string wanted;  // what changes the path is done when all of it has been drawn
     for (const Button& button : buttons) {
@@ -108,14 +109,14 @@ void path_bar(Ui& ui, Workbench<D>& bench, const Area& area) {
     ImGui::PushStyleColor(ImGuiCol_Button, colour(flight.loop ? theme::hover : theme::paper));
     if (ImGui::Button("Loop")) wanted = "path loop";
     ImGui::PopStyleColor();
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("begin again at the end (Shift+L)");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("repeat the path (Shift+L)");
     note_place(bench, flight.loop ? "button path loop, on" : "button path loop");
     ImGui::SameLine();
     ImGui::PushStyleColor(ImGuiCol_Text, colour(flight.recording ? theme::bad : theme::ink));
     if (ImGui::Button(record)) wanted = "path record";
     ImGui::PopStyleColor();
     if (ImGui::IsItemHovered())
-        ImGui::SetTooltip(flight.recording ? "end the new path (Shift+R)" : "a new path: where the eye goes (Shift+R)");
+        ImGui::SetTooltip(flight.recording ? "stop recording (Shift+R)" : "record a new path as you fly (Shift+R)");
     note_place(bench, flight.recording ? "button path record, on" : "button path record");
     ImGui::SameLine();
     ImGui::BeginDisabled(!any);

@@ -17,7 +17,7 @@ void status_line(Ui& ui, Workbench<D>& bench, const Area& area) {
     begin_part("status", area);
     ImGui::PopStyleVar();
     if (ui.messages.empty()) {
-        ImGui::TextDisabled("%sRight: next step   Left: back   Space: play   F1: all keys   : types a command",
+        ImGui::TextDisabled("%sRight: next step   Left: back   Space: play   F1: all keys   Type : for a command",
                             D == 3 ? "G: fly   F: freeze here   Z: exact image   " : "");
     } else {
         const Message& message = ui.messages.back();
@@ -66,7 +66,7 @@ std::string banner_formula(const Workbench<D>& bench, const StepExplanation& ste
     }
     if (step.cell == none) return "";
     const CellExplanation cell = explain_cell(session, step.cell);
-    if (cell.chain.empty() || !cell.chain.back().update.key) return "its key: that of a seed";
+    if (cell.chain.empty() || !cell.chain.back().update.key) return "its key is that of a seed";
     const ChainLink& link = cell.chain.back();
     return "its key, from " + item_name(link.update.from) + " in step " + std::to_string(link.step) + ": " +
            link.update.key->formula();

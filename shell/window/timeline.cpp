@@ -126,7 +126,7 @@ void key_tip(const Ui& ui) {
         ImGui::Text("%s: %s", std::string(how.word).c_str(), std::string(how.text).c_str());
     }
     ImGui::TextDisabled(
-        "A stroke is a mark where there is no room for its shape; darker: several. A click goes there.");
+        "Where shapes do not fit, marks are strokes; a darker stroke is several marks. Click to go to the step.");
     ImGui::EndTooltip();
 }
 
@@ -156,7 +156,7 @@ void header(Ui& ui, Workbench<D>& bench, const TimelineLayout& layout) {
     tip(layout.lanes[TimelineLayout::key], "key", "the key of the cell that the step projected");
     tip(layout.lanes[TimelineLayout::front], "front", "cells in the front after the step");
     tip(layout.lanes[TimelineLayout::coverage], "coverage",
-        "share of the visible primitives rendered so far, and the best that as many primitives can do");
+        "share of the visible primitives rendered so far, and the best possible with as many (oracle)");
 }
 
 /// Places for scripts: the lanes, the handle, and the first mark of each kind.
@@ -180,7 +180,7 @@ void note_places(Workbench<D>& bench, const TimelineLayout& layout, const Timeli
 
 /// Over the run that was recorded last, while frames fly by that are not.
 void draw_veil(ImDrawList& list, const Ui& ui, const TimelineLayout& layout) {
-    constexpr const char* text = "the run before the flight; where it lands, what is seen is recorded";
+    constexpr const char* text = "the run before the flight; a new one is recorded on landing";
     const Area& ruler = layout.ruler;
     list.AddRectFilled(ruler.min(), {ruler.x + ruler.w, layout.bottom()}, IM_COL32(243, 244, 245, 170));
     const ImVec2 size = ImGui::CalcTextSize(text);

@@ -38,22 +38,22 @@ struct MarkLook {
 inline constexpr int mark_rows = 5;
 inline constexpr auto mark_looks = std::to_array<MarkLook>({
     {"penalty", "facets of the step carry a penalty", MarkShape::triangle, {200, 70, 0}, 0},
-    {"mis-ranked", "a hidden cell went before a visible one in the front", MarkShape::diamond, {125, 30, 110}, 1},
-    {"unreached", "a hidden cell went while a visible one was still clean", MarkShape::ring, {30, 70, 140}, 2},
-    {"first wrong pixel",
-     "from here on the frame ends below the oracle, whatever comes",
-     MarkShape::cross,
-     {190, 0, 60},
-     3},
+    {"mis-ranked",
+     "a hidden cell was projected before a visible one in the front",
+     MarkShape::diamond,
+     {125, 30, 110},
+     1},
+    {"unreached", "a hidden cell was projected while a visible one was clean", MarkShape::ring, {30, 70, 140}, 2},
+    {"first wrong pixel", "from this step on the frame must end below the oracle", MarkShape::cross, {190, 0, 60}, 3},
     {"pop",
-     "visible in this and the previous frame of the path, rendered in one only",
+     "visible in this frame and the previous one, rendered in only one of them",
      MarkShape::ring,
      {150, 90, 0},
      3},
-    {"match", "the step matches the condition of mark", MarkShape::cross, {0, 110, 90}, 4},
+    {"match", "the step matches the condition given to mark", MarkShape::cross, {0, 110, 90}, 4},
     {"breakpoint", "a breakpoint on this step", MarkShape::disc, {170, 30, 20}, 4},
-    {"bookmark", "a step that has a name", MarkShape::flag, {0, 90, 170}, 4},
-    {"difference", "the first step that the two sides do differently", MarkShape::diamond, {0, 0, 0}, 4},
+    {"bookmark", "a named step", MarkShape::flag, {0, 90, 170}, 4},
+    {"difference", "the first step in which the two sides differ", MarkShape::diamond, {0, 0, 0}, 4},
 });
 inline const MarkLook& look(MarkKind kind) { return mark_looks[static_cast<std::size_t>(kind)]; }
 

@@ -28,10 +28,10 @@ void progress_bar(Ui& ui, Workbench<D>& bench) {
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("Vertical axis; click to switch");
     ImGui::SameLine();
     if (!trade_off.study.finished()) {
-        if (ImGui::Button(trade_off.stopped ? "go on" : "stop"))
+        if (ImGui::Button(trade_off.stopped ? "continue" : "stop"))
             wanted = trade_off.stopped ? "trade-off go" : "trade-off stop";
         note_place(bench, trade_off.stopped ? "trade-off go" : "trade-off stop");
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("what is measured stays");
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("values measured so far are kept");
         ImGui::SameLine();
         const std::size_t done = trade_off.study.done(), total = trade_off.study.total();
         ImGui::ProgressBar(total > 0 ? static_cast<float>(done) / static_cast<float>(total) : 0, {-1, 0}, "");
@@ -50,7 +50,7 @@ void progress_bar(Ui& ui, Workbench<D>& bench) {
     } else {
         if (ImGui::Button("restart")) wanted = "trade-off restart";
         note_place(bench, "trade-off restart");
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("measure all again");
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("discard all values and measure again");
     }
     if (!wanted.empty()) ui.act(wanted);
 }
@@ -113,7 +113,7 @@ void chart_mouse(Ui& ui, const Workbench<D>& bench, const TradeOffPlot& plot) {
     const Variant<D>& variant = study.task().variants[dot.variant];
     ImGui::GetWindowDrawList()->AddCircle(hit->at, 7 * ui.unit, colour(theme::accent), 0, 2 * ui.unit);
     const auto share = [&](Measure measure) { return short_number(100 * study.value(dot, measure)) + " %"; };
-    ImGui::SetTooltip("%s at %s (%s)\n%s ms, wrong pixels %s, coverage %s\na click sets this method and budget",
+    ImGui::SetTooltip("%s at %s (%s)\n%s ms, wrong pixels %s, coverage %s\nclick to set this method and budget",
                       variant.text.c_str(), budget_text(dot.budget).c_str(),
                       variant.method.promise == Misses::may ? "approximate" : "conservative",
                       short_number(study.value(dot, Measure::total_ms)).c_str(), share(Measure::wrong).c_str(),
@@ -146,7 +146,8 @@ void key(const Ui& ui, const Workbench<D>& bench) {
     entry("Pareto points", {front_colour}, 7 * ui.unit, false);
     ImGui::Dummy({1, at.y + 1.3f * text - from.y});
     ImGui::PushStyleColor(ImGuiCol_Text, colour(theme::faint));
-    ImGui::TextWrapped("A dot is one budget, the ringed one yours. A click on a dot sets its method and budget.");
+    ImGui::TextWrapped(
+        "Each dot is one budget; the ringed dot is the current one. Click a dot to set its method and budget.");
     ImGui::PopStyleColor();
 }
 
@@ -168,7 +169,7 @@ void trade_off_chart(Ui& ui, Workbench<D>& bench) {
     draw_axes(list, ui, plot);
     small_text(
         list, ui, at.x, at.y,
-        bench.trade_off.shown == Measure::wrong ? "wrong pixels, %: less is better" : "coverage, %: more is better",
+        bench.trade_off.shown == Measure::wrong ? "wrong pixels, %: lower is better" : "coverage, %: higher is better",
         theme::ink);
     small_text(list, ui, at.x + w, at.y + h - 1.1f * text, trade_off_time_text(bench), theme::ink, 1);
     if (plot.dots.empty())

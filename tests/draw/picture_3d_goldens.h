@@ -10,14 +10,14 @@ namespace sightline::test {
 using Goldens = std::vector<std::array<const char*, 6>>;
 
 inline const Goldens picture_3d_goldens{
-    {"64bde7493bd033fe", "9936d66d87adb8f8", "5bc6e08d9fdd2798", "1c64e3d8f9876bed", "4333f8bcdee7fc57",
-     "5c9c1784ffc72f61"},
-    {"362e5a2f236d76cc", "bab038786cde77c0", "bfe5e30fa41c92fa", "bc8c652d3d65c79d", "d2a20033a8f95d49",
-     "656e0b1d3bdfbe8e"},
-    {"a1a8517c8d08e480", "b4a5ca7965e40fba", "9183510cd4879a64", "b27be4fed1cc1b44", "81fe9d2d342d4f08",
-     "e6a5a708b8262341"},
-    {"d6e06d778e490a05", "2e2290f72491d009", "d752ee921afadc9d", "078928acda684bff", "4481c0099e4a9aaf",
-     "f9066e5f0afa8171"},
+    {"55f7a98fc1ebec8d", "096bc162111d58ae", "fab9384e0b23e8ec", "fc1971cc74f83599", "e29c237ee269fdd2",
+     "6b204e1e6e25e760"},
+    {"4345baac659996ad", "131997982fff6b56", "f9ff6abe5ba9e563", "d580b9d73dd44692", "e27359fb53ddf5f9",
+     "bfda124836ff1bbe"},
+    {"4d55699f5a9a9103", "e23542b8c2bfc331", "0de220dc4de12e4f", "866826df0f27c471", "4e359cb2007e90f3",
+     "b36e49719253fcea"},
+    {"6db0ae79c8a72bf4", "1f375cf236415f49", "d0903179d7f33e57", "7cd2a2b80b0b1134", "cfa984fe9e4115cf",
+     "9fc89ca00a529e6e"},
 };
 
 }  // namespace sightline::test

@@ -158,8 +158,8 @@ TEST(Picture, CellsOfTwoSessionsLookAsWhoProjectedThem) {
         const Figure figure = make_figure(std::array{PanelSource{session, "", sides}});
         for (const LegendRow& row : figure.legend) rows.insert(row.text);
         ASSERT_EQ(rows.contains("projected by both"), expected[Side::both] > 0);
-        ASSERT_EQ(rows.contains("only by the left method"), expected[Side::left] > 0);
-        ASSERT_EQ(rows.contains("only by the right method"), expected[Side::right] > 0);
+        ASSERT_EQ(rows.contains("projected by the left only"), expected[Side::left] > 0);
+        ASSERT_EQ(rows.contains("projected by the right only"), expected[Side::right] > 0);
         ASSERT_EQ(rows.contains("projected by neither"), sides.size() > expected[Side::neither]);
     }
 }
@@ -252,17 +252,17 @@ TEST(Picture, AnEmptySceneHasAWorld) {
 
 const std::vector<Golden>& goldens() {
     static const std::vector<Golden> table{
-        {"bottleneck", {"c40795377bb0c11c", "87039a81bb4f7a62", "722a2d2ff5d87b2d"}},
-        {"field", {"78f0162827f481f9", "3314624d804b8f4a", "694202d6bb03996a"}},
-        {"streets", {"f30ef3993e4f3dd6", "df5d32bc98cb09a7", "583e9bf2d2c63876"}},
-        {"rooms", {"2c917de7abe2acc8", "0036b8e51509fa3f", "b894818e99b3b7c7"}},
-        {"cars", {"53375df48d77b2ef", "89dd8ff57643a827", "1d682c8bf437a4c0"}},
-        {"jungle", {"89712fee4f22c64c", "a12df0e820cbeb56", "fcf4b1a91c1210f1"}},
-        {"terrain", {"288f0445cfffd0cd", "56483c64548756d8", "0b5f43792c05577e"}},
-        {"wallholes", {"bd7be110f48bf14d", "5ca6df54703894a8", "5ed7c79b63732097"}},
-        {"wall2", {"c4992baadaa1201f", "cd3b3f385ab7bf27", "2ae8a350ddf0d8ff"}},
-        {"statue", {"85a5a16ed253a383", "84807f4b17539c68", "9fb56febae013aa9"}},
-        {"forget", {"af9dafc06a92fd38", "039c4c3c621b2000", "07e4b1b1c095ae59"}},
+        {"bottleneck", {"effdfaa835ffc4ab", "c518ddea80b93b4f", "0bf892622185675b"}},
+        {"field", {"ba2835f24b49c230", "6a9f553e5f08aadd", "474e85fc1135093a"}},
+        {"streets", {"dfc06ae8674954f0", "d0124d4bd03bd8b3", "00597bab09905d94"}},
+        {"rooms", {"3a69a0a71eea4fb6", "4353116878132abe", "99cae11854f89ec3"}},
+        {"cars", {"3ae7f74c13881376", "93254e3000444a20", "ac24155b6a06b9b7"}},
+        {"jungle", {"ef27d4e25b379054", "2e88c6aa66d32477", "eafac2ba6a978a62"}},
+        {"terrain", {"27622eb2836f0eaf", "25435c772fa0e0bf", "4cbfbe6fdf933707"}},
+        {"wallholes", {"4498b8000d4caa60", "e31471831a32504e", "b187a24c65ee90ed"}},
+        {"wall2", {"6c8df4e2fdf1cc1a", "d79199aafe8e7ee2", "13436ce691af02e7"}},
+        {"statue", {"968d75fd3aaafd97", "08079539945530f3", "95be0cd9d4d9c54f"}},
+        {"forget", {"9bd09df5b7bf4fcc", "3d22be2b07702a9d", "9272c8ba10112204"}},
     };
     return table;
 }

@@ -184,7 +184,7 @@ TEST(LabGalleryCommand, WritesAPageThatNeedsNoOtherFile) {
         EXPECT_EQ(occurrences(section, "<img "), pictures) << scene;
     }
     const std::string bottleneck = between(html, "<section id='3d-bottleneck'", "</section>");
-    EXPECT_NE(bottleneck.find("Red: what should be seen and is missed"), std::string::npos);
+    EXPECT_NE(bottleneck.find("Red: visible but missed"), std::string::npos);
     const std::string state = out + "/bottleneck-3d.json";
     EXPECT_NE(bottleneck.find("./run viewer3d --state " + state), std::string::npos);
     EXPECT_TRUE(fs::exists(state));

@@ -244,13 +244,13 @@ TEST_F(TradeOffOf, SaysHowFarItIsAndHowLongItStillTakes) {
     EXPECT_EQ(trade_off_progress_text(*bench),
               "5" + total + ", about " + duration_text(13.0 * static_cast<double>(study().total() - 5)) + " left");
     run("play");
-    EXPECT_EQ(trade_off_progress_text(*bench), "5" + total + ", waits for rest");
+    EXPECT_EQ(trade_off_progress_text(*bench), "5" + total + ", paused during playback and flight");
     EXPECT_EQ(trade_off_work_text(*bench), "");
     run("pause; trade-off stop");
     EXPECT_EQ(trade_off_progress_text(*bench), "5" + total + ", stopped");
     EXPECT_EQ(trade_off_work_text(*bench), "");
     const auto rows = trade_off_rows(*bench);
-    EXPECT_EQ(rows[1].text, "measured: 5" + total + ", stopped (click: go on)");
+    EXPECT_EQ(rows[1].text, "measured: 5" + total + ", stopped (click to continue)");
     EXPECT_EQ(rows[1].command, "trade-off go");
     run("trade-off go");
     advance_trade_off(*bench, 5);
@@ -260,7 +260,7 @@ TEST_F(TradeOffOf, SaysHowFarItIsAndHowLongItStillTakes) {
     EXPECT_EQ(bench->trade_off.spent_ms, 0) << "what was measured before takes no time of this";
     EXPECT_EQ(trade_off_progress_text(*bench), "0" + total);
     finish();
-    EXPECT_EQ(trade_off_rows(*bench)[1].text, "measured, all " + std::to_string(study().total()));
+    EXPECT_EQ(trade_off_rows(*bench)[1].text, "measured all " + std::to_string(study().total()));
     EXPECT_EQ(trade_off_work_text(*bench), "");
 }
 
@@ -280,18 +280,18 @@ TEST_F(TradeOffOf, ItsRowsSayWhatTheStudyHas) {
         ASSERT_NE(row, rows.end()) << name;
         const auto number = [&](M measure, double unit) { return short_number(unit * study().value(dot, measure)); };
         EXPECT_EQ(row->text.find(name + number(M::total_ms, 1) + " ms, wrong " + number(M::wrong, 100) +
-                                 "%, coverage " + number(M::coverage, 100) + "%"),
+                                 " %, coverage " + number(M::coverage, 100) + " %"),
                   0u)
             << row->text;
     }
-    EXPECT_EQ(rows[0].text, "bottleneck, this view alone");
+    EXPECT_EQ(rows[0].text, "bottleneck, current view only");
     Scene<2> other = session().scene();
     other.id = "other";
     bench->session =
         Session<2>(std::make_shared<const Scene<2>>(other), session().culling_view(), session().settings());
-    EXPECT_EQ(trade_off_rows(*bench)[0].text, "bottleneck, this view alone") << "of what was measured";
+    EXPECT_EQ(trade_off_rows(*bench)[0].text, "bottleneck, current view only") << "of what was measured";
     update_trade_off(*bench);
-    EXPECT_EQ(trade_off_rows(*bench)[0].text, "other, this view alone");
+    EXPECT_EQ(trade_off_rows(*bench)[0].text, "other, current view only");
 }
 
 /// The front has each dot that no other one beats: in time, and in the direction that is better.

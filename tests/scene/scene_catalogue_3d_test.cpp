@@ -38,9 +38,10 @@ TEST(SceneCatalogue3, NamesCarrySizes) {
     EXPECT_EQ(scene.source, "generated");
     for (const std::string size : {"", "9999", "9k", "17M", "16000001", "-20k", "20K", "k", "1.5M", "20 k", "20k,", "x",
                                    "99999999999999999999", "4000000000M"})
-        test::expect_input_error([&] { generated_scene("city:" + size); },
-                                 "city:" + size + ": \"" + size +
-                                     "\" is no size: a number of triangles from 10k to 16M, such as 20000, 500k or 2M");
+        test::expect_input_error(
+            [&] { generated_scene("city:" + size); },
+            "city:" + size + ": \"" + size +
+                "\" is not a size: write a number of triangles from 10k to 16M, such as 20000, 500k or 2M");
 }
 
 }  // namespace

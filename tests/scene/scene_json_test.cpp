@@ -158,7 +158,7 @@ TEST(SceneGeoJson, ReadsEveryKindOfLine) {
     EXPECT_EQ(scene.dropped.total(), 0u);
     EXPECT_EQ(scene.warnings,
               (std::vector<std::string>{"2 point geometries were ignored", "1 features have no geometry",
-                                        "1 polygon rings did not end where they began and were closed"}));
+                                        "1 open polygon rings were closed"}));
     EXPECT_TRUE(scene.start_view);
 }
 
@@ -185,7 +185,7 @@ TEST(SceneGeoJson, SaysWhatIsWrongAndWhere) {
     expect_geojson_error("[]", "g.json: expected an object, found an array");
     expect_geojson_error("{}", "g.json: \"type\" is missing");
     expect_geojson_error(R"({"type": 3})", "g.json: /type: expected a string, found a number");
-    expect_geojson_error(R"({"type": "Polgon"})", "g.json: /type: \"Polgon\" is no GeoJSON type");
+    expect_geojson_error(R"({"type": "Polgon"})", "g.json: /type: \"Polgon\" is not a GeoJSON type");
     expect_geojson_error(R"({"type": "Polygon"})", "g.json: \"coordinates\" is missing");
     expect_geojson_error(R"({"type": "Feature"})", "g.json: \"geometry\" is missing");
     expect_geojson_error(R"({"type": "FeatureCollection"})", "g.json: \"features\" is missing");

@@ -97,25 +97,26 @@ TEST(SceneMesh, AFormatBehindAnotherEndingIsRefused) {
         }
     const TemporaryFile ply("ply.glb", test::ply_of(cube, true));
     expect_input_error([&] { read(ply); },
-                       "x: its ending is .glb, but it holds what belongs in .ply (it begins like PLY)");
+                       "x: its extension is .glb, but its contents belong in .ply (it begins like PLY)");
 }
 
 TEST(SceneMesh, EndingsOfNoMeshAreRefused) {
-    const std::string read_are = "; read are .3d, .3ds, *";
+    const std::string read_are = "; supported: .3d, .3ds, *";
     for (const std::string ending : {"csm", "bvh", "md5anim", "md5camera", "mot", "vta", "txt"}) {
         const TemporaryFile text("x." + ending, "Dear all,\nhere are 12 numbers.\n");
-        expect_input_error([&] { read(text); }, "x: ." + ending + " is no ending of a 3D format" + read_are);
+        expect_input_error([&] { read(text); }, "x: ." + ending + " is not the extension of a 3D format" + read_are);
     }
     const TemporaryFile large("x.CSM", "Dear all,\n");
-    expect_input_error([&] { read(large); }, "x: .csm is no ending of a 3D format*");
+    expect_input_error([&] { read(large); }, "x: .csm is not the extension of a 3D format*");
     const TemporaryFile named("x.txt", test::ply_of(test::cube(), false));
-    expect_input_error([&] { read(named); }, "x: .txt is no ending of a 3D format (it begins like PLY)" + read_are);
+    expect_input_error([&] { read(named); },
+                       "x: .txt is not the extension of a 3D format (it begins like PLY)" + read_are);
     const TemporaryFile level("x.wad", "IWAD and so on");
     expect_input_error(
         [&] { read(level); },
-        "x: .wad is no ending of a 3D format (it begins like a Doom WAD, which viewer2d reads)" + read_are);
+        "x: .wad is not the extension of a 3D format (it begins like a Doom WAD, which viewer2d reads)" + read_are);
     const TemporaryFile none("cube", test::obj_of(test::cube()));
-    expect_input_error([&] { read(none); }, "x: its name has no ending*");
+    expect_input_error([&] { read(none); }, "x: its name has no extension*");
     std::string line;
     try {
         read(none);
@@ -281,7 +282,7 @@ TEST(SceneMesh, AFolderIsOneSoup) {
     ASSERT_EQ(scene.warnings.size(), 3u);
     EXPECT_EQ(scene.warnings[0].substr(0, 22), "left out: broken.stl: ");
     EXPECT_EQ(scene.warnings[1], "left out: empty.off: the file is empty");
-    EXPECT_EQ(scene.warnings[2], "the files differ in which axis points up; the first one's is taken");
+    EXPECT_EQ(scene.warnings[2], "the files disagree on which axis points up; that of the first file is used");
     EXPECT_EQ(scene.up_axis, 2);
     EXPECT_GE(steps.size(), 6u);
     EXPECT_EQ(steps[0], "reading c.ply");
@@ -338,7 +339,7 @@ TEST(SceneMesh, AFolderWithoutScenesSaysSo) {
     folder.write("a.obj", "");
     folder.write("b.stl", "nonsense");
     expect_input_error([&] { read_mesh(folder.path(), "n"); },
-                       "n: none of its files can be read; the first is a.obj: the file is empty");
+                       "n: none of its files can be read; the first error is a.obj: the file is empty");
 }
 
 TEST(SceneMesh, ScenesWithoutTrianglesAreValid) {
@@ -383,7 +384,7 @@ TEST(SceneMesh, SaysWhatIsWrong) {
              {"png.ply", "\x89PNG\r\n\x1a\n and so on", "x: *(it begins like a PNG picture)"},
              {"lfs.glb", "version https://git-lfs.github.com/spec/v1\n",
               "x: *(it begins like a stand-in of Git LFS, not the file itself)"},
-             {"text.gltf", "Dear all,\n", "x: is no 3D file that Assimp can read"},
+             {"text.gltf", "Dear all,\n", "x: is not a 3D file that Assimp can read"},
              // Counts that lie.
              {"index.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n", "x: OBJ: vertex index out of range"},
              {"short.ply", ply.substr(0, 300), announces},

@@ -49,7 +49,7 @@ TEST(SceneWad, WithoutAPlayerTheStartViewIsChosen) {
 TEST(SceneWad, SaysWhatIsWrongAndWhere) {
     expect_wad_error("", "w: byte 0: only 0 bytes, a WAD header has 12");
     expect_wad_error("PWAD1234", "w: byte 0: only 8 bytes, a WAD header has 12");
-    expect_wad_error("WADPxxxxxxxx", "w: byte 0: is no WAD: expected IWAD or PWAD");
+    expect_wad_error("WADPxxxxxxxx", "w: byte 0: is not a WAD: expected IWAD or PWAD");
     expect_wad_error("PWAD" + test::little(2, 4) + test::little(12, 4),
                      "w: byte 4: the directory (2 lumps at byte 12) lies beyond the end of the file (12 bytes)");
     expect_wad_error("PWAD" + test::little(0xffffffff, 4) + test::little(0xffffffff, 4),
@@ -117,9 +117,9 @@ TEST(SceneLoad, SaysWhatIsWrong) {
     const test::TemporaryFile empty("empty", ""), text("text", "hello"), list("list", "[1]"), other("other", "{}"),
         large("large", std::string(100, ' '));
     expect_load_error(empty.path(), empty.path() + ": the file is empty");
-    expect_load_error(text.path(), text.path() + ": byte 0: is no WAD, GeoJSON or Sightline JSON file");
+    expect_load_error(text.path(), text.path() + ": byte 0: is not a WAD, GeoJSON or Sightline JSON file");
     expect_load_error(list.path(), list.path() + ": is JSON, but neither GeoJSON (\"type\") nor a scene (\"format\")");
-    expect_load_error(other.path() + "#E1M1", other.path() + ": is no WAD file, so #E1M1 has no meaning");
+    expect_load_error(other.path() + "#E1M1", other.path() + ": is not a WAD file, so #E1M1 has no meaning");
     expect_input_error([&] { read_file(large.path(), 99); }, large.path() + ": has 100 bytes; the limit is 99");
     const test::TemporaryFile wad("maps.wad", wad_of(two_maps()));
     expect_load_error(wad.path() + "#E2M1", wad.path() + ": directory: no map \"E2M1\"; it has E1M1 MAP07");

@@ -52,6 +52,7 @@ std::vector<std::string> good_values(const SettingRow& row, Random& random) {
         for (const Method<2>& method : method_table<2>()) ids.emplace_back(method.id);
         return ids;
     }
+    if (row.name == "first") return {"published", "layers", "published on_reenqueue=min"};
     if (row.name == "key") return {"content", "content+hops", "min(angle, 1) * handed_on", "2"};
     if (row.name == "budget") return {"500", "0", "5%", "0.125%", "100%", "16ms", "0.5ms", "unlimited"};
     if (row.name == "reference_size") return {"auto", "1", "8192", "16777216", "1x1", "8192x8192", "640x480"};
@@ -238,7 +239,7 @@ TEST(Settings, BadValuesNameFieldValueAndWhatIsAllowedAndChangeNothing) {
     };
     Random random(4);
     for (const SettingRow& row : settings_table()) {
-        if (row.name == "method") continue;  // any text; a session refuses unknown ids
+        if (row.name == "method" || row.name == "first") continue;  // any text; a session refuses unknown ids
         if (!any_number.contains(row.name)) check(row, "-1");
         for (const char* value : {"", "nonsense", "NaN", "inf", "1e999", " 1", "1 ", "0x10", "1,5"}) check(row, value);
         if (row.name == "reference_size")
@@ -271,13 +272,16 @@ TEST(Settings, BadValuesNameFieldValueAndWhatIsAllowedAndChangeNothing) {
 
 TEST(Settings, UnknownNamesListTheKnownOnes) {
     Settings settings;
-    for (const char* assignment : {"jiter=1", "=1", "Jitter=0.1", " jitter=0.1"}) try {
+    for (const char* assignment : {"nonsense=1", "=1"}) try {
             apply_setting(settings, assignment);
             ADD_FAILURE() << assignment;
         } catch (const InputError& error) {
             for (const SettingRow& row : settings_table())
                 EXPECT_NE(std::string(error.what()).find(row.name), std::string::npos) << row.name;
         }
+    for (const char* assignment : {"jiter", "Jitter", " jitter"})
+        test::expect_input_error([&] { apply_setting(settings, std::string(assignment) + "=0.1"); },
+                                 "setting '" + std::string(assignment) + "' does not exist; did you mean jitter?");
     test::expect_input_error([&] { apply_setting(settings, "jitter"); }, "setting 'jitter': write FIELD=VALUE");
     test::expect_input_error([&] { apply_preset(settings, "lettre"); },
                              "preset 'lettre' does not exist; there are default, prototype-2d, paper-3d");

@@ -190,8 +190,8 @@ void check_waiting(const Session<D>& session, std::map<std::string, int>& seen) 
         Settings with_min = session.settings();
         apply_setting(with_min, "on_reenqueue=min");
         ASSERT_EQ(lost.with_min->step, step_of(session, with_min, cell_item(cell)));
-        const std::string wanted =
-            lost.with_min->step > 0 ? "come in step " + std::to_string(lost.with_min->step) : "not have come either";
+        const std::string wanted = lost.with_min->step > 0 ? "projected in step " + std::to_string(lost.with_min->step)
+                                                           : "not have been projected either";
         ASSERT_TRUE(e.verdict.sentence.ends_with(wanted));
     }
 }

@@ -60,7 +60,7 @@ void add_rules(std::vector<CodeLine>& lines, const CellPlace& place, const CellP
                       short_number(key, apart);
     };
     constexpr std::string_view skip = "TVCG fig. 4, lines 7-8", key = "TVCG fig. 4, lines 9-10";
-    add({Rule::border}, "no cell there: it is the border", "");
+    add({Rule::border}, "no cell there: border of the tessellation", "");
     add({Rule::projected}, "n was projected before: leave it", skip);
     if (parameters.outside_view == OutsideView::unseen) {
         constexpr std::string_view unseen = "gem, add_neighbors_to_front";
@@ -126,14 +126,15 @@ std::vector<CodeLine> CellBase<D>::code(const CodePlace& at) const {
     }
     const bool popping = place.at == CellPlace::At::pop;
     if (!neighbours_first) lines.push_back(budget_line(*this, 1, "", popping, place.in_step()));
-    lines.push_back({"for each facet of c, n being the cell behind it:", 1, false, {}, "TVCG fig. 4, line 6"});
+    lines.push_back({"for each facet of c, with n the cell behind it:", 1, false, {}, "TVCG fig. 4, line 6"});
     if (place.facet) {
         lines.back().values =
             "facet " + std::to_string(place.facet_number) + " of " + std::to_string(place.facet_count);
         if (place.facet->item) lines.back().values += ", cell " + std::to_string(place.facet->item.id);
     }
     add_rules(lines, place, parameters_, reenqueue_rule(), digits);
-    if (neighbours_first) lines.push_back(budget_line(*this, 1, ", neighbours added", popping, place.in_step()));
+    if (neighbours_first)
+        lines.push_back(budget_line(*this, 1, ", after adding the neighbours", popping, place.in_step()));
     const KeyExplanation* key = place.facet && place.facet->key ? &*place.facet->key : nullptr;
     const std::size_t heading = lines.size();
     add_key_lines(lines, key, digits);

@@ -10,15 +10,16 @@ const ParameterRow& outside_view_row() {
 }
 
 const ParameterRow& neighbours_before_break_row() {
-    static const ParameterRow row = choice_row("neighbours_before_break", YesNo::yes, "TVCG fig. 4, lines 4-6",
-                                               "when the budget ends inside a cell, its neighbours are still enqueued");
+    static const ParameterRow row =
+        choice_row("neighbours_before_break", YesNo::yes, "TVCG fig. 4, lines 4-6",
+                   "whether a cell's neighbours are still enqueued when the budget ends inside it");
     return row;
 }
 
 const ParameterRow& seeds_row() {
     static const ParameterRow row =
         choice_row("seeds", Seeds::one, "docs/algorithm.md, seeds",
-                   "an eye outside starts from the nearest cell, or from every hull cell that faces it");
+                   "where an eye outside all cells starts: the nearest cell, or every hull cell facing it");
     return row;
 }
 
@@ -32,7 +33,7 @@ const ParameterRow& budget_counts_row() {
 const ParameterRow& on_reenqueue_row() {
     static const ParameterRow row =
         choice_row("on_reenqueue", OnReenqueue::replace, "TVCG fig. 4, line 10",
-                   "a cell already in the front takes the new key, the smaller or the larger");
+                   "the key of a cell reached again: the new one, the smaller, or the larger of the two");
     return row;
 }
 

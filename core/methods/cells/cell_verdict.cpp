@@ -71,12 +71,12 @@ Verdict CellBase<D>::why_clean(std::uint32_t cell) const {
         if (facets == 1)
             return {"no-neighbour-projected",
                     "no neighbour is projected yet; of those in the front, the first is " + place, cell_item(first)};
-        return {"front-far", "the front is " + counted(facets, "facet") + " away; the nearest there is " + place,
+        return {"front-far", "the front is " + counted(facets, "facet") + " away; its nearest cell is " + place,
                 cell_item(first)};
     }
     if (this->counters_.front_size == 0 && partial == none)
-        return {"front-empty", "the front is empty, and no way inside the view led here"};
-    return {"unreachable", "no way inside the view leads here from the front"};
+        return {"front-empty", "the front is empty, and no path inside the view led here"};
+    return {"unreachable", "no path inside the view leads here from the front"};
 }
 
 template Verdict CellBase<2>::why_not(const Item&) const;

@@ -68,11 +68,11 @@ std::span<const std::string_view> formula_term_help() {
         "the key of the cell before",
         "1 where the ray from the eye to the cell's centre passes through the facet, else 0",
         "primitives in the cell itself, as a share of the most in one cell",
-        "the same of those that turn a seen side to the eye",
-        "from the eye to the cell's centre along the view direction, in longest sides of the tessellation",
-        "from the eye to the cell's centre, in longest sides of the tessellation",
+        "the same, counting only those that turn a visible side to the eye",
+        "from the eye to the cell's centre along the view direction, over the longest side of the tessellation",
+        "from the eye to the cell's centre, over the longest side of the tessellation",
         "facets between the cell and the nearest seed",
-        "area of the facet (2D: its length), in longest sides of the tessellation",
+        "area of the facet over the square of that side (2D: its length over the side)",
     });
     static_assert(help.size() == formula_term_words.size());
     return help;
@@ -177,7 +177,7 @@ KeyExplanation FormulaHeuristic<D>::explain(const Problem<D>& problem, std::uint
 template <int D>
 void FormulaHeuristic<D>::add_key_lines(std::vector<CodeLine>& lines, const KeyExplanation* explained,
                                         int digits) const {
-    lines.push_back({"key(n, c): the expression that was typed", 0, false, {}, {}});
+    lines.push_back({"key(n, c): the expression you typed", 0, false, {}, {}});
     for (const std::size_t term : formula_.used()) {
         lines.push_back(
             {std::string(formula_term_words[term]) + " = " + std::string(formula_term_help()[term]), 1, false, {}, {}});

@@ -46,7 +46,7 @@ std::vector<std::uint32_t> by_centroid(const Problem<D>& problem) {
 template <int D>
 std::vector<std::uint32_t> visible_by_centroid(const Problem<D>& problem) {
     const auto visible = problem.services.visible_set ? problem.services.visible_set() : nullptr;
-    if (!visible) throw WorkError("method 'perfect' needs the exact visible set, and there is none to be had here");
+    if (!visible) throw WorkError("method 'perfect' needs the exact visible set, which is not available here");
     return nearest_first(problem, [&](std::uint32_t primitive) { return (*visible)[primitive] != 0; });
 }
 
@@ -54,12 +54,12 @@ std::vector<std::uint32_t> visible_by_centroid(const Problem<D>& problem) {
 
 template <int D>
 PrimitiveOrder<D> scene_order() {
-    return {in_scene_order<D>, false, Misses::none, "order the primitives as the scene has them", {}};
+    return {in_scene_order<D>, false, Misses::none, "take the primitives in scene order", {}};
 }
 
 template <int D>
 PrimitiveOrder<D> scene_order_in_view() {
-    return {in_scene_order<D>, true, Misses::none, "order the primitives as the scene has them", {}};
+    return {in_scene_order<D>, true, Misses::none, "take the primitives in scene order", {}};
 }
 
 template <int D>

@@ -12,7 +12,7 @@ const ParameterRow& view_vector_row() {
 
 const ParameterRow& transfer_sign_row() {
     static const ParameterRow row = choice_row("transfer_sign", TransferSign::clamp, "TVCG fig. 5, line 1",
-                                               "negative v.n: cut at 0, kept, or made positive");
+                                               "a negative v · n is set to 0, kept, or made positive");
     return row;
 }
 
@@ -31,14 +31,14 @@ const ParameterRow& penalty_row() {
 
 const ParameterRow& penalty_amount_row() {
     static const ParameterRow row = number_row("penalty_amount", "2", 0, 1e6, "[0, 1e6]", "TVCG fig. 5, line 3",
-                                               "the factor or the summand of the penalty");
+                                               "the factor (multiply) or the amount (add) of the penalty");
     return row;
 }
 
 const ParameterRow& solidity_scale_row() {
     static const ParameterRow row =
         choice_row("solidity_scale", SolidityScale::max, "TVCG 3.1",
-                   "|A| is divided by the largest |A|, or by the 95th percentile and cut at 1");
+                   "|A| is divided by the largest |A|, or by the 95th percentile and capped at 1");
     return row;
 }
 

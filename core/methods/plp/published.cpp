@@ -13,7 +13,7 @@ namespace {
 std::string weightiest(const SolidityTerms& t) {
     const double passed = t.angle * t.handed_on, penalty = t.key - t.unpenalised;
     const double most = std::max({t.content, passed, t.own_content, penalty});
-    if (!(most > 0)) return "its stamp alone: its key is " + short_number(t.key) + ", made of nothing above 0";
+    if (!(most > 0)) return "only its stamp: no term of its key, " + short_number(t.key) + ", is above 0";
     std::string parts;
     const auto add = [&](double part, const std::string& words) {
         if (part == most) parts += (parts.empty() ? "" : ", and as much ") + words;

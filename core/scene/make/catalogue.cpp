@@ -44,7 +44,7 @@ std::span<const CatalogueRow<2>> catalogue<2>() {
         {"streets",
          1,
          "Street blocks",
-         "From a street only the fronts of the nearest houses can be seen: a few percent of the segments make the "
+         "From a street only the nearest facades can be seen: a few percent of the segments make the "
          "whole "
          "picture.",
          streets,
@@ -74,8 +74,8 @@ std::span<const CatalogueRow<2>> catalogue<2>() {
         {"cars",
          4,
          "Cars",
-         "A closed shell hides a dense inside: a traversal that counts segments draws wheels and luggage which nobody "
-         "sees while a side of the shell still waits.",
+         "A closed shell hides a dense inside: a traversal that counts segments draws hidden wheels and "
+         "luggage while a side of the shell still waits.",
          cars,
          {{12, 8.5}, {16, 4}, 100},
          0.05,
@@ -89,7 +89,8 @@ std::span<const CatalogueRow<2>> catalogue<2>() {
         {"jungle",
          5,
          "Jungle",
-         "Thousands of separate leaves hide one another only together: the 32 that look largest hide less than half of "
+         "Thousands of separate leaves hide one another only in combination: the 32 that look largest hide less than "
+         "half of "
          "what cannot be seen, so methods that choose a few large occluders leave most of the work undone.",
          jungle,
          {{20, 7}, {20, 30}, 90},
@@ -147,10 +148,9 @@ std::span<const CatalogueRow<2>> catalogue<2>() {
         {"statue",
          9,
          "Statue",
-         "One cell with hundreds of segments sets the scale of solidity, and beside it all others look empty; the 95th "
-         "percentile brings their numbers back, yet hardly a step changes, since all keys shrink alike, until a "
-         "penalty "
-         "is added to them.",
+         "One cell with hundreds of segments sets the scale of solidity, so all others look empty; with the 95th "
+         "percentile as the scale their keys grow, yet hardly a step changes, because all keys grow alike, until a "
+         "penalty is added to them.",
          statue,
          {{25, 4}, {25, 25}, 90},
          0.15,

@@ -13,8 +13,9 @@ std::span<const CatalogueRow<3>> catalogue<3>() {
         {"bottleneck",
          147,
          "Bottleneck",
-         "Empty cells behind two dense blocks are reached round the gap between them, so hidden crates are drawn while "
-         "visible walls still wait: this is what the star-shape penalty is for.",
+         "The front reaches cells behind two dense blocks through the gap between them, so hidden crates are drawn "
+         "while "
+         "visible walls still wait: the star-shape penalty is meant to prevent this.",
          generate::bottleneck,
          {{8, 1.6, 1.6}, {8, 8, 1.6}, 60},
          0.05,
@@ -45,8 +46,9 @@ std::span<const CatalogueRow<3>> catalogue<3>() {
         {"city",
          1,
          "City",
-         "From a street only the nearest fronts and what shows through their windows can be seen, a few percent of all "
-         "triangles, while furnished rooms by the hundred stand hidden behind them.",
+         "From a street only the nearest facades and what shows through their windows can be seen, a few percent of "
+         "all "
+         "triangles, while hundreds of furnished rooms are hidden behind them.",
          generate::city,
          {{-8, 0, 1.7}, {20, 1, 2.4}, 60},
          0.05,
@@ -60,7 +62,7 @@ std::span<const CatalogueRow<3>> catalogue<3>() {
         {"cars",
          4,
          "Cars",
-         "A closed shell hides a dense inside: a traversal that counts triangles draws engine parts which nobody sees "
+         "A closed shell hides a dense inside: a traversal that counts triangles draws hidden engine parts "
          "while a side of the body still waits.",
          generate::cars,
          {{-4, -6.5, 2.2}, {-0.5, 0, 0.4}, 50},
@@ -75,7 +77,7 @@ std::span<const CatalogueRow<3>> catalogue<3>() {
         {"room",
          2,
          "Room of chairs",
-         "Hundreds of chairs are all seen a little, so drawing the nearest first finds as many visible triangles as "
+         "Hundreds of chairs are each visible in part, so drawing the nearest first finds as many visible triangles as "
          "any "
          "order does, yet misses the walls, and most of its pixels are wrong.",
          generate::room,
@@ -90,8 +92,8 @@ std::span<const CatalogueRow<3>> catalogue<3>() {
         {"jungle",
          5,
          "Jungle",
-         "Thousands of loose leaves hide one another only together, so no few large occluders do the work and what is "
-         "hidden begins a few metres from the trail.",
+         "Thousands of loose leaves hide one another only in combination, so a few large occluders are not enough; "
+         "what is hidden begins a few metres from the trail.",
          generate::jungle,
          {{-6, -2.43, 1}, {2, 0.9, 1.2}, 60},
          0.05,
@@ -162,9 +164,10 @@ std::optional<Scene<3>> generated_scene(std::string_view name) {
             throw input_error(name, "", "this scene has one size only: write " + std::string(row->id));
         const std::optional<std::size_t> size = parse_size(text);
         if (!size || *size < fewest_triangles || *size > most_triangles)
-            throw input_error(name, "",
-                              "\"" + one_line(text, 40) +
-                                  "\" is no size: a number of triangles from 10k to 16M, such as 20000, 500k or 2M");
+            throw input_error(
+                name, "",
+                "\"" + one_line(text, 40) +
+                    "\" is not a size: write a number of triangles from 10k to 16M, such as 20000, 500k or 2M");
         triangles = *size;
     }
     return make_scene(*row, triangles);

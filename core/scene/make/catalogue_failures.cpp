@@ -45,15 +45,16 @@ PlanRow both(const char* id, std::uint64_t seed, const char* title, const char* 
 
 constexpr CatalogueBookmark hidden{"visible_share == 0 && count > 0", "the first hidden cell that holds something"};
 constexpr CatalogueBookmark half{"coverage >= 0.5", "half of what can be seen"};
-constexpr CatalogueBookmark something{"rendered > 0", "the first that is drawn"};
+constexpr CatalogueBookmark something{"rendered > 0", "the first primitive that is drawn"};
 
 const std::vector<PlanRow>& plans() {
     using namespace failures;
     static const std::vector<PlanRow> rows{
-        both<warehouse>("warehouse", 6, "Warehouse from outside",
-                        "From outside every cell at the border may hold what is seen, but one seed starts at one spot, "
-                        "and the traversal goes in among the crates before it has gone along the front.",
-                        {{30, -70}, {30, 0}, 60}, 0.05, "5%", {}, {hidden, half}),
+        both<warehouse>(
+            "warehouse", 6, "Warehouse from outside",
+            "From outside, any cell at the border may hold something visible, but one seed starts at one spot, "
+            "and the traversal goes in among the crates before it has covered the facade.",
+            {{30, -70}, {30, 0}, 60}, 0.05, "5%", {}, {hidden, half}),
         both<fence>("fence", 7, "Fence at the border",
                     "The cells reach from leaf centre to leaf centre, so a fence at the border of the scene lies in no "
                     "cell and is never drawn, unless the corners of a larger box are added.",
@@ -63,7 +64,7 @@ const std::vector<PlanRow>& plans() {
                      "reference to it.",
                      {{20, 3}, {20, 40}, 80}, 0.05, "10%", {}, {half}),
         both<needles>("slats", 11, "Slats thinner than a pixel",
-                      "Of slats thinner than a pixel an image shows some and misses others, so the visible set itself "
+                      "An image shows some slats thinner than a pixel and misses others, so the visible set itself "
                       "flickers when the eye moves by less than a pixel.",
                       {{12, 0.5}, {12, 18}, 60}, 0.05, "20%", {}, {something}),
         both<lattice>("lattice", 12, "Lattice",
@@ -74,16 +75,18 @@ const std::vector<PlanRow>& plans() {
                     "A wall in line with the eye subtends no angle: cosines and projected areas are 0 there, and what "
                     "divides by them is not a number.",
                     {{0, 0}, {60, 0}, 60}, 0.05, "10%", {}, {half}),
-        both<cockpit>("cockpit", 17, "Bars before the eye",
-                      "What is a few millimetres from the eye fills much of the picture, lies in the very cell that "
-                      "holds the eye, and is lost by whoever cuts at a near plane.",
-                      {{20, 4}, {20, 40}, 90}, 0.05, "10%", {}, {something}),
-        both<broken>("broken", 18, "Broken primitives",
-                     "Files hold primitives that are not a number, infinite, of no size or there twice: they are left "
-                     "out and counted, and nothing else changes.",
-                     {{5, 5}, {30, 20}, 80}, 0.05, "10%", {}, {something}),
+        both<cockpit>(
+            "cockpit", 17, "Bars before the eye",
+            "Bars a few millimetres from the eye fill much of the picture, lie in the cell that holds the eye, "
+            "and are lost by any method that clips at a near plane.",
+            {{20, 4}, {20, 40}, 90}, 0.05, "10%", {}, {something}),
+        both<broken>(
+            "broken", 18, "Broken primitives",
+            "Files hold primitives with NaN or infinite coordinates, of zero size, or duplicated: they are left "
+            "out and counted, and nothing else changes.",
+            {{5, 5}, {30, 20}, 80}, 0.05, "10%", {}, {something}),
         both<posters>("posters", 19, "Posters in the wall",
-                      "Where two primitives lie in one place either may be called visible, so the visible set depends "
+                      "Where two primitives coincide, either may be called visible, so the visible set depends "
                       "on their order in the file.",
                       {{20, 2}, {20, 40}, 90}, 0.05, "20%", {}, {something}),
         both<thicket>("thicket", 20, "Thicket",
@@ -91,16 +94,16 @@ const std::vector<PlanRow>& plans() {
                       "cells against one another's boxes may drop the wall for good.",
                       {{20, 3}, {20, 40}, 90}, 0.05, "30%", {}, {half}),
         both<corner>("corner", 24, "Street corner",
-                     "A step sideways opens a whole street to the view: what is new in the picture then is no popping, "
-                     "for the exact set changes as well.",
+                     "A step sideways opens a whole street to the view: what appears then is not popping, "
+                     "because the exact set changes as well.",
                      {{-14, 0}, {8, 30}, 80}, 0.05, "5%", {}, {half}),
         both<zigzag>("zigzag", 25, "Folded wall",
                      "A folded wall with buttresses is one piece but not convex: tests of single occluders hide only "
                      "what one fold hides alone.",
                      {{20, 3}, {20, 40}, 100}, 0.05, "10%", {}, {hidden}),
         both<ridge>("ridge", 26, "Edges that are silhouettes",
-                    "Two walls share an edge, and behind it the view is free: whoever leaves out shared edges as inner "
-                    "ones hides what stands beside it.",
+                    "Two walls share an edge, and behind it the view is free: a method that treats shared edges as "
+                    "interior hides what stands beside them.",
                     {{20, 2}, {20, 40}, 100}, 0.05, "20%", {}, {half}),
         both<empty>("empty", 27, "Nothing at all",
                     "A scene without a single primitive is a scene: there is nothing to see, to draw or to miss, and "

@@ -271,7 +271,7 @@ void read_with_assimp(const std::string& path, const ChildProcess::Send& send) {
     const std::string_view format = endings.substr(0, endings.find(' '));
     const std::string ending = ending_of(path);
     if (!lists(endings, ending)) {
-        refuse(header, "its ending is " + ending + ", but it holds what belongs in ." + std::string(format));
+        refuse(header, "its extension is " + ending + ", but its contents belong in ." + std::string(format));
         return send(&header, sizeof header);
     }
     copy(format, header.text);

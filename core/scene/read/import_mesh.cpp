@@ -38,8 +38,8 @@ double most_memory(double bytes) { return 2e9 + 50 * bytes; }
 
 /// Assimp's words, where they help nobody, in better ones.
 std::string reason_of(const std::string& words) {
-    if (words.find("bad_alloc") != std::string::npos) return "asks for far more memory than its size explains";
-    if (words.starts_with("No suitable reader")) return "is no 3D file that Assimp can read";
+    if (words.find("bad_alloc") != std::string::npos) return "needs far more memory than its size suggests";
+    if (words.starts_with("No suitable reader")) return "is not a 3D file that Assimp can read";
     return words.empty() ? "Assimp cannot read it" : words;
 }
 
@@ -69,8 +69,8 @@ void check_ending(const std::string& path, const std::string& name, const std::s
     const std::string ending = ending_of(path);
     if (is_mesh_ending(ending)) return;
     const std::string what =
-        ending.empty() ? "its name has no ending" : one_line(ending, 20) + " is no ending of a 3D format";
-    throw input_error(name, place, with_kind(what, path) + "; read are " + mesh_endings());
+        ending.empty() ? "its name has no extension" : one_line(ending, 20) + " is not the extension of a 3D format";
+    throw input_error(name, place, with_kind(what, path) + "; supported: " + mesh_endings());
 }
 
 }  // namespace

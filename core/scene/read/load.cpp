@@ -33,8 +33,8 @@ Scene<2> read_any(const std::string& path, const std::string& map, const std::st
     const std::string bytes = read_file(path);
     if (bytes.empty()) throw input_error(name, "", "the file is empty");
     if (is_wad(bytes)) return read_wad(bytes, name, {map, options.two_sided});
-    if (!map.empty()) throw input_error(name, "", "is no WAD file, so #" + one_line(map, 40) + " has no meaning");
-    if (!is_json(bytes)) throw input_error(name, "byte 0", "is no WAD, GeoJSON or Sightline JSON file");
+    if (!map.empty()) throw input_error(name, "", "is not a WAD file, so #" + one_line(map, 40) + " has no meaning");
+    if (!is_json(bytes)) throw input_error(name, "byte 0", "is not a WAD, GeoJSON or Sightline JSON file");
     const Json root = parse_json(bytes, name);
     const bool ours = root.is_object() && root.contains("format");
     if (root.is_object() && root.contains("type") && !(ours && root["format"] == "sightline-scene"))

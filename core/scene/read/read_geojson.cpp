@@ -83,7 +83,7 @@ struct Reader {
         } else if (type == "Point" || type == "MultiPoint") {
             ++points;
         } else {
-            fail(place.member("type"), "\"" + one_line(type.get<std::string>(), 40) + "\" is no GeoJSON type");
+            fail(place.member("type"), "\"" + one_line(type.get<std::string>(), 40) + "\" is not a GeoJSON type");
         }
     }
     void warn(std::size_t count, const char* what) {
@@ -101,7 +101,7 @@ Scene<2> scene_from_geojson(const Json& root, const std::string& name) {
     scene.source = "geojson";
     reader.warn(reader.points, " point geometries were ignored");
     reader.warn(reader.no_geometry, " features have no geometry");
-    reader.warn(reader.open_rings, " polygon rings did not end where they began and were closed");
+    reader.warn(reader.open_rings, " open polygon rings were closed");
     clean(scene, Recentre::yes, name);
     scene.start_view = default_view(scene.primitives);
     return std::move(scene);

@@ -94,8 +94,9 @@ Scene<3> read_meshes(std::span<const std::string> paths, const std::string& name
             scene.warnings.push_back("left out: " + failure);
         }
     }
-    if (!any) throw input_error(name, "", "none of its files can be read; the first is " + first_failure);
-    if (axes_differ) scene.warnings.push_back("the files differ in which axis points up; the first one's is taken");
+    if (!any) throw input_error(name, "", "none of its files can be read; the first error is " + first_failure);
+    if (axes_differ)
+        scene.warnings.push_back("the files disagree on which axis points up; that of the first file is used");
     if (options.two_sided) scene.two_sided.assign(scene.primitives.size(), 1);
     scene.start_view = camera;  // which moves with the triangles
     clean(scene, Recentre::yes, name, options.progress);

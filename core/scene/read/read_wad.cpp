@@ -33,7 +33,7 @@ std::vector<Lump> directory(std::string_view bytes, const std::string& name) {
     if (bytes.size() < header_size)
         throw input_error(name, "byte 0", "only " + std::to_string(bytes.size()) + " bytes, a WAD header has 12");
     const std::string_view magic = bytes.substr(0, 4);
-    if (magic != "IWAD" && magic != "PWAD") throw input_error(name, "byte 0", "is no WAD: expected IWAD or PWAD");
+    if (magic != "IWAD" && magic != "PWAD") throw input_error(name, "byte 0", "is not a WAD: expected IWAD or PWAD");
     const std::uint64_t count = u32(bytes, 4), start = u32(bytes, 8);
     if (start + count * entry_size > bytes.size())
         throw input_error(name, "byte 4",
@@ -148,7 +148,7 @@ Scene<2> read_wad(std::string_view bytes, const std::string& name, const WadOpti
     clean(scene, Recentre::no, name);
     scene.start_view = player_view(things);
     if (!scene.start_view) {
-        scene.warnings.push_back("no start of player 1 (thing of type 1): the start view is chosen");
+        scene.warnings.push_back("no start of player 1 (thing of type 1): a start view is chosen instead");
         scene.start_view = default_view(scene.primitives);
     }
     return scene;

@@ -312,7 +312,8 @@ TEST_F(EachCommand3, path) {
     EXPECT_EQ(culling(), test.frames[7]);
     run("path start");
     EXPECT_EQ(culling(), test.frames[0]);
-    expect_input_error([&] { run("path frame 8"); }, "command 'path frame 8': there is no frame 8: the path has 8");
+    expect_input_error([&] { run("path frame 8"); },
+                       "command 'path frame 8': there is no frame 8: the path has 8 frames, from 0");
     run("path play; path loop");
     EXPECT_TRUE(bench->flight.replaying);
     EXPECT_TRUE(bench->flight.loop);

@@ -19,7 +19,7 @@ TEST_F(WindowSession, TheTradeOffFillsItselfAndAClickOnADotSetsMethodAndBudget) 
     start({"rooms"});
     if (HasFatalFailure()) return;
     hands->key("8");
-    ASSERT_TRUE(becomes([](const Dump& d) { return d.has("Trade-off", "measured, all "); }));
+    ASSERT_TRUE(becomes([](const Dump& d) { return d.has("Trade-off", "measured all "); }));
     for (const std::string dot : {"layers 5%", "published 10%", "view unlimited"}) {
         ASSERT_TRUE(now.screen.contains("dot " + dot)) << dot;
         const Rect at = now.screen.at("dot " + dot);
@@ -29,14 +29,14 @@ TEST_F(WindowSession, TheTradeOffFillsItselfAndAClickOnADotSetsMethodAndBudget) 
         ASSERT_TRUE(becomes([&](const Dump& d) { return d.has("Run", "(" + method + ")"); })) << dot;
         EXPECT_NE(now.after("Trade-off", dot + ": ").find("(now)"), std::string::npos) << now.panels["Trade-off"];
     }
-    EXPECT_TRUE(now.has("Trade-off", "measured, all ")) << "a click on a dot made it begin anew";
+    EXPECT_TRUE(now.has("Trade-off", "measured all ")) << "a click on a dot made it begin anew";
     hands->key("ctrl+z");
     ASSERT_TRUE(becomes([](const Dump& d) { return d.has("Run", "(published)"); }));
 
     // Another tessellation begins anew and says so; the other axis.
     command("set error_bound=0.2");
     ASSERT_TRUE(becomes([](const Dump& d) { return d.has("Trade-off", "restarted: another tessellation"); }));
-    ASSERT_TRUE(becomes([](const Dump& d) { return d.has("Trade-off", "measured, all "); }));
+    ASSERT_TRUE(becomes([](const Dump& d) { return d.has("Trade-off", "measured all "); }));
     const Rect wrong = now.screen.at("dot layers 5%"), button = now.screen.at("trade-off measure");
     hands->click(button.x + button.w / 2, button.y + button.h / 2);
     hands->move(3, 3);
