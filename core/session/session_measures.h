@@ -94,7 +94,9 @@ std::vector<Marker> Session<D>::markers() const {
             {inversion.step,
              inversion.kind == Inversion::Kind::mis_ranked ? Marker::Kind::mis_ranked : Marker::Kind::unreached,
              std::to_string(inversion.wasted) + " wasted"});
-    if (const auto lost = first_wrong(reference(), run_->drawn().all(), timeline_, problem().budget))
+    // A method that goes on beyond its budget has lost nothing there.
+    const std::uint32_t budget = method_.prefixes ? problem().budget : none;
+    if (const auto lost = first_wrong(reference(), run_->drawn().all(), timeline_, budget))
         markers.push_back({lost->step, Marker::Kind::first_wrong,
                            std::to_string(lost->missing) + " visible still missing, budget for " +
                                std::to_string(lost->left) + " left"});

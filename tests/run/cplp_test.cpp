@@ -8,6 +8,7 @@
 #include "core/measure/metrics.h"
 #include "core/methods/cells/cell_rules.h"
 #include "core/methods/cells/rounds.h"
+#include "core/session/session.h"
 #include "core/space/builders.h"
 #include "core/truth/software_ids.h"
 #include "tests/run/run_support.h"
@@ -140,6 +141,27 @@ TEST(Cplp, ARoundSaysWhatItTestedAndStepsThroughIt) {
     }
     EXPECT_GT(tests, 200u);
     EXPECT_GT(seen, 100u);
+}
+
+TEST(Cplp, NothingIsLostWhereTheBudgetEnds) {
+    Random random(85);
+    int lost_without = 0;
+    for (int i = 0; i < test::soak_count(20); ++i) {
+        const CplpCase<2> made = random_cplp_case<2>(random);
+        Settings settings = made.settings;
+        const auto marked = [&](const char* method) {
+            settings.method = method;
+            Session<2> session(std::make_shared<const Scene<2>>(made.scene), {made.view.eye, made.view.look_at, 90},
+                               settings);
+            session.run();
+            const auto markers = session.markers();
+            return std::any_of(markers.begin(), markers.end(),
+                               [](const Marker& m) { return m.kind == Marker::Kind::first_wrong; });
+        };
+        lost_without += marked("published");
+        EXPECT_FALSE(marked("cplp"));
+    }
+    EXPECT_GT(lost_without, 2);
 }
 
 TEST(Cplp, RefusesAFirstMethodWithoutCells) {
