@@ -6,12 +6,19 @@
 namespace sightline {
 
 template <int D>
-std::vector<std::optional<double>> cell_numbers(const Session<D>& session, CellNumber what) {
+std::vector<std::optional<double>> cell_numbers(const Session<D>& session, const CellNumber& what) {
     const CellComplex<D>& cells = session.cells();
     std::vector<std::optional<double>> numbers(cells.cell_count());
+    if (what.kind == CellNumber::field) {
+        for (const Field<D>& field : session.traversal().fields())
+            if (field.name == what.name)
+                for (std::uint32_t cell = 0; cell < cells.cell_count(); ++cell)
+                    numbers[cell] = field.value(session.traversal(), cell_item(cell));
+        return numbers;
+    }
     for (std::uint32_t cell = 0; cell < cells.cell_count(); ++cell) {
         const Mark mark = session.mark(cell);
-        switch (what) {
+        switch (what.kind) {
             case CellNumber::solidity:
                 if (mark.state == CellState::enqueued || mark.state == CellState::projected) numbers[cell] = mark.key;
                 break;
@@ -31,10 +38,11 @@ std::vector<std::optional<double>> cell_numbers(const Session<D>& session, CellN
                 break;
             case CellNumber::order:
             case CellNumber::none:
+            case CellNumber::field:
                 break;
         }
     }
-    if (what == CellNumber::order)
+    if (what.kind == CellNumber::order)
         for (std::uint32_t step = 1; step <= std::min(session.position(), session.recorded()); ++step)
             if (const std::uint32_t cell = id_of(session.timeline().steps[step - 1].item, Kind::cell); cell != none)
                 numbers[cell] = step;
@@ -42,20 +50,23 @@ std::vector<std::optional<double>> cell_numbers(const Session<D>& session, CellN
 }
 
 template <int D>
-std::optional<std::array<double, 2>> number_range(const Session<D>& session, CellNumber what) {
+std::optional<std::array<double, 2>> number_range(const Session<D>& session, const CellNumber& what) {
     std::optional<std::array<double, 2>> range;
     const auto add = [&range](double number) {
         if (!range) range = {number, number};
         range = {std::min((*range)[0], number), std::max((*range)[1], number)};
     };
-    if (what == CellNumber::order) {
+    if (what.kind == CellNumber::order) {
         for (std::uint32_t step = 1; step <= session.recorded(); ++step)
             if (session.timeline().steps[step - 1].item.kind == Kind::cell) add(step);
         return range;
     }
     for (const auto& number : cell_numbers(session, what))
         if (number) add(*number);
-    if (what == CellNumber::solidity)  // a record holds the key that its step took away, or will give
+    if (what.kind == CellNumber::field && session.position() < session.recorded())
+        for (const auto& number : cell_numbers(copy_at(session, session.recorded()), what))
+            if (number) add(*number);
+    if (what.kind == CellNumber::solidity)  // a record holds the key that its step took away, or will give
         for (const Change& change : session.timeline().changes)
             if (change.kind == Kind::cell &&
                 (change.state == CellState::enqueued || change.state == CellState::projected))
@@ -63,8 +74,8 @@ std::optional<std::array<double, 2>> number_range(const Session<D>& session, Cel
     return range;
 }
 
-std::string_view number_title(CellNumber what, std::string_view key_title) {
-    switch (what) {
+std::string_view number_title(const CellNumber& what, std::string_view key_title) {
+    switch (what.kind) {
         case CellNumber::solidity:
             return key_title;
         case CellNumber::count:
@@ -77,15 +88,17 @@ std::string_view number_title(CellNumber what, std::string_view key_title) {
             return "visible share";
         case CellNumber::id:
             return "cell";
+        case CellNumber::field:
+            return what.name;
         case CellNumber::none:
             break;
     }
     return "";
 }
 
-template std::vector<std::optional<double>> cell_numbers<2>(const Session<2>&, CellNumber);
-template std::vector<std::optional<double>> cell_numbers<3>(const Session<3>&, CellNumber);
-template std::optional<std::array<double, 2>> number_range<2>(const Session<2>&, CellNumber);
-template std::optional<std::array<double, 2>> number_range<3>(const Session<3>&, CellNumber);
+template std::vector<std::optional<double>> cell_numbers<2>(const Session<2>&, const CellNumber&);
+template std::vector<std::optional<double>> cell_numbers<3>(const Session<3>&, const CellNumber&);
+template std::optional<std::array<double, 2>> number_range<2>(const Session<2>&, const CellNumber&);
+template std::optional<std::array<double, 2>> number_range<3>(const Session<3>&, const CellNumber&);
 
 }  // namespace sightline

@@ -2,13 +2,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <string>
+#include <string_view>
 
 #include "core/base/words.h"
 
 namespace sightline {
 
-enum class CellNumber : std::uint8_t { none, solidity, count, order, zeta, share, id };
+/// A number that a picture shows on cells: one that every method has, or a field of the method's run (core/run/run.h).
+struct CellNumber {
+    enum Kind : std::uint8_t { none, solidity, count, order, zeta, share, id, field };
+    Kind kind = none;
+    std::string name{};  ///< of the field
+
+    CellNumber() = default;
+    CellNumber(Kind what) : kind(what) {}
+    bool operator==(const CellNumber&) const = default;
+};
 enum class LabelWhere : std::uint8_t { front, all, selected };
 enum class Palette : std::uint8_t { standard, paper, print };
 enum class ZoomAt : std::uint8_t { view, last, selected, point };
@@ -20,9 +32,9 @@ enum class Triangles : std::uint8_t { off, rendered, visible, all };
 enum class Inset : std::uint8_t { off, image, missed, both, exact };
 enum class Split : std::uint8_t { off, exact, missed };
 
-template <>
-inline constexpr auto words<CellNumber> = std::to_array<std::string_view>({"none", "solidity", "count", "order", "zeta",
-                                                                           "share", "id"});
+/// Of the kinds but `field`, which is written by its name.
+inline constexpr auto cell_number_words =
+    std::to_array<std::string_view>({"none", "solidity", "count", "order", "zeta", "share", "id"});
 template <>
 inline constexpr auto words<LabelWhere> = std::to_array<std::string_view>({"front", "all", "selected"});
 template <>

@@ -28,6 +28,7 @@ Session<D>::Session(std::shared_ptr<const Scene<D>> scene, const ViewSpec<D>& vi
     resolve_method(settings_, method_);
     if (!cells_) tessellate(progress);
     restart();
+    for (const CellNumber& number : {settings_.heat, settings_.label}) check(number);
 }
 
 template <int D>

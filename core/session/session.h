@@ -122,6 +122,8 @@ public:
     // Changing it. Each keeps the step as far as the new traversal has it, and the selection.
     /// What was made again.
     Invalidates change(const Settings& settings);
+    /// Throws InputError that lists the fields of the run, for the name of one that it does not have.
+    void check(const CellNumber& number) const;
     /// Throws InputError for an invalid view.
     void check(const ViewSpec<D>& view) const;
     /// Moves the culling view; while frozen the display view, which takes along what of the culling view is not frozen.

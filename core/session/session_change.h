@@ -5,10 +5,22 @@
 #include <utility>
 
 #include "core/base/stopwatch.h"
+#include "core/base/text.h"
 #include "core/run/drive.h"
 #include "core/session/session.h"
 
 namespace sightline {
+
+template <int D>
+void Session<D>::check(const CellNumber& number) const {
+    if (number.kind != CellNumber::field) return;
+    std::vector<std::string_view> known(cell_number_words.begin(), cell_number_words.end());
+    for (const Field<D>& field : run_->fields()) {
+        if (field.name == number.name) return;
+        known.push_back(field.name);
+    }
+    throw unknown_word("number", number.name, known);
+}
 
 template <int D>
 Invalidates Session<D>::change(const Settings& settings) {
@@ -46,6 +58,15 @@ Invalidates Session<D>::change(const Settings& settings) {
             start_again(step);
             throw;
         }
+    }
+    // A field that was shown stays when another method does not have it; a new one must be there.
+    try {
+        if (settings_.heat != before.heat) check(settings_.heat);
+        if (settings_.label != before.label) check(settings_.label);
+    } catch (const InputError&) {
+        settings_.heat = before.heat;
+        settings_.label = before.label;
+        throw;
     }
     return what;
 }

@@ -52,6 +52,37 @@ SettingRow choice(std::string_view name, Invalidates invalidates, std::string_vi
             words<E>};
 }
 
+std::string cell_number_text(const CellNumber& number) {
+    return number.kind == CellNumber::field ? number.name : std::string(cell_number_words[number.kind]);
+}
+
+/// A word, or the name of a field of the method's run: what fields there are a session knows.
+template <auto member>
+SettingRow cell_number(std::string_view name, std::string_view help) {
+    return {name,
+            help,
+            "docs/figures.md",
+            Invalidates::picture,
+            "none | solidity | count | order | zeta | share | id",
+            [](const Settings& s) { return cell_number_text(s.*member); },
+            [](Settings& s, std::string_view value) {
+                CellNumber& number = s.*member;
+                const auto found = std::find(cell_number_words.begin(), cell_number_words.end(), value);
+                if (found != cell_number_words.end()) {
+                    number = static_cast<CellNumber::Kind>(found - cell_number_words.begin());
+                    return;
+                }
+                const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || c == '_'; };
+                if (value.empty() || !std::all_of(value.begin(), value.end(), letter))
+                    throw InputError("'" + std::string(value) +
+                                     "' is neither a field of the method nor one of none | solidity | count | order | "
+                                     "zeta | share | id");
+                number = CellNumber::field;
+                number.name = value;
+            },
+            cell_number_words};
+}
+
 struct Range {
     double low, high;
     bool low_open = false, high_open = false;
@@ -178,10 +209,10 @@ std::vector<SettingRow> own_rows() {
                                    "mark facets of projected cells that cost a penalty"),
         choice<&S::show_chain>("show_chain", Invalidates::picture, "docs/figures.md",
                                "draw the chain of updates from the seed to the selected cell"),
-        choice<&S::label>("label", Invalidates::picture, "docs/figures.md", "the number written on cells"),
+        cell_number<&S::label>("label", "the number written on cells; also any field of the method, such as round"),
         choice<&S::label_where>("label_where", Invalidates::picture, "docs/figures.md",
                                 "which cells carry numbers: the front and the last cell, all touched, or the selected"),
-        choice<&S::heat>("heat", Invalidates::picture, "docs/figures.md", "the number shown as a heat map"),
+        cell_number<&S::heat>("heat", "the number shown as a heat map; also any field of the method, such as round"),
         choice<&S::legend>("legend", Invalidates::picture, "docs/figures.md", "where the legend is placed"),
         choice<&S::caption>("caption", Invalidates::picture, "docs/figures.md",
                             "add a caption that states the conditions"),

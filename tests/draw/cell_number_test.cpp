@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/error.h"
 #include "core/base/number.h"
 #include "tests/draw/picture_support.h"
 
@@ -91,6 +92,45 @@ TEST(CellNumbers, CellNumbersAreWhatTheySay) {
             ASSERT_EQ(range, (std::array<double, 2>{1, double(recorded)}));
         }
     }
+}
+
+/// Every field of every method, by its name; the names of others are refused with the list.
+TEST(CellNumbers, AFieldOfTheMethodIsANumberToo) {
+    Random random(93);
+    std::size_t fields = 0, numbered = 0;
+    for (const Method<2>& method : method_table<2>())
+        for (int i = 0; i < 3; ++i) {
+            test::Start start = test::random_start(random, 30);
+            start.settings.method = method.id;
+            Session<2> session = start.session();
+            session.run();
+            Settings settings = session.settings();
+            for (const Field<2>& field : session.traversal().fields()) {
+                SCOPED_TRACE(std::string(method.id) + " " + std::string(field.name));
+                ++fields;
+                apply_setting(settings, "heat=" + std::string(field.name));
+                session.change(settings);
+                EXPECT_EQ(setting_row("heat").get(session.settings()), field.name);
+                const auto numbers = cell_numbers(session, session.settings().heat);
+                std::optional<std::array<double, 2>> range;
+                for (std::uint32_t cell = 0; cell < session.cells().cell_count(); ++cell) {
+                    ASSERT_EQ(numbers[cell], field.value(session.traversal(), cell_item(cell)));
+                    numbered += numbers[cell].has_value();
+                }
+                EXPECT_EQ(number_range(session, session.settings().heat).has_value(),
+                          std::any_of(numbers.begin(), numbers.end(), [](const auto& n) { return n.has_value(); }));
+            }
+            const Settings before = session.settings();
+            apply_setting(settings, "heat=nosuchfield");
+            EXPECT_THROW(session.change(settings), InputError);
+            EXPECT_EQ(session.settings(), before);
+            // Another method may not have it: then nothing is shown, and nothing is lost.
+            settings = before;
+            settings.method = "everything";
+            EXPECT_NO_THROW(session.change(settings));
+        }
+    EXPECT_GT(fields, 12u);
+    EXPECT_GT(numbered, 100u);
 }
 
 TEST(CellNumbers, LayeringNumbersAreThoseOfTheViewAndTheSceneNow) {
