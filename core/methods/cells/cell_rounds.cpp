@@ -189,6 +189,7 @@ Verdict CellBase<D>::why_waiting(const Item& item) const {
     template void CellBase<D>::complete_in_rounds();                                                  \
     template bool CellBase<D>::rounds_begin() const;                                                  \
     template bool CellBase<D>::may_be_seen(std::uint32_t) const;                                      \
+    template void CellBase<D>::begin_rounds(Recorder*);                                               \
     template Stop CellBase<D>::make_round(Recorder*);                                                 \
     template void CellBase<D>::rewind_round(std::vector<Change>&, const Counters&, std::uint32_t);    \
     template void CellBase<D>::add_round_lines(std::vector<CodeLine>&, const CodePlace&, bool) const; \

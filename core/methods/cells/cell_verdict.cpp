@@ -79,6 +79,8 @@ Verdict CellBase<D>::why_clean(std::uint32_t cell) const {
     return {"unreachable", "no path inside the view leads here from the front"};
 }
 
+template Verdict CellBase<2>::why_clean(std::uint32_t) const;
+template Verdict CellBase<3>::why_clean(std::uint32_t) const;
 template Verdict CellBase<2>::why_not(const Item&) const;
 template Verdict CellBase<3>::why_not(const Item&) const;
 
