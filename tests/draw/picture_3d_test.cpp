@@ -309,7 +309,7 @@ TEST(Picture3, NumbersStandOnTheShownCellsTheNearestFirst) {
         Session<3> session = random_frozen_session(random, start);
         Settings settings = session.settings();
         randomise_picture(settings, random);
-        settings.label = static_cast<CellNumber>(1 + random.below(6));
+        settings.label = static_cast<CellNumber::Kind>(1 + random.below(6));
         settings.label_where = static_cast<LabelWhere>(random.below(3));
         session.change(settings);
         const DrawList list = make_picture(session);

@@ -215,7 +215,7 @@ TEST(SolidPicture, TheHeatOfACellIsThatOfItsNumber) {
         const Start3 start = random_start_3d(random);
         Session<3> session = random_frozen_session(random, start);
         Settings settings = session.settings();
-        settings.heat = static_cast<CellNumber>(1 + random.below(6));
+        settings.heat = static_cast<CellNumber::Kind>(1 + random.below(6));
         for (DrawnAs* as : {&settings.clean_as, &settings.projected_as, &settings.enqueued_as, &settings.unseen_as})
             *as = static_cast<DrawnAs>(1 + random.below(3));
         settings.shrink = 0.9;

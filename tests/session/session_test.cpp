@@ -115,7 +115,7 @@ TEST(Session, ChangedSettingsKeepTheStepAndGiveTheSessionOfANewOne) {
             const std::uint32_t step = session.position(), recorded = session.recorded();
             const Settings old = start.settings;
             if (random.below(3) == 0)
-                start.settings.label = static_cast<CellNumber>(random.below(7));
+                start.settings.label = static_cast<CellNumber::Kind>(random.below(7));
             else if (random.below(4) == 0)
                 start.settings.reference_size.width = 1 + static_cast<int>(random.below(5000));
             else
