@@ -76,6 +76,7 @@ void Mouse2d::wheel(Ui& ui) {
 }
 
 void Mouse2d::press(Ui&) {
+    pressed_run_ = bench_.run;
     const ImGuiIO& io = ImGui::GetIO();
     Drag drag{DragKind::pan, Handle::none,         none, pane_->camera.to_scene(io.MousePos),
               pane_->camera, begin_gesture(bench_)};
@@ -133,7 +134,8 @@ void Mouse2d::double_click(Ui& ui) {
 void Mouse2d::release(Ui& ui, bool clicked) {
     drag_.reset();
     end_gesture(bench_);
-    if (clicked && !swallow_click_) click(ui);
+    // What was pressed on may be gone: a key can change the cells in between.
+    if (clicked && !swallow_click_ && pressed_run_ == bench_.run) click(ui);
     swallow_click_ = false;
 }
 

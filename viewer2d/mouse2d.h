@@ -58,7 +58,8 @@ private:
     NoteField field_;
     std::optional<Drag> drag_;
     ClickCycle cycle_;
-    bool swallow_click_ = false;  ///< the second click of a double-click
+    std::uint64_t pressed_run_ = 0;  ///< Workbench::run when the button went down
+    bool swallow_click_ = false;     ///< the second click of a double-click
     bool hovered_ = false;
 
     // Under the mouse in this frame.

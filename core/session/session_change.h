@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <utility>
 
 #include "core/base/stopwatch.h"
@@ -17,7 +18,7 @@ void Session<D>::check(const CellNumber& number) const {
     std::vector<std::string_view> known(cell_number_words.begin(), cell_number_words.end());
     for (const Field<D>& field : run_->fields()) {
         if (field.name == number.name) return;
-        known.push_back(field.name);
+        if (std::find(known.begin(), known.end(), field.name) == known.end()) known.push_back(field.name);
     }
     throw unknown_word("number", number.name, known);
 }
