@@ -90,6 +90,10 @@ std::size_t letters_apart(std::string_view a, std::string_view b) {
 
 }  // namespace
 
+std::string counted(std::size_t n, std::string_view what) {
+    return std::to_string(n) + " " + std::string(what) + (n == 1 ? "" : "s");
+}
+
 std::string_view closest(std::string_view mistyped, std::span<const std::string_view> words) {
     std::string_view best;
     std::size_t least = (mistyped.size() + 1) / 3 + 1;  // fewer than so many letters

@@ -26,6 +26,9 @@ std::size_t character_length(std::string_view text, std::size_t at);
 /// Valid UTF-8: broken bytes become U+FFFD, tabs a space, other control characters but line feeds vanish.
 std::string clean_text(std::string_view text);
 
+/// "1 facet", "3 facets".
+std::string counted(std::size_t n, std::string_view what);
+
 /// The word that a mistyped one most likely stands for: few letters to put in, take out or change. Empty: none.
 std::string_view closest(std::string_view mistyped, std::span<const std::string_view> words);
 

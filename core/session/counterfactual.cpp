@@ -79,11 +79,6 @@ bool sooner(const Alternative& a, const Alternative& b) {
 }  // namespace
 
 template <int D>
-Outcome outcome_now(const Session<D>& session, const Item& item) {
-    return Runner<D>(session)(problem_of(session), item);
-}
-
-template <int D>
 Outcome outcome_with(const Session<D>& session, const Item& item, const ParameterRow& row, std::string_view value) {
     Problem<D> problem = problem_of(session);
     problem.parameters.set(row, value);
@@ -154,7 +149,6 @@ std::vector<std::string> rows(const Counterfactuals& all) {
 }
 
 #define SIGHTLINE_INSTANTIATE(D)                                                                             \
-    template Outcome outcome_now<D>(const Session<D>&, const Item&);                                         \
     template Outcome outcome_with<D>(const Session<D>&, const Item&, const ParameterRow&, std::string_view); \
     template Counterfactuals counterfactuals<D>(const Session<D>&, const Item&, bool);                       \
     template std::uint64_t most_steps<D>(const Session<D>&);

@@ -30,11 +30,8 @@ struct Counterfactuals {
     std::vector<Alternative> changes;  ///< those that bring it sooner first, then by step, those without it last
 };
 
-/// The outcome with the session's parameters and budget. `item` is a cell or a primitive.
-template <int D>
-Outcome outcome_now(const Session<D>& session, const Item& item);
-
-/// With one parameter of the method changed. Throws InputError for a value that cannot be.
+/// With one parameter of the method changed, else the session's parameters and budget. `item` is a cell or a primitive.
+/// Throws InputError for a value that cannot be.
 template <int D>
 Outcome outcome_with(const Session<D>& session, const Item& item, const ParameterRow& row, std::string_view value);
 

@@ -10,11 +10,6 @@
 
 namespace sightline {
 
-namespace {
-
-std::string cell_name(std::uint32_t cell) { return item_name(cell_item(cell)); }
-
-/// Per cell the step, up to the position, that projected it; 0: none.
 template <int D>
 std::vector<std::uint32_t> steps_of_projection(const Session<D>& session) {
     std::vector<std::uint32_t> steps(session.cells().cell_count(), 0);
@@ -26,6 +21,10 @@ std::vector<std::uint32_t> steps_of_projection(const Session<D>& session) {
                 if (Rule{change.rule} == Rule::projected_now) steps[change.id] = step;
     return steps;
 }
+
+namespace {
+
+std::string cell_name(std::uint32_t cell) { return item_name(cell_item(cell)); }
 
 /// A facet that a cell was reached through: the step, and the change's place among those of the step.
 struct Reach {
@@ -314,6 +313,8 @@ std::optional<std::uint32_t> shown_in_substep(const Session<D>& session, std::ui
     return substep < first ? std::nullopt : std::optional(substep - first);
 }
 
+template std::vector<std::uint32_t> steps_of_projection<2>(const Session<2>&);
+template std::vector<std::uint32_t> steps_of_projection<3>(const Session<3>&);
 template std::uint32_t rank_in_front<2>(const Session<2>&, std::uint32_t);
 template std::uint32_t rank_in_front<3>(const Session<3>&, std::uint32_t);
 template StepExplanation explain_step<2>(const Session<2>&, std::uint32_t);

@@ -56,6 +56,10 @@ struct LostKey {
     std::optional<Outcome> with_min;  ///< of the cell with on_reenqueue=min, where the method has that parameter
 };
 
+/// Per cell the step, up to the position, that projected it, alone or in a round; 0: none.
+template <int D>
+std::vector<std::uint32_t> steps_of_projection(const Session<D>& session);
+
 /// A cell's place in the front, from 1; 0: it is not in it.
 template <int D>
 std::uint32_t rank_in_front(const Session<D>& session, std::uint32_t cell);

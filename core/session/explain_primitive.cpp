@@ -59,10 +59,7 @@ PrimitiveExplanation explain_primitive(const Session<D>& session, std::uint32_t 
         const auto held = cells.primitives_of(cell);
         if (std::find(held.begin(), held.end(), primitive) != held.end()) e.cells.push_back(cell);
     }
-    std::vector<std::uint32_t> projected_at(e.cells.empty() ? 0 : cells.cell_count());
-    for (std::uint32_t step = 1; step <= std::min(session.position(), session.recorded()) && !e.cells.empty(); ++step)
-        if (const std::uint32_t cell = id_of(session.timeline().steps[step - 1].item, Kind::cell); cell != none)
-            projected_at[cell] = step;
+    const std::vector<std::uint32_t> projected_at = steps_of_projection(session);
     std::stable_sort(e.cells.begin(), e.cells.end(), [&](std::uint32_t a, std::uint32_t b) {
         const auto order = [&](std::uint32_t cell) {
             const CellState state = session.mark(cell).state;

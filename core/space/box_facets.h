@@ -6,6 +6,7 @@
 #include <initializer_list>
 #include <map>
 
+#include "core/space/builders.h"
 #include "core/space/cell_complex.h"
 
 namespace sightline {
@@ -91,5 +92,19 @@ template <int D>
 void link_touching(const Tree<D>& tree, BoxFacets<D>& facets);
 extern template void link_touching<2>(const Tree<2>&, BoxFacets<2>&);
 extern template void link_touching<3>(const Tree<3>&, BoxFacets<3>&);
+
+/// The leaves of the tree as cells; `link(tree, facets)` gives them the facets that they share.
+template <int D, typename Link>
+CellComplex<D> box_cells(Tessellation kind, Tree<D> tree, Neighbours neighbours, Link link) {
+    CellComplex<D> cells;
+    cells.kind = kind;
+    cells.tree = std::move(tree);
+    BoxFacets<D> facets(cells);
+    link(cells.tree, facets);
+    if (neighbours == Neighbours::touching) link_touching(cells.tree, facets);
+    facets.finish();
+    set_border_cells(cells);
+    return cells;
+}
 
 }  // namespace sightline

@@ -67,15 +67,8 @@ private:
 
 template <int D>
 CellComplex<D> kd_cells(Tree<D> tree, Neighbours neighbours) {
-    CellComplex<D> cells;
-    cells.kind = Tessellation::kd;
-    cells.tree = std::move(tree);
-    BoxFacets<D> facets(cells);
-    KdLinker<D>(cells.tree, facets).link();
-    if (neighbours == Neighbours::touching) link_touching(cells.tree, facets);
-    facets.finish();
-    set_border_cells(cells);
-    return cells;
+    return box_cells(Tessellation::kd, std::move(tree), neighbours,
+                     [](const Tree<D>& made, BoxFacets<D>& facets) { KdLinker<D>(made, facets).link(); });
 }
 
 template CellComplex<2> kd_cells<2>(Tree<2>, Neighbours);

@@ -68,16 +68,9 @@ private:
 
 template <int D>
 CellComplex<D> tree_cells(Tree<D> tree, Neighbours neighbours) {
-    CellComplex<D> cells;
-    cells.kind = Tessellation::tree;
-    cells.tree = std::move(tree);
-    cells.tree.empty_leaves = {};
-    BoxFacets<D> facets(cells);
-    Linker<D>(cells.tree, facets).link();
-    if (neighbours == Neighbours::touching) link_touching(cells.tree, facets);
-    facets.finish();
-    set_border_cells(cells);
-    return cells;
+    tree.empty_leaves = {};
+    return box_cells(Tessellation::tree, std::move(tree), neighbours,
+                     [](const Tree<D>& made, BoxFacets<D>& facets) { Linker<D>(made, facets).link(); });
 }
 
 template CellComplex<2> tree_cells<2>(Tree<2>, Neighbours);

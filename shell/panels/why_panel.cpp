@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/number.h"
+#include "core/base/text.h"
 #include "core/session/explain.h"
 #include "core/session/explain_primitive.h"
 #include "shell/desk/into.h"
@@ -33,8 +34,6 @@ public:
 };
 
 std::string name(std::uint32_t cell) { return "cell " + std::to_string(cell); }
-
-std::string counted(std::uint32_t n, const char* what) { return std::to_string(n) + " " + what + (n == 1 ? "" : "s"); }
 
 /// The formula on as many lines as it has parts.
 void write_formula(Writer& to, const KeyExplanation& key) {
@@ -115,8 +114,7 @@ void write_cell(Writer& to, const CellExplanation& cell, std::string_view key_na
         else
             to.add(text, 0, Tone::lit);
     }
-    if (!cell.reached.empty())
-        to.heading("Reached through " + counted(static_cast<std::uint32_t>(cell.reached.size()), "facet"));
+    if (!cell.reached.empty()) to.heading("Reached through " + counted(cell.reached.size(), "facet"));
     for (const ChainLink& link : cell.reached) write_link(to, link);
     if (cell.chain.size() > 1) {
         to.heading("The chain of updates, back to the seed");
@@ -137,7 +135,7 @@ void write_primitive(Writer& to, const Session<D>& s, const PrimitiveExplanation
     for (std::size_t i = 0; i < std::min(e.cells.size(), most_cells_told); ++i)
         to.cell("in " + name(e.cells[i]) + ": " + place_words(s, e.cells[i]), e.cells[i], 1);
     if (e.cells.size() > most_cells_told)
-        to.add(counted(static_cast<std::uint32_t>(e.cells.size() - most_cells_told), "more cell"), 1, Tone::faint);
+        to.add(counted(e.cells.size() - most_cells_told, "more cell"), 1, Tone::faint);
 }
 
 /// What one change would do to what is selected; a click compares the run with it.

@@ -34,14 +34,13 @@ const Front::Entry* CellBase<D>::front_top() {
 
 template <int D>
 bool CellBase<D>::finished() const {
-    const Counters& counters = this->counters_;
     if (in_rounds()) {
         if (rounds_->done == 0) return false;
         for (std::uint32_t cell = 0; cell < marks_.size(); ++cell)
             if (may_be_seen(cell)) return false;
         return true;
     }
-    return counters.spent >= this->problem_.budget || (counters.front_size == 0 && counters.partial_cell == none);
+    return first_phase_ended();
 }
 
 template <int D>

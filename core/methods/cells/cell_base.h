@@ -74,7 +74,7 @@ protected:
     /// pending.
     virtual void finish_partial(Recorder* recorder) = 0;
     /// The budget has ended, or the front is empty: a round, where the run goes on in rounds.
-    bool in_rounds() const { return rounds_ && (rounds_->done > 0 || rounds_begin()); }
+    bool in_rounds() const { return rounds_ && (rounds_->done > 0 || first_phase_ended()); }
     Stop make_round(Recorder* recorder);
 
     CellParameters parameters_;
@@ -85,7 +85,7 @@ protected:
     std::optional<Rounds<D>> rounds_;
 
 private:
-    bool rounds_begin() const;
+    bool first_phase_ended() const;
     bool may_be_seen(std::uint32_t cell) const;
     void begin_rounds(Recorder* recorder);
     void rewind_round(std::vector<Change>& changes, const Counters& before, std::uint32_t substep);

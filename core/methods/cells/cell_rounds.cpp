@@ -25,7 +25,7 @@ void CellBase<D>::complete_in_rounds() {
 }
 
 template <int D>
-bool CellBase<D>::rounds_begin() const {
+bool CellBase<D>::first_phase_ended() const {
     const Counters& counters = this->counters_;
     return counters.spent >= this->problem_.budget || (counters.front_size == 0 && counters.partial_cell == none);
 }
@@ -36,8 +36,7 @@ bool CellBase<D>::may_be_seen(std::uint32_t cell) const {
 }
 
 /// What the first phase left behind: the rest of the last cell and, where they are not there yet, its neighbours; the
-/// other cells that an eye outside looks into first,
-/// and primitives that lie in no cell.
+/// other cells that an eye outside looks into first, and primitives that lie in no cell.
 template <int D>
 void CellBase<D>::begin_rounds(Recorder* recorder) {
     const CellComplex<D>& cells = *this->problem_.cells;
@@ -187,7 +186,7 @@ Verdict CellBase<D>::why_waiting(const Item& item) const {
 
 #define SIGHTLINE_INSTANTIATE(D)                                                                      \
     template void CellBase<D>::complete_in_rounds();                                                  \
-    template bool CellBase<D>::rounds_begin() const;                                                  \
+    template bool CellBase<D>::first_phase_ended() const;                                             \
     template bool CellBase<D>::may_be_seen(std::uint32_t) const;                                      \
     template void CellBase<D>::begin_rounds(Recorder*);                                               \
     template Stop CellBase<D>::make_round(Recorder*);                                                 \

@@ -63,7 +63,7 @@ public:
     }
 
     Stop run(std::uint32_t steps, Recorder* recorder) override {
-        return recorder ? loop(steps, detail::RecordingSink{*recorder}) : loop(steps, detail::NoSink{});
+        return with_sink(recorder, [&](auto sink) { return loop(steps, sink); });
     }
 
     std::unique_ptr<Run<D>> clone() const override { return std::make_unique<CellRun>(*this); }
@@ -108,6 +108,11 @@ private:
             return "key";
     }
 
+    template <typename Use>
+    static auto with_sink(Recorder* recorder, Use use) {
+        return recorder ? use(detail::RecordingSink{*recorder}) : use(detail::NoSink{});
+    }
+
     template <typename Sink>
     Stop loop(std::uint32_t steps, Sink sink) {
         const std::uint64_t end = std::uint64_t{this->steps_} + steps;
@@ -121,8 +126,8 @@ private:
     Stop step(Sink& sink) {
         Counters& counters = this->counters_;
         std::uint32_t cell = counters.partial_cell;
-        if (counters.spent >= this->problem_.budget) return round_or(Stop::budget, sink);
-        if (this->rounds_ && this->rounds_->done > 0) return round_or(Stop::budget, sink);
+        if (counters.spent >= this->problem_.budget || (this->rounds_ && this->rounds_->done > 0))
+            return round_or(Stop::budget, sink);
         if (cell == none) {
             const Front::Entry* top = this->front_top();
             if (!top) return round_or(Stop::front_empty, sink);
@@ -164,22 +169,10 @@ private:
         this->counters_.offset = 0;
         project(cell);
         this->counters_.offset = 0;
-        if (recorder) {
-            detail::RecordingSink sink{*recorder};
-            add_neighbours(cell, sink);
-        } else {
-            detail::NoSink sink;
-            add_neighbours(cell, sink);
-        }
+        with_sink(recorder, [&](auto sink) { add_neighbours(cell, sink); });
     }
     void finish_partial(Recorder* recorder) override {
-        if (recorder) {
-            detail::RecordingSink sink{*recorder};
-            go_on_with(this->counters_.partial_cell, sink);
-        } else {
-            detail::NoSink sink;
-            go_on_with(this->counters_.partial_cell, sink);
-        }
+        with_sink(recorder, [&](auto sink) { go_on_with(this->counters_.partial_cell, sink); });
     }
 
     /// Projects the popped or partly rendered cell and adds its neighbours, as far as the budget allows.

@@ -1,17 +1,10 @@
 // Why a cell has not come into the front.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <optional>
-
+#include "core/base/text.h"
 #include "core/methods/cells/cell_base.h"
 #include "core/space/cell_in_view.h"
 
 namespace sightline {
-
-namespace {
-
-std::string counted(std::size_t n, const char* what) { return std::to_string(n) + " " + what + (n == 1 ? "" : "s"); }
-
-}  // namespace
 
 template <int D>
 Verdict CellBase<D>::why_not(const Item& item) const {
