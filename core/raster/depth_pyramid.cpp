@@ -55,4 +55,18 @@ void DepthPyramid::update(const DepthImage& image, int left, int top, int right,
                     i == 0 ? farthest_pixel(image, x, y) : farthest_below(levels[i - 1], x, y);
 }
 
+void DepthPyramid::update(const DepthImage& image, std::span<const std::uint32_t> blocks) {
+    if (blocks.empty()) return;
+    Level& lowest = levels[0];
+    for (const std::uint32_t at : blocks)
+        lowest.farthest[at] =
+            farthest_pixel(image, static_cast<int>(at) % lowest.width, static_cast<int>(at) / lowest.width);
+    // All of the others together are a third of it.
+    for (std::size_t i = 1; i < levels.size(); ++i)
+        for (int y = 0; y < levels[i].height; ++y)
+            for (int x = 0; x < levels[i].width; ++x)
+                levels[i].farthest[static_cast<std::size_t>(y) * static_cast<std::size_t>(levels[i].width) +
+                                   static_cast<std::size_t>(x)] = farthest_below(levels[i - 1], x, y);
+}
+
 }  // namespace sightline

@@ -26,6 +26,8 @@ public:
     explicit DepthPyramid(const DepthImage& image);
     /// After pixels [left, right) x [top, bottom) of the image have changed.
     void update(const DepthImage& image, int left, int top, int right, int bottom);
+    /// After pixels of some blocks have changed: indices into level 0.
+    void update(const DepthImage& image, std::span<const std::uint32_t> blocks);
 
     std::vector<Level> levels;
 };
