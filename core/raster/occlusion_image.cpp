@@ -68,10 +68,12 @@ void OcclusionImage<3>::begin(const Scene<3>& scene, const View<3>& view, const 
     }
     dirty_.clear();
     is_dirty_.assign(pyramid_.levels[0].farthest.size(), 0);
+    conservative_ = true;
 }
 
 /// Whether the pyramid does not hide it. A triangle that it hides would win no pixel.
 bool OcclusionImage<3>::may_win(const FixedTriangle& triangle) const {
+    if (!conservative_) return true;
     const PixelBox box(triangle, image_.size());
     const float nearest = std::max({triangle.nearness[0], triangle.nearness[1], triangle.nearness[2]});
     const DepthPyramid::Level& level = pyramid_.levels[0];
@@ -129,8 +131,9 @@ void OcclusionImage<3>::draw(std::span<const std::uint32_t> primitives, std::spa
         }
 }
 
-void OcclusionImage<3>::refresh() {
-    pyramid_.update(image_, dirty_);
+void OcclusionImage<3>::refresh(double opacity) {
+    conservative_ = opacity == 1;
+    pyramid_.update(image_, dirty_, opacity);
     for (const std::uint32_t block : dirty_) is_dirty_[block] = 0;
     dirty_.clear();
 }

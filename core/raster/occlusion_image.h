@@ -30,8 +30,9 @@ public:
     /// Draws the primitives in that order. won[i] is set to 1 where primitive i covers a pixel at which nothing before
     /// it is nearer (or, equally near, has a lower id), else to 0; as many as primitives.
     void draw(std::span<const std::uint32_t> primitives, std::span<std::uint8_t> won);
-    /// Brings the pyramid up to date.
-    void refresh();
+    /// Brings the pyramid up to date. A block of which the share `opacity` is covered then counts as covered, and as
+    /// far as the farthest of what covers it; below 1 that is not conservative.
+    void refresh(double opacity = 1);
     /// Conservative: by the rectangle of pixels around the box and its nearest corner, widened as hidden-tests are.
     BoxSight look(const Box<3>& box) const;
 
@@ -56,6 +57,7 @@ private:
     std::vector<Part> parts_;             ///< scratch
     std::vector<std::uint32_t> dirty_;    ///< blocks of the pyramid's level 0 whose pixels have changed
     std::vector<std::uint8_t> is_dirty_;  ///< per block
+    bool conservative_ = true;            ///< the pyramid is
 };
 
 /// The same along a line of pixels; its pyramid has one level, blocks of 8 pixels.
@@ -64,7 +66,7 @@ class OcclusionImage<2> {
 public:
     void begin(const Scene<2>& scene, const View<2>& view, const ImageSize& size, const RasterWork& work = {});
     void draw(std::span<const std::uint32_t> primitives, std::span<std::uint8_t> won);
-    void refresh();
+    void refresh(double opacity = 1);
     BoxSight look(const Box<2>& box) const;
 
     const PixelLine& image() const { return line_; }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <limits>
 
 #include "core/raster/occlusion_image.h"
 
@@ -16,10 +17,19 @@ void OcclusionImage<2>::draw(std::span<const std::uint32_t> primitives, std::spa
     draw_line(line_, scene_->primitives, *view_, primitives, won);
 }
 
-void OcclusionImage<2>::refresh() {
+void OcclusionImage<2>::refresh(double opacity) {
+    const auto pixels = static_cast<std::size_t>(line_.width());
     for (std::size_t i = 0; i < farthest_.size(); ++i) {
-        const auto first = line_.nearness.begin() + static_cast<std::ptrdiff_t>(i * block);
-        farthest_[i] = *std::min_element(first, std::min(first + block, line_.nearness.end()));
+        const std::size_t first = i * block, end = std::min(first + block, pixels);
+        std::size_t covered = 0;
+        double farthest = std::numeric_limits<double>::infinity();
+        for (std::size_t x = first; x < end; ++x)
+            if (line_.nearness[x] > 0) {
+                farthest = std::min(farthest, line_.nearness[x]);
+                ++covered;
+            }
+        const bool counts = covered > 0 && static_cast<double>(covered) >= opacity * static_cast<double>(end - first);
+        farthest_[i] = counts ? farthest : 0;
     }
 }
 

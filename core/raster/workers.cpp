@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/raster/workers.h"
 
+#include <algorithm>
+
 #if SIGHTLINE_THREADS
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/partitioner.h>
 #include <tbb/task_arena.h>
@@ -14,7 +17,7 @@ void run_parts(int count, int threads, const std::function<void(int)>& part) {
     if (threads != 1 && count > 1) {
         const auto all = [&] { tbb::parallel_for(0, count, part, tbb::simple_partitioner()); };
         if (threads > 0)
-            tbb::task_arena(threads).execute(all);
+            tbb::task_arena(std::min(threads, tbb::info::default_concurrency())).execute(all);
         else
             all();
         return;

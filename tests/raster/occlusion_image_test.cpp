@@ -149,7 +149,9 @@ TEST(OcclusionImage, ABoxThatItCallsHiddenOrOutsideHoldsNothingThatChangesTheIma
             DepthImage image = drawing.image();
             draw_depth(image, inside, view);
             unchanged += image == drawing.image();
-            if (sight != BoxSight::seen) EXPECT_EQ(image, drawing.image()) << n << ' ' << k;
+            if (sight != BoxSight::seen) {
+                EXPECT_EQ(image, drawing.image()) << n << ' ' << k;
+            }
         }
     }
     for (const int count : said) EXPECT_GT(count, 50);
@@ -207,7 +209,9 @@ TEST(OcclusionLine, SaysWhoChangedItAndHidesNothingThatWould) {
             for (int i = 0; i < 8; ++i) inside.push_back({within(), random.below(2) ? box.min : within()});
             PixelLine changed = line;
             draw_line(changed, inside, view);
-            if (sight != BoxSight::seen) EXPECT_EQ(changed.nearness, line.nearness) << n << ' ' << k;
+            if (sight != BoxSight::seen) {
+                EXPECT_EQ(changed.nearness, line.nearness) << n << ' ' << k;
+            }
         }
     }
     for (const int count : said) EXPECT_GT(count, 50);
