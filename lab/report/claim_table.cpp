@@ -14,8 +14,6 @@ using M = Measure;
 using Found = std::optional<Regime>;
 
 constexpr const char *plp = "published", *plp_on_tree = "published@tree", *by_distance = "centroid";
-/// The papers cull what is out of view or turns its back in all that they compare, so this is the baseline.
-constexpr const char* view_culling = "view";
 constexpr const char* draw_all = "everything";
 /// ROOM from where its walls hide all that stands in it.
 constexpr const char* outside = "outside";

@@ -9,6 +9,7 @@
 #include "lab/report/papers_tables.h"
 #include "lab/report/report.h"
 #include "lab/report/study_charts.h"
+#include "lab/report/time_table.h"
 
 namespace sightline::lab {
 
@@ -73,7 +74,7 @@ void write_markdown(const Results& results, const std::string& command, const st
             text += "![Time per frame and " + std::string(measure_row(measure).title) +
                     " of each method and budget](images/" + stem + ".svg)\n";
         }
-        text += "\n" + rows_of(group);
+        text += "\n" + rows_of(group) + "\n" + time_caption + "\n\n" + markdown(time_table(group));
     }
     write_file(file, text);
 }
