@@ -28,6 +28,7 @@ SolidLook look_of(CellState state, InRounds rounds) {
         case CellState::unseen:
             return SolidLook::unseen;
         case CellState::clean:
+        case CellState::hidden:
             break;
     }
     return SolidLook::clean;

@@ -55,6 +55,10 @@ struct Box {
         min = glm::min(min, p);
         max = glm::max(max, p);
     }
+    void add(const Box& other) {
+        min = glm::min(min, other.min);
+        max = glm::max(max, other.max);
+    }
     bool contains(const Vec<D>& p) const {
         for (int i = 0; i < D; ++i)
             if (p[i] < min[i] || p[i] > max[i]) return false;

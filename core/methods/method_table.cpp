@@ -6,6 +6,7 @@
 #include "core/methods/cells/cell_method.h"
 #include "core/methods/cplp/cplp.h"
 #include "core/methods/formula/formula_heuristic.h"
+#include "core/methods/image_space/image_methods.h"
 #include "core/methods/layers/layers.h"
 #include "core/methods/orders/orders.h"
 #include "core/methods/plp/published.h"
@@ -25,9 +26,7 @@ std::vector<Method<D>> rows() {
     table.push_back(order_method<D>("centroid", "centroid order",
                                     "primitives by the distance of their centroid (TVCG 4.5)", centroid_order<D>()));
     table.back().aliases = {"distance"};
-    table.push_back(
-        order_method<D>("view", "view culling", "primitives in the view, in scene order", scene_order_in_view<D>()));
-    table.back().budgeted = false;
+    table.push_back(view_method<D>());
     table.push_back(order_method<D>("everything", "everything", "all primitives, in scene order", scene_order<D>()));
     table.back().budgeted = false;
     table.push_back(cell_method<D, FormulaHeuristic<D>>(
@@ -44,6 +43,10 @@ std::vector<Method<D>> rows() {
         if (method.orders_cells()) firsts.push_back(method);
     table.push_back(cplp_method<D>(std::move(firsts), cell_parameter_rows(plp_parameter_rows())));
     table.back().compared = false;
+    for (Method<D>& method : image_methods<D>(table.front())) {
+        table.push_back(std::move(method));
+        table.back().compared = false;
+    }
     return table;
 }
 

@@ -20,6 +20,11 @@ struct BandedTriangles {
     std::vector<std::vector<std::uint32_t>> of_band;
 };
 
+inline int bands_of(const ImageSize& size) { return (size.height + band_rows - 1) / band_rows; }
+
+/// Fills of_band.
+void sort_into_bands(BandedTriangles& part, const ImageSize& size);
+
 /// Snaps what the view sees of the primitives, a part of them at a time, on several threads; then calls `draw_band` for
 /// each band of rows, on several threads, with all parts. An empty list of primitives stands for all where `all` says
 /// so.
@@ -27,15 +32,23 @@ using DrawBand = std::function<void(int first_row, int end_row, int band, std::s
 void for_bands(const Scene<3>& scene, const View<3>& view, const ImageSize& size, bool all,
                std::span<const std::uint32_t> primitives, const RasterWork& work, const DrawBand& draw_band);
 
-/// The loop over a band that stands behind draw_depth, for the vectors of any x86-64 and for AVX2.
+/// Rows [first_row, end_row) of an image.
 struct BandPixels {
     ImageSize size;
     int first_row = 0, end_row = 0;
     float* nearness = nullptr;  ///< of the whole image
     std::uint32_t* ids = nullptr;
+
+    std::size_t index(int x, int y) const {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) + static_cast<std::size_t>(x);
+    }
 };
-void fill_band(const BandPixels& pixels, const BandedTriangles& part, int band);
-void fill_band_avx2(const BandPixels& pixels, const BandedTriangles& part, int band);
+
+/// Draws those of the triangles that `which` names, in that order, for the vectors of any x86-64 or for AVX2 where the
+/// machine has it. won[i] is set where triangle i covers a pixel that nothing before it has nearer; nullptr: nobody
+/// asks.
+void fill_band(const BandPixels& pixels, std::span<const FixedTriangle> triangles, std::span<const std::uint32_t> which,
+               bool best_vectors, std::uint8_t* won = nullptr);
 bool has_avx2();
 
 }  // namespace sightline

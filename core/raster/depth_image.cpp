@@ -13,11 +13,12 @@ namespace {
 
 void draw_bands(DepthImage& image, const Scene<3>& scene, const View<3>& view, bool all,
                 std::span<const std::uint32_t> primitives, const RasterWork& work) {
-    const auto fill = work.best_vectors && has_avx2() ? fill_band_avx2 : fill_band;
     for_bands(scene, view, image.size(), all, primitives, work,
               [&](int first_row, int end_row, int band, std::span<const BandedTriangles> parts) {
                   const BandPixels pixels{image.size(), first_row, end_row, image.nearness.data(), image.ids.data()};
-                  for (const BandedTriangles& part : parts) fill(pixels, part, band);
+                  for (const BandedTriangles& part : parts)
+                      fill_band(pixels, part.triangles, part.of_band[static_cast<std::size_t>(band)],
+                                work.best_vectors);
               });
 }
 

@@ -16,6 +16,21 @@ float farthest_pixel(const DepthImage& image, int block_x, int block_y) {
     return farthest;
 }
 
+float farthest_covered(const DepthImage& image, int block_x, int block_y, double opacity) {
+    constexpr int side = DepthPyramid::block;
+    const int end_x = std::min((block_x + 1) * side, image.width), end_y = std::min((block_y + 1) * side, image.height);
+    float farthest = std::numeric_limits<float>::infinity();
+    int covered = 0;
+    for (int y = block_y * side; y < end_y; ++y)
+        for (int x = block_x * side; x < end_x; ++x)
+            if (const float here = image.nearness[image.index(x, y)]; here > 0) {
+                farthest = std::min(farthest, here);
+                ++covered;
+            }
+    const int pixels = (end_x - block_x * side) * (end_y - block_y * side);
+    return covered > 0 && covered >= opacity * pixels ? farthest : 0;
+}
+
 float farthest_below(const DepthPyramid::Level& below, int block_x, int block_y) {
     float farthest = std::numeric_limits<float>::infinity();
     for (int y = 2 * block_y; y < std::min(2 * block_y + 2, below.height); ++y)
@@ -53,6 +68,21 @@ void DepthPyramid::update(const DepthImage& image, int left, int top, int right,
                 levels[i].farthest[static_cast<std::size_t>(y) * static_cast<std::size_t>(levels[i].width) +
                                    static_cast<std::size_t>(x)] =
                     i == 0 ? farthest_pixel(image, x, y) : farthest_below(levels[i - 1], x, y);
+}
+
+void DepthPyramid::update(const DepthImage& image, std::span<const std::uint32_t> blocks, double opacity) {
+    if (blocks.empty()) return;
+    Level& lowest = levels[0];
+    for (const std::uint32_t at : blocks) {
+        const int x = static_cast<int>(at) % lowest.width, y = static_cast<int>(at) / lowest.width;
+        lowest.farthest[at] = opacity < 1 ? farthest_covered(image, x, y, opacity) : farthest_pixel(image, x, y);
+    }
+    // All of the others together are a third of it.
+    for (std::size_t i = 1; i < levels.size(); ++i)
+        for (int y = 0; y < levels[i].height; ++y)
+            for (int x = 0; x < levels[i].width; ++x)
+                levels[i].farthest[static_cast<std::size_t>(y) * static_cast<std::size_t>(levels[i].width) +
+                                   static_cast<std::size_t>(x)] = farthest_below(levels[i - 1], x, y);
 }
 
 }  // namespace sightline

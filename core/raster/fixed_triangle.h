@@ -44,23 +44,8 @@ constexpr std::int32_t first_centre(std::int32_t place) {
     return (place - subpixels / 2 + subpixels - 1) >> 8;  // rounds up, also below 0
 }
 
-/// Snaps the triangle at `corners`. False when it covers no pixel: no area is left, or no centre of a pixel of the
-/// image lies in its box.
-inline bool snap_triangle(const ImageCorner* corners, const ImageSize& size, FixedTriangle& triangle) {
-    for (std::size_t i = 0; i < 3; ++i) {
-        triangle.x[i] =
-            static_cast<std::int32_t>(std::floor((corners[i].x + 1.0) * (0.5 * subpixels * size.width) + 0.5));
-        triangle.y[i] =
-            static_cast<std::int32_t>(std::floor((corners[i].y + 1.0) * (0.5 * subpixels * size.height) + 0.5));
-        triangle.nearness[i] = corners[i].nearness;
-    }
-    triangle.id = corners[0].id;
-    const auto [left, right] = std::minmax({triangle.x[0], triangle.x[1], triangle.x[2]});
-    const auto [top, bottom] = std::minmax({triangle.y[0], triangle.y[1], triangle.y[2]});
-    // A right or bottom border that runs through centres does not own them.
-    if (std::max(first_centre(left), 0) >= std::min(first_centre(right), size.width) ||
-        std::max(first_centre(top), 0) >= std::min(first_centre(bottom), size.height))
-        return false;
+/// Puts corners into their order. False when no area is left.
+inline bool turn(FixedTriangle& triangle) {
     const std::int64_t area = triangle.area();
     if (area == 0) return false;
     const auto swap = [&](std::size_t i, std::size_t j) {
@@ -75,6 +60,33 @@ inline bool snap_triangle(const ImageCorner* corners, const ImageSize& size, Fix
     else if (n[2] < n[0])
         swap(0, 2), swap(1, 2);
     return true;
+}
+
+/// The pixels whose centres lie in the box of a triangle, cut to the image.
+struct PixelBox {
+    std::int32_t left, top, right, bottom;  ///< [left, right) x [top, bottom)
+
+    PixelBox(const FixedTriangle& t, const ImageSize& size)
+        : left(std::max(first_centre(std::min({t.x[0], t.x[1], t.x[2]})), 0)),
+          top(std::max(first_centre(std::min({t.y[0], t.y[1], t.y[2]})), 0)),
+          right(std::min(first_centre(std::max({t.x[0], t.x[1], t.x[2]})), size.width)),
+          bottom(std::min(first_centre(std::max({t.y[0], t.y[1], t.y[2]})), size.height)) {}
+    bool empty() const { return left >= right || top >= bottom; }
+};
+
+/// Snaps the triangle at `corners`. False when it covers no pixel: no area is left, or no centre of a pixel of the
+/// image lies in its box.
+inline bool snap_triangle(const ImageCorner* corners, const ImageSize& size, FixedTriangle& triangle) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        triangle.x[i] =
+            static_cast<std::int32_t>(std::floor((corners[i].x + 1.0) * (0.5 * subpixels * size.width) + 0.5));
+        triangle.y[i] =
+            static_cast<std::int32_t>(std::floor((corners[i].y + 1.0) * (0.5 * subpixels * size.height) + 0.5));
+        triangle.nearness[i] = corners[i].nearness;
+    }
+    triangle.id = corners[0].id;
+    // A right or bottom border that runs through centres does not own them.
+    return !PixelBox(triangle, size).empty() && turn(triangle);
 }
 
 /// Which pixels of each row a triangle covers, exactly: those whose centres lie inside, or on an edge that it owns.

@@ -7,19 +7,17 @@ namespace sightline {
 
 namespace {
 
-constexpr double reach = 2;  ///< what lies beyond the image's border by more than its half size is cut off
 /// How far a rasteriser may move a corner, in pixels: to the next of 256 places, and a little for floats.
 constexpr double snap = 1.0 / 128;
-constexpr double nearness_unit = 0x1p-63;  ///< in the middle between the smallest float and 1
 
 /// Points of the image as (x w, y w, w); what is in front of the eye is where they turn positive by w.
 using Polygon = std::array<Vec<3>, 7>;
 
-/// Cuts a convex polygon to the side where sign * p[axis] <= reach * w. An edge is cut from its inner end, so that both
-/// triangles that share it get the same point.
+/// Cuts a convex polygon to the side where sign * p[axis] <= cone_reach * w. An edge is cut from its inner end, so that
+/// both triangles that share it get the same point.
 std::size_t cut(std::span<const Vec<3>> polygon, int axis, double sign, Polygon& inside) {
     std::size_t count = 0;
-    const auto depth = [&](const Vec<3>& p) { return reach * p.z - sign * p[axis]; };
+    const auto depth = [&](const Vec<3>& p) { return cone_reach * p.z - sign * p[axis]; };
     for (std::size_t i = 0; i < polygon.size(); ++i) {
         const Vec<3>&a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
         const double in_a = depth(a), in_b = depth(b);
@@ -48,7 +46,7 @@ bool beyond(const std::array<Vec<3>, 3>& p) {
 
 bool within_reach(const std::array<Vec<3>, 3>& p) {
     for (const Vec<3>& q : p)
-        if (!(std::max(std::abs(q.x), std::abs(q.y)) <= reach * q.z)) return false;
+        if (!(std::max(std::abs(q.x), std::abs(q.y)) <= cone_reach * q.z)) return false;
     return true;
 }
 
@@ -84,8 +82,8 @@ void append_image_triangle(const Scene<3>& scene, const View<3>& view, const Ima
         count = cut_to_cone(projected, polygon);
     const auto seen = std::span(polygon).first(count);
     // Only one that holds the eye comes so near; it is seen edge-on.
-    if (std::any_of(seen.begin(), seen.end(), [](const Vec<3>& p) { return !(p.z > nearness_unit); })) return;
-    for (Vec<3>& p : seen) p = {p.x / p.z, -p.y / p.z, nearness_unit / p.z};
+    if (std::any_of(seen.begin(), seen.end(), [](const Vec<3>& p) { return !(p.z > nearness_1); })) return;
+    for (Vec<3>& p : seen) p = {p.x / p.z, -p.y / p.z, nearness_1 / p.z};
     if (!meets_centre(seen, size)) return;
     const auto append = [&](const Vec<3>& p) {
         corners.push_back({static_cast<float>(p.x), static_cast<float>(p.y),

@@ -10,6 +10,11 @@
 
 namespace sightline {
 
+/// Triangles are cut where they lie beyond the image's border by more than its half size.
+constexpr double cone_reach = 2;
+/// The nearness of what is at distance w = 1: in the middle between the smallest float and 1.
+constexpr double nearness_1 = 0x1p-63;
+
 /// A corner of a triangle in the image. 16 bytes.
 struct ImageCorner {
     float x = 0, y = 0;    ///< from -1 (left, top) to +1; y grows downwards

@@ -94,8 +94,10 @@ Footprint footprint_of(const Part& part, const Vec<2>& eye, const Primitive<2>& 
                      project(part.camera, segment[side > 0 ? 1 : 0] - eye));
 }
 
-void draw_segment(PixelLine& line, const Part& part, const Footprint& seen, std::uint32_t id) {
-    if (!(seen.begin < seen.end)) return;  // also when not a number
+/// Whether it is seen at any pixel.
+bool draw_segment(PixelLine& line, const Part& part, const Footprint& seen, std::uint32_t id) {
+    if (!(seen.begin < seen.end)) return false;  // also when not a number
+    bool won = false;
     const int end = first_pixel(seen.end, part.width);
     for (int i = first_pixel(seen.begin, part.width); i < end; ++i) {
         const double nearness = seen.inverse_depth((i + 0.5) / part.width);
@@ -103,8 +105,10 @@ void draw_segment(PixelLine& line, const Part& part, const Footprint& seen, std:
         if (nearness > line.nearness[at] || (nearness == line.nearness[at] && id < line.ids[at])) {
             line.nearness[at] = nearness;
             line.ids[at] = id;
+            won = true;
         }
     }
+    return won;
 }
 
 /// In pixels, as in 3D: far more than rounding moves ends.
@@ -169,6 +173,15 @@ void draw_line(PixelLine& line, std::span<const Primitive<2>> segments, const Vi
                std::span<const std::uint32_t> which) {
     for (const Part& part : parts_of(view, line.width()))
         for (const std::uint32_t id : which) draw_segment(line, part, footprint_of(part, view.eye, segments[id]), id);
+}
+
+void draw_line(PixelLine& line, std::span<const Primitive<2>> segments, const View<2>& view,
+               std::span<const std::uint32_t> which, std::span<std::uint8_t> won) {
+    std::fill(won.begin(), won.end(), std::uint8_t{0});
+    // Parts have no pixel in common, so each may be drawn in the list's order by itself.
+    for (const Part& part : parts_of(view, line.width()))
+        for (std::size_t i = 0; i < which.size(); ++i)
+            if (draw_segment(line, part, footprint_of(part, view.eye, segments[which[i]]), which[i])) won[i] = 1;
 }
 
 LineShape seen_cell(const View<2>& view, int width, const CellComplex<2>& cells, std::uint32_t cell) {

@@ -31,6 +31,10 @@ struct PixelLine {
 void draw_line(PixelLine& line, std::span<const Primitive<2>> segments, const View<2>& view);
 void draw_line(PixelLine& line, std::span<const Primitive<2>> segments, const View<2>& view,
                std::span<const std::uint32_t> which);
+/// The same, in the list's order; won[i] is set to 1 where segment i of the list covers a pixel that nothing before it
+/// has nearer, else to 0.
+void draw_line(PixelLine& line, std::span<const Primitive<2>> segments, const View<2>& view,
+               std::span<const std::uint32_t> which, std::span<std::uint8_t> won);
 
 /// A convex cell as a line of pixels may see it: the pixels that it covers, widened by 1/128 pixel, and no less near
 /// than what lies in it.

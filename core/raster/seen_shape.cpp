@@ -9,8 +9,6 @@ namespace sightline {
 
 namespace {
 
-constexpr double cone_reach = 2;        ///< as far beyond the image's border as triangles are cut
-constexpr double nearness_1 = 0x1p-63;  ///< nearness at distance 1 (ImageCorner)
 /// A step of a float, and the rounding of the corners' nearness: 2^-23 and a little.
 constexpr double depth_step = 1 + 0x1p-22;
 

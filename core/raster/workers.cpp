@@ -2,43 +2,28 @@
 #include "core/raster/workers.h"
 
 #include <algorithm>
-#include <atomic>
-#include <exception>
-#include <mutex>
-#include <system_error>
-#include <thread>
-#include <vector>
+
+#if SIGHTLINE_THREADS
+#include <tbb/info.h>
+#include <tbb/parallel_for.h>
+#include <tbb/partitioner.h>
+#include <tbb/task_arena.h>
+#endif
 
 namespace sightline {
 
 void run_parts(int count, int threads, const std::function<void(int)>& part) {
-    if (threads <= 0) threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-    threads = std::min(threads, count);
-    if (threads <= 1) {
-        for (int i = 0; i < count; ++i) part(i);
+#if SIGHTLINE_THREADS
+    if (threads != 1 && count > 1) {
+        const auto all = [&] { tbb::parallel_for(0, count, part, tbb::simple_partitioner()); };
+        if (threads > 0)
+            tbb::task_arena(std::min(threads, tbb::info::default_concurrency())).execute(all);
+        else
+            all();
         return;
     }
-    std::atomic<int> next = 0;
-    std::exception_ptr failed;
-    std::mutex failing;
-    const auto work = [&] {
-        try {
-            for (int i; (i = next++) < count;) part(i);
-        } catch (...) {
-            const std::lock_guard lock(failing);
-            if (!failed) failed = std::current_exception();
-            next = count;
-        }
-    };
-    {
-        std::vector<std::jthread> others;
-        try {
-            for (int i = 1; i < threads; ++i) others.emplace_back(work);
-        } catch (const std::system_error&) {
-        }
-        work();
-    }
-    if (failed) std::rethrow_exception(failed);
+#endif
+    for (int i = 0; i < count; ++i) part(i);
 }
 
 }  // namespace sightline

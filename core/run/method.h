@@ -18,6 +18,7 @@ namespace sightline {
 /// What a method asks of its problem.
 struct Needs {
     bool cells = true;
+    bool boxes = false;        ///< Problem::boxes()
     bool visible_set = false;  ///< Services::visible_set
     bool image = false;        ///< Services::image
     bool history = false;      ///< the frame before decides
@@ -104,6 +105,7 @@ template <int D>
 Problem<D> make_problem(const Method<D>& method, const Parameters& parameters, const Scene<D>& scene,
                         const CellComplex<D>& cells, const View<D>& view, std::uint32_t budget = none,
                         const Services& services = {}, std::shared_ptr<const FrameHistory> history = nullptr) {
+    if (method.needs.boxes) cells.boxes->of(scene);  // not while a frame is timed
     return {&scene,
             &cells,
             view,

@@ -2,6 +2,8 @@
 #include "core/run/parameters.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 
 #include "core/base/error.h"
 #include "core/base/number.h"
@@ -15,6 +17,13 @@ std::string read_number(const ParameterRow& row, std::string_view text) {
     if (!number || *number < row.low || *number > row.high)
         throw InputError("'" + std::string(text) + "' is not a number in " + std::string(row.values));
     return number_text(*number);
+}
+
+std::string read_whole(const ParameterRow& row, std::string_view text) {
+    const auto number = parse_number(text);
+    if (!number || *number < row.low || *number > row.high || *number != std::floor(*number))
+        throw InputError("'" + std::string(text) + "' is not a whole number in " + std::string(row.values));
+    return std::to_string(static_cast<std::uint64_t>(*number));
 }
 
 auto place_of(auto& values, std::string_view name) {
@@ -33,6 +42,11 @@ std::string detail::read_choice(const ParameterRow& row, std::string_view text) 
 ParameterRow number_row(std::string_view name, std::string_view otherwise, double low, double high,
                         std::string_view values, std::string_view source, std::string_view help) {
     return {name, help, source, values, otherwise, {}, read_number, low, high};
+}
+
+ParameterRow whole_row(std::string_view name, std::string_view otherwise, double low, double high,
+                       std::string_view values, std::string_view source, std::string_view help) {
+    return {name, help, source, values, otherwise, {}, read_whole, low, high};
 }
 
 ParameterRow text_row(std::string_view name, std::string_view otherwise, std::string_view values,

@@ -31,6 +31,9 @@ ParameterRow choice_row(std::string_view name, E otherwise, std::string_view sou
 /// A number in [low, high]; `values` says so.
 ParameterRow number_row(std::string_view name, std::string_view otherwise, double low, double high,
                         std::string_view values, std::string_view source, std::string_view help);
+/// A whole number in [low, high], from 0 to 2^53.
+ParameterRow whole_row(std::string_view name, std::string_view otherwise, double low, double high,
+                       std::string_view values, std::string_view source, std::string_view help);
 /// Any text; `check` throws InputError for what cannot be.
 ParameterRow text_row(std::string_view name, std::string_view otherwise, std::string_view values,
                       std::string_view source, std::string_view help,

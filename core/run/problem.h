@@ -26,6 +26,7 @@ struct Services {
     /// The exact visible set, per primitive; empty: there is none to be had.
     std::function<std::shared_ptr<const std::vector<std::uint8_t>>()> visible_set;
     ImageSize image;  ///< of depth images that decide; as image_size<D> completes it
+    int threads = 0;  ///< that draw such images, 0: as many as the machine has; decides nothing
 };
 
 /// The pointers outlive the run.
@@ -40,6 +41,8 @@ struct Problem {
     Services services;
 
     const std::vector<Primitive<D>>& primitives() const { return scene->primitives; }
+    /// Built when it is first asked for.
+    const BoxTree<D>& boxes() const { return cells->boxes->of(*scene); }
 };
 
 /// Whether the view can show the primitive: it meets the cone and, in 3D, turns a side to the eye that is seen.

@@ -53,9 +53,11 @@ inline Item primitive_item(std::uint32_t primitive) { return {primitive, Kind::p
 /// The index of an item of that kind; none for any other.
 inline std::uint32_t id_of(const Item& item, Kind kind) { return item.kind == kind ? item.id : none; }
 
-/// How far an item has come (the gem's NS_CLEAN, NS_ENQUEUED, NS_PROJECTED, NS_UNSEEN).
-enum class CellState : std::uint8_t { clean, enqueued, projected, unseen };
-inline constexpr auto cell_state_words = std::to_array<std::string_view>({"clean", "enqueued", "projected", "unseen"});
+/// How far an item has come (the gem's NS_CLEAN, NS_ENQUEUED, NS_PROJECTED, NS_UNSEEN); unseen: outside the view;
+/// hidden: popped and found hidden, which cells are only while they wait.
+enum class CellState : std::uint8_t { clean, enqueued, projected, unseen, hidden };
+inline constexpr auto cell_state_words =
+    std::to_array<std::string_view>({"clean", "enqueued", "projected", "unseen", "hidden"});
 
 /// Key, stamp and state of one item. Clean items have key 0 and stamp 0.
 struct Mark {
@@ -84,6 +86,7 @@ struct Counters {
     std::uint32_t spent = 0;            ///< against the budget
     std::uint32_t partial_cell = none;  ///< item that the budget left partly rendered, or its neighbours pending
     std::uint32_t offset = 0;           ///< where to go on in it; for orders of primitives, in the order
+    std::uint32_t refreshed = 0;        ///< primitives met when the depths that boxes are tested against were refreshed
     bool operator==(const Counters&) const = default;
 };
 

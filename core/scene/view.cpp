@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/view.h"
 
+#include <algorithm>
+
 #include "core/base/error.h"
 #include "core/base/trig.h"
 #include "core/geometry/predicates.h"
@@ -116,6 +118,22 @@ bool in_view(const View<3>& view, std::span<const Vec<3>> cell_corners) {
 
 bool in_view(const View<3>& view, const Primitive<3>& triangle) {
     return in_view(view, std::span<const Vec<3>>(triangle));
+}
+
+bool all_in_view(const View<2>& view, std::span<const Vec<2>> cell_corners) {
+    return view.all_round || std::all_of(cell_corners.begin(), cell_corners.end(), [&](const Vec<2>& p) {
+               return side_of_right(view, p) >= 0 && side_of_left(view, p) >= 0;
+           });
+}
+
+bool all_in_view(const View<3>& view, std::span<const Vec<3>> cell_corners) {
+    for (const ViewPlane& plane : view.planes)
+        for (const Vec<3>& p : cell_corners) {
+            const Vec<3> q = p - view.eye;
+            if (!(glm::dot(plane.inward, q) > glm::dot(plane.uncertainty, glm::abs(q)) + smallest_product))
+                return false;
+        }
+    return true;
 }
 
 }  // namespace sightline

@@ -56,4 +56,8 @@ bool in_view(const View<3>& view, const Primitive<3>& triangle);
 bool in_view(const View<2>& view, std::span<const Vec<2>> cell_corners);
 bool in_view(const View<3>& view, std::span<const Vec<3>> cell_corners);
 
+/// Whether all of the convex cell lies in the cone; never true when a part of it does not.
+bool all_in_view(const View<2>& view, std::span<const Vec<2>> cell_corners);
+bool all_in_view(const View<3>& view, std::span<const Vec<3>> cell_corners);
+
 }  // namespace sightline

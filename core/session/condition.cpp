@@ -55,7 +55,9 @@ const std::vector<RecordField<D>>& fields() {
     static const std::vector<RecordField<D>> table{
         {"step", "number of the step", [](S s) -> double { return s.position(); }},
         {"cell", "number of the cell that was popped",
-         [](S s) -> double { return last(s).item ? last(s).item.id : no_value; }},
+         [](S s) -> double { return last_popped(s) == none ? no_value : last_popped(s); }},
+        {"node", "number of the box that was popped, of a method that walks boxes",
+         [](S s) -> double { return last(s).item.kind == Kind::node ? last(s).item.id : no_value; }},
         {"rho", "its key: accumulated solidity, or the key of another method",
          [](S s) -> double { return last(s).item && last(s).item.kind != Kind::primitive ? last(s).key : no_value; }},
         {"count", "|A|, the primitives in it",

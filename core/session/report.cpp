@@ -63,7 +63,7 @@ template <int D>
 std::string stats_json(const Session<D>& session, Stop stop) {
     const Scene<D>& scene = session.scene();
     const Reference& reference = session.reference();
-    std::array<std::size_t, 4> cells_in{};
+    std::array<std::size_t, cell_state_words.size()> cells_in{};
     for (std::uint32_t cell = 0; cell < session.cells().cell_count(); ++cell)
         ++cells_in[static_cast<std::size_t>(session.mark(cell).state)];
     const auto inversions = session.inversions();

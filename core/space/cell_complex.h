@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/geometry/predicates.h"
+#include "core/space/box_tree.h"
 #include "core/space/tessellation.h"
 #include "core/space/tree.h"
 
@@ -47,6 +48,9 @@ struct CellComplex {
 
     Tree<D> tree;                          ///< the occupancy tree under the cells, interior nodes kept
     std::vector<std::uint32_t> leaf_cell;  ///< a cell at each leaf: where point location starts
+
+    /// Of the scene that the cells are of; copies share it.
+    std::shared_ptr<const SceneBoxes<D>> boxes = std::make_shared<const SceneBoxes<D>>();
 
     std::uint32_t cell_count() const {
         return static_cast<std::uint32_t>(has_boxes() ? cell_points.size() / (1 << D) : cell_points.size() / (D + 1));

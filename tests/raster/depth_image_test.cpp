@@ -10,43 +10,12 @@
 #include "core/base/error.h"
 #include "core/raster/band.h"
 #include "core/raster/workers.h"
-#include "tests/scene/soup_scenes.h"
+#include "tests/raster/raster_cases.h"
 #include "tests/soak.h"
 #include "tests/truth/image_judge.h"
 
 namespace sightline::test {
 namespace {
-
-constexpr ImageSize small_size{101, 75};
-
-View<3> raster_view(const Vec<3>& eye, const Vec<3>& look_at, double fov, const ImageSize& size = small_size) {
-    return make_view({as_float(eye), look_at, fov}, static_cast<double>(size.width) / size.height);
-}
-
-struct RasterCase {
-    const char* what;
-    Scene<3> scene;
-    View<3> view;
-};
-
-std::vector<RasterCase> raster_cases(std::uint64_t seed) {
-    Random random(seed);
-    const Vec<3> outside = around(random, {0, 0, 0}, 2);
-    return {{"soup", soup(300, {0, 0, 0}, 1, seed), raster_view(outside, {0, 0, 0}, 70)},
-            {"small", soup(300, {0, 0, 0}, 1e-6, seed), raster_view(outside * 1e-6, {0, 0, 0}, 70)},
-            {"huge", soup(300, {0, 0, 0}, 1e7, seed), raster_view(outside * 1e7, {0, 0, 0}, 70)},
-            {"inside", soup(200, {0, 0, 0}, 1, seed), raster_view({0.1, 0, 0}, {1, 0.2, 0}, 170)},
-            {"slivers", slivers(400, seed), raster_view({-2, 0.3, 0.4}, {0, 0, 0}, 50)},
-            {"coplanar", coplanar(60, seed), raster_view({-2, 0.3, 0.4}, {0, 0, 0}, 50)},
-            {"near", boxes_around_the_eye(0.05, 10, seed), raster_view({0, 0, 0}, {1, 0.1, 0.3}, 90)},
-            {"very near", boxes_around_the_eye(1e-5, 1000, seed), raster_view({0, 0, 0}, {0.2, -1, 0.3}, 90)}};
-}
-
-DepthImage whole_image(const RasterCase& c, const RasterWork& work = {}) {
-    DepthImage image(small_size);
-    draw_depth(image, c.scene, c.view, work);
-    return image;
-}
 
 TEST(DepthImage, ShowsWhatRaysSeeButForWhatNobodyCanDecide) {
     for (int seed = 1; seed <= soak_count(2); ++seed)

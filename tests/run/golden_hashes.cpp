@@ -113,11 +113,33 @@ struct Maker {
             const CellComplex<D> cells = build_cells(scene, start);
             add_line(key, hash_text(cells_hash(cells)) + " " + std::to_string(cells.cell_count()));
             for (const Method<D>& method : method_table<D>()) {
-                if (!method.compared) continue;  // asks for more than the scene
+                if (!method.compared) continue;           // asks for more than the scene
+                if (method.pops == Kind::node) continue;  // the same on all cells: add_boxes
                 if (tessellation == Tessellation::kd && !method.orders_cells()) continue;  // the same on all cells
                 start.method = method.id;
                 add_run(key + " " + start.method, cells, start);
             }
+        }
+    }
+
+    /// Methods that walk the tree of boxes; depth images of 320 x 240 pixels, lines of 2048.
+    void add_boxes() {
+        const Settings start = settings(Tessellation::delaunay);
+        const CellComplex<D> cells = build_cells(scene, start);
+        for (const char* text : {"view", "boxes refresh=16", "hzb", "hom", "two-pass occluders=plp"}) {
+            const Variant<D> variant = make_variant<D>(method_table<D>(), text, start.parameters);
+            Services services;
+            services.image = D == 2 ? ImageSize{2048, 0} : ImageSize{320, 240};
+            std::string value;
+            for (const char* budget : {"5%", "unlimited"}) {
+                const std::uint32_t primitives = parse_budget(budget).primitives(scene.primitives.size());
+                const auto run = variant.method.start(
+                    make_problem(variant.method, variant.parameters, scene, cells, view, primitives, services));
+                run->run(none);
+                value += (value.empty() ? "" : ", ") + std::string(budget) + " " + hash_text(run->hash()) + " after " +
+                         std::to_string(run->steps());
+            }
+            add_line(" boxes " + std::string(text), value);
         }
     }
 
@@ -145,6 +167,7 @@ void add_hashes(std::vector<std::string>& lines) {
             Maker<D> maker(row, lines);
             maker.add_scene();
             maker.add_methods();
+            maker.add_boxes();
         }
     // Seen from within, from outside, and with cells out of view.
     for (const char* id : {"bottleneck", "warehouse", "jungle"})

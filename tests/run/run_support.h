@@ -16,7 +16,7 @@ template <int D>
 Problem<D> problem_of(const Scene<D>& scene, const CellComplex<D>& cells, const View<D>& view,
                       const Settings& settings) {
     Method<D> any;
-    any.needs = {true, true, true};
+    any.needs = {.visible_set = true, .image = true};
     return make_problem(any, settings.parameters, scene, cells, view,
                         settings.budget.primitives(scene.primitives.size()), exact_services(scene, view, {}, {}));
 }

@@ -44,7 +44,7 @@ std::vector<Made> walk(const Start& start, std::uint32_t steps) {
         const auto front = test::sorted_front(test::marks(session));
         if (session.step() != Stop::none) break;
         Made m;
-        if (session.method().orders_cells()) m.cell = front.front().cell;
+        if (session.method().orders_cells()) m.cell = front.front().id;
         m.rendered = rendered_ids(session.met().subspan(before));
         m.rendered_so_far = session.counters().rendered_count;
         made.push_back(m);
@@ -155,9 +155,9 @@ TEST(Comparison, SidesAreTheProjectedCells) {
         }
         std::vector<bool> by_a(a.cells().cell_count()), by_b(by_a);
         for (std::uint32_t s = 0; s < a.position(); ++s)
-            if (a.timeline().steps[s].item.id != none) by_a[a.timeline().steps[s].item.id] = true;
+            if (const auto cell = id_of(a.timeline().steps[s].item, Kind::cell); cell != none) by_a[cell] = true;
         for (std::uint32_t s = 0; s < b.position(); ++s)
-            if (b.timeline().steps[s].item.id != none) by_b[b.timeline().steps[s].item.id] = true;
+            if (const auto cell = id_of(b.timeline().steps[s].item, Kind::cell); cell != none) by_b[cell] = true;
         ASSERT_EQ(sides.size(), by_a.size());
         for (std::size_t cell = 0; cell < sides.size(); ++cell) {
             ASSERT_EQ(sides[cell] == Side::both || sides[cell] == Side::left, by_a[cell]);

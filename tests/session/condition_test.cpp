@@ -21,13 +21,13 @@ const double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// The fields of the step just made, worked out from the marks before and after it.
 Values expected(const Session<2>& session, const std::vector<Mark>& before, std::uint32_t rendered_before,
-                std::uint32_t touched_before) {
+                std::uint32_t touched_before, const std::vector<std::pair<Item, Mark>>& waiting) {
     const Reference& reference = session.reference();
     const Counters& counters = session.counters();
     const auto after = test::marks(session);
     Values v;
     v["step"] = session.position();
-    v["cell"] = v["rho"] = v["count"] = v["runner_up"] = v["visible_share"] = nan;
+    v["cell"] = v["node"] = v["rho"] = v["count"] = v["runner_up"] = v["visible_share"] = nan;
     v["inversion"] = v["enqueued"] = v["reenqueued"] = v["unseen"] = v["penalties"] = v["front"] = 0;
     v["rendered"] = counters.rendered_count;
     v["rendered_now"] = counters.rendered_count - rendered_before;
@@ -43,8 +43,14 @@ Values expected(const Session<2>& session, const std::vector<Mark>& before, std:
     v["coverage"] = reference.count == 0 ? nan : visible / static_cast<double>(reference.count);
 
     const auto front = test::sorted_front(before);
+    if (session.method().pops == Kind::node && session.timeline().steps[session.position() - 1].item) {
+        v["node"] = waiting.front().first.id;
+        v["rho"] = waiting.front().second.key;
+        if (waiting.size() > 1) v["runner_up"] = waiting[1].second.key;
+    }
+    if (session.method().pops == Kind::node) v["front"] = static_cast<double>(session.traversal().front().size());
     if (!session.method().orders_cells()) return v;
-    const std::uint32_t cell = front.front().cell;
+    const std::uint32_t cell = front.front().id;
     v["cell"] = cell;
     v["rho"] = front.front().key;
     v["count"] = static_cast<double>(session.cells().primitives_of(cell).size());
@@ -85,6 +91,7 @@ TEST(Condition, FieldsAreThoseOfTheStep) {
         Session<2> session = start.session();
         for (;;) {
             const auto before = test::marks(session);
+            const auto waiting = session.traversal().front();
             const std::uint32_t rendered = session.counters().rendered_count,
                                 touched = session.counters().touched_count;
             if (session.step() != Stop::none) break;
@@ -93,7 +100,7 @@ TEST(Condition, FieldsAreThoseOfTheStep) {
                 session.back();
                 session.step();
             }
-            const Values values = expected(session, before, rendered, touched);
+            const Values values = expected(session, before, rendered, touched, waiting);
             ASSERT_EQ(record_fields<2>().size(), values.size());
             for (const RecordField<2>& field : record_fields<2>()) {
                 ASSERT_TRUE(values.contains(field.name)) << field.name;

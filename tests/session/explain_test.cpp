@@ -46,10 +46,10 @@ TEST(Explain, AStepsTermsAreTheKeysThatTheStateHas) {
             const StepExplanation e = explain_step(session, session.position());
             told.push_back(numbers(e));
             ASSERT_EQ(e.step, session.position());
-            ASSERT_EQ(e.cell, front.front().cell);
+            ASSERT_EQ(e.cell, front.front().id);
             ASSERT_EQ(e.key, front.front().key);
             ASSERT_EQ(e.stamp, front.front().stamp);
-            ASSERT_EQ(e.runner_up, front.size() > 1 ? front[1].cell : none);
+            ASSERT_EQ(e.runner_up, front.size() > 1 ? front[1].id : none);
             if (front.size() > 1) {
                 ASSERT_EQ(e.runner_up_key, front[1].key);
             }
@@ -143,7 +143,7 @@ TEST(Explain, ACellsChainLeadsFromASeedToItsKey) {
         const auto entries = session.traversal().front();
         ASSERT_EQ(entries.size(), front.size());
         for (std::size_t k = 0; k < front.size(); ++k) {
-            ASSERT_EQ(entries[k].first.id, front[k].cell);
+            ASSERT_EQ(entries[k].first.id, front[k].id);
             ASSERT_EQ(entries[k].second.key, front[k].key);
             ASSERT_EQ(entries[k].second.stamp, front[k].stamp);
         }
@@ -155,7 +155,7 @@ TEST(Explain, ACellsChainLeadsFromASeedToItsKey) {
             ASSERT_EQ(e.cell, cell);
             ASSERT_EQ(e.mark, marks[cell]);
             ASSERT_EQ(e.visible_share, session.reference().cell_share[cell]);
-            const auto place = std::find_if(front.begin(), front.end(), [&](const auto& f) { return f.cell == cell; });
+            const auto place = std::find_if(front.begin(), front.end(), [&](const auto& f) { return f.id == cell; });
             ASSERT_EQ(e.rank, place == front.end() ? 0u : static_cast<std::uint32_t>(place - front.begin()) + 1);
             ASSERT_EQ(!e.verdict, marks[cell].state == CellState::projected);
             ASSERT_EQ(e.projected_at > 0, marks[cell].state == CellState::projected);

@@ -20,18 +20,18 @@ TEST(Lanes, AreWhatAWalkFindsWhereverTheSessionStands) {
         Lanes walk;
         std::uint32_t visible = 0, rendered = 0;
         for (;;) {
-            const auto front = test::sorted_front(test::marks(session));
+            const auto front = session.traversal().front();
             if (session.step() != Stop::none) break;
             const Reference& reference = session.reference();
-            const bool pops = session.method().orders_cells();
-            walk.cell.push_back(pops ? front.front().cell : none);
-            walk.key.push_back(pops ? front.front().key : nan);
+            const bool pops = static_cast<bool>(session.timeline().steps.back().item) && !front.empty();
+            walk.cell.push_back(pops ? id_of(front.front().first, Kind::cell) : none);
+            walk.key.push_back(pops ? front.front().second.key : nan);
             walk.visible.push_back(static_cast<std::uint32_t>(session.visible_rendered()) - visible);
             visible += walk.visible.back();
             walk.hidden.push_back(session.counters().rendered_count - rendered - walk.visible.back());
             rendered = session.counters().rendered_count;
             walk.rendered.push_back(rendered);
-            walk.front.push_back(static_cast<std::uint32_t>(test::sorted_front(test::marks(session)).size()));
+            walk.front.push_back(static_cast<std::uint32_t>(session.traversal().front().size()));
             const double all = static_cast<double>(reference.count);
             walk.coverage.push_back(all == 0 ? nan : visible / all);
             walk.oracle.push_back(all == 0 ? nan : std::min(1.0, rendered / all));

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/methods/cells/cell_rules.h"
-#include "core/methods/cells/front.h"
+#include "core/run/front.h"
 #include "core/methods/plp/plp_parameters.h"
 #include "core/session/session.h"
 #include "tests/run/run_support.h"

@@ -189,9 +189,10 @@ TEST(Session, WhatCannotBeLeavesItAsItWas) {
     }
     Settings settings = start.settings;
     settings.method = "nothing";
-    test::expect_input_error(
-        [&] { Session<2>(start.scene, start.view, settings); },
-        "method 'nothing' does not exist; there are published, layers, centroid, view, everything, formula, perfect, cplp");
+    test::expect_input_error([&] { Session<2>(start.scene, start.view, settings); },
+                             "method 'nothing' does not exist; there are published, layers, centroid, view, "
+                             "everything, formula, perfect, cplp, "
+                             "boxes, hzb, hom, two-pass");
 }
 
 TEST(Session, CellsThatCannotBeMadeLeaveItAsItWas) {

@@ -32,6 +32,9 @@ const std::map<std::string_view, Range> ranges{
     {"leaf_capacity", {1, 1e6, false, false, true}},
     {"slice_at", {0, 1}},
     {"around", {0, 1000, false, false, true}},
+    {"occluder_share", {0, 1}},
+    {"opacity", {0, 1}},
+    {"refresh", {1, 1e6, false, false, true}},
 };
 
 const std::set<std::string_view> any_number{"zoom_x", "zoom_y"};

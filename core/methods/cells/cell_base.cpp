@@ -29,7 +29,7 @@ const Front::Entry* CellBase<D>::front_top() {
                 front_.push({mark.key, mark.stamp, cell});
         front_is_stale_ = false;
     }
-    return front_.top([&](const Front::Entry& entry) { return marks_.is_enqueued(entry.cell, entry.stamp); });
+    return front_.top([&](const Front::Entry& entry) { return marks_.is_enqueued(entry.id, entry.stamp); });
 }
 
 template <int D>

@@ -3,10 +3,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/methods/cells/cell_marks.h"
+#include "core/run/marks.h"
 #include "core/methods/cells/cell_parameters.h"
 #include "core/methods/cells/cell_rules.h"
-#include "core/methods/cells/front.h"
+#include "core/run/front.h"
 #include "core/methods/cells/rounds.h"
 #include "core/run/run.h"
 
@@ -79,7 +79,7 @@ protected:
     Stop make_round(Recorder* recorder);
 
     CellParameters parameters_;
-    CellMarks marks_;
+    Marks marks_;
     Front front_;
     bool front_is_stale_ = false;  ///< marks were put back by an undo: rebuild the front before using it
     std::vector<Item> seeds_;

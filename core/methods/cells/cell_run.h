@@ -131,7 +131,7 @@ private:
         if (cell == none) {
             const Front::Entry* top = this->front_top();
             if (!top) return round_or(Stop::front_empty, sink);
-            cell = top->cell;
+            cell = top->id;
             const Mark mark{top->key, top->stamp, CellState::projected};
             this->front_.pop();
             --counters.front_size;
@@ -141,7 +141,7 @@ private:
             prefetch_row_begins(cell);
             if constexpr (Sink::enabled) {
                 const Front::Entry* next = this->front_top();
-                sink.recorder.popped(cell_item(cell), mark, next ? cell_item(next->cell) : Item{},
+                sink.recorder.popped(cell_item(cell), mark, next ? cell_item(next->id) : Item{},
                                      next ? next->key : 0);
             }
         }

@@ -58,11 +58,6 @@ PrimitiveOrder<D> scene_order() {
 }
 
 template <int D>
-PrimitiveOrder<D> scene_order_in_view() {
-    return {in_scene_order<D>, true, Misses::none, "take the primitives in scene order", {}};
-}
-
-template <int D>
 PrimitiveOrder<D> centroid_order() {
     return {by_centroid<D>, true, Misses::may, "order the primitives, nearest centroid first", "TVCG section 4.5"};
 }
@@ -77,10 +72,9 @@ PrimitiveOrder<D> perfect_order() {
             1};
 }
 
-#define SIGHTLINE_INSTANTIATE(D)                         \
-    template PrimitiveOrder<D> scene_order<D>();         \
-    template PrimitiveOrder<D> scene_order_in_view<D>(); \
-    template PrimitiveOrder<D> centroid_order<D>();      \
+#define SIGHTLINE_INSTANTIATE(D)                    \
+    template PrimitiveOrder<D> scene_order<D>();    \
+    template PrimitiveOrder<D> centroid_order<D>(); \
     template PrimitiveOrder<D> perfect_order<D>();
 SIGHTLINE_INSTANTIATE(2)
 SIGHTLINE_INSTANTIATE(3)

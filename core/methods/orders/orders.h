@@ -9,9 +9,6 @@ namespace sightline {
 /// Draws all, culls nothing.
 template <int D>
 PrimitiveOrder<D> scene_order();
-/// View culling only.
-template <int D>
-PrimitiveOrder<D> scene_order_in_view();
 /// Nearest centroid first (TVCG 4.5); equal distances by id.
 template <int D>
 PrimitiveOrder<D> centroid_order();

@@ -58,7 +58,7 @@ protected:
     }
 
     std::uint32_t random_cell() {
-        return static_cast<std::uint32_t>(random.below(bench->session.cells().cell_count() + 1));
+        return static_cast<std::uint32_t>(random.below(std::max(1u, bench->session.cells().cell_count())));
     }
     std::string point() {
         const Box<2> box = bounds<2>(bench->session.scene().primitives);

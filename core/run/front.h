@@ -1,4 +1,4 @@
-// The front: a priority queue of cells by (key, stamp), lowest first.
+// The front: a priority queue of items by (key, stamp), lowest first.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -7,7 +7,7 @@
 
 namespace sightline {
 
-/// A heap with four children a node. A cell that gets a new key is pushed again; the entry it leaves behind is known
+/// A heap with four children a node. An item that gets a new key is pushed again; the entry it leaves behind is known
 /// by its outdated stamp and dropped when it surfaces (stamps are never given twice). The papers use a std::set and
 /// erase (TVCG 4.2): same order, more memory traffic.
 class Front {
@@ -15,7 +15,7 @@ public:
     struct Entry {
         double key;
         std::uint32_t stamp;
-        std::uint32_t cell;
+        std::uint32_t id;
         bool before(const Entry& other) const { return key < other.key || (key == other.key && stamp < other.stamp); }
     };
 
@@ -38,8 +38,8 @@ public:
         return heap_.empty() ? nullptr : &heap_.front();
     }
 
-    /// The cell at the top, outdated or not; `otherwise` when the heap is empty. A guess at what comes next.
-    std::uint32_t likely_next(std::uint32_t otherwise) const { return heap_.empty() ? otherwise : heap_.front().cell; }
+    /// The item at the top, outdated or not; `otherwise` when the heap is empty. A guess at what comes next.
+    std::uint32_t likely_next(std::uint32_t otherwise) const { return heap_.empty() ? otherwise : heap_.front().id; }
 
     void pop() {
         const Entry last = heap_.back();

@@ -1,0 +1,54 @@
+// The marks of all items of one kind, in arrays that are used again.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "core/run/step.h"
+
+namespace sightline {
+
+/// Marks of an earlier epoch count as clean: starting anew costs nothing however many items there are.
+class Marks {
+public:
+    void begin(std::size_t count) {
+        if (marks_.size() != count || epoch_ == last_epoch) {
+            marks_.assign(count, {});
+            epoch_ = 0;
+        }
+        ++epoch_;
+    }
+    std::uint32_t size() const { return static_cast<std::uint32_t>(marks_.size()); }
+
+    Mark operator[](std::uint32_t id) const {
+        const Packed& m = marks_[id];
+        if (m.epoch_and_state >> state_bits != epoch_) return {};
+        return {m.key, m.stamp, static_cast<CellState>(m.epoch_and_state & ((1u << state_bits) - 1))};
+    }
+    void set(std::uint32_t id, const Mark& mark) {
+        marks_[id] = {mark.key, mark.stamp, epoch_ << state_bits | static_cast<std::uint32_t>(mark.state)};
+    }
+    /// Whether the item is in the front with that stamp.
+    bool is_enqueued(std::uint32_t id, std::uint32_t stamp) const {
+        const Packed& m = marks_[id];
+        return m.epoch_and_state == (epoch_ << state_bits | static_cast<std::uint32_t>(CellState::enqueued)) &&
+               m.stamp == stamp;
+    }
+    /// To be fetched ahead.
+    const void* address_of(std::uint32_t id) const { return &marks_[id]; }
+    std::size_t memory_bytes() const { return marks_.capacity() * sizeof(Packed); }
+
+private:
+    /// In 16 bytes.
+    struct Packed {
+        double key = 0;
+        std::uint32_t stamp = 0;
+        std::uint32_t epoch_and_state = 0;  ///< epoch * 8 + state
+    };
+    static constexpr int state_bits = 3;
+    static constexpr std::uint32_t last_epoch = (1u << (32 - state_bits)) - 1;
+    std::vector<Packed> marks_;
+    std::uint32_t epoch_ = 0;
+};
+
+}  // namespace sightline

@@ -1,0 +1,63 @@
+// A tree of boxes over the primitives of a scene: what conservative methods walk and test.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <span>
+#include <vector>
+
+#include "core/base/index.h"
+#include "core/scene/scene.h"
+
+namespace sightline {
+
+/// How many primitives a leaf may hold. Measured in city, cars and plant with method `boxes`: with fewer the boxes cost
+/// more than they save, with more too much is drawn that a tighter box would have hidden.
+inline constexpr std::uint32_t box_tree_leaf = 32;
+
+/// Nodes in a flat array, root first, the two children of a node side by side and behind it. Boxes are tight. Each
+/// primitive stands in one leaf, so boxes of neighbours may overlap. A scene without primitives has no node.
+template <int D>
+struct BoxTree {
+    struct Node {
+        Box<D> box;
+        std::uint32_t first_child = none;  ///< none: a leaf
+        std::uint32_t begin = 0, end = 0;  ///< what it holds: primitives[begin, end), those of its children in turn
+    };
+    std::vector<Node> nodes;
+    std::vector<std::uint32_t> primitives;  ///< leaf by leaf; ascending in a leaf
+
+    std::span<const std::uint32_t> primitives_of(std::uint32_t node) const {
+        return std::span(primitives).subspan(nodes[node].begin, nodes[node].end - nodes[node].begin);
+    }
+    std::size_t memory_bytes() const {
+        return nodes.capacity() * sizeof(Node) + primitives.capacity() * sizeof(std::uint32_t);
+    }
+};
+
+/// Splits a node while it holds more than `leaf` primitives: across the longest side of their middles' box, where the
+/// boxes of both parts, each weighted by what it holds, have the least area (the surface area heuristic of ray tracers,
+/// Goldsmith and Salmon 1987, over 16 places); in half where all middles are one. `leaf` at least 1.
+template <int D>
+BoxTree<D> build_box_tree(const std::vector<Primitive<D>>& primitives, std::uint32_t leaf = box_tree_leaf);
+
+extern template BoxTree<2> build_box_tree<2>(const std::vector<Primitive<2>>&, std::uint32_t);
+extern template BoxTree<3> build_box_tree<3>(const std::vector<Primitive<3>>&, std::uint32_t);
+
+/// The box tree of one scene, built when it is first asked for. Any thread may ask.
+template <int D>
+class SceneBoxes {
+public:
+    const BoxTree<D>& of(const Scene<D>& scene) const {
+        std::call_once(once_, [&] { tree_ = build_box_tree<D>(scene.primitives); });
+        return tree_;
+    }
+
+private:
+    mutable std::once_flag once_;
+    mutable BoxTree<D> tree_;
+};
+
+}  // namespace sightline
