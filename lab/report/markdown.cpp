@@ -5,6 +5,7 @@
 #include "core/base/number.h"
 #include "core/base/quote.h"
 #include "lab/report/claims.h"
+#include "lab/report/gem_table.h"
 #include "lab/report/page.h"
 #include "lab/report/papers_tables.h"
 #include "lab/report/report.h"
@@ -56,6 +57,8 @@ void write_markdown(const Results& results, const std::string& command, const st
     if (const std::vector<Claim> claims = judge_claims(results); !claims.empty()) text += claims_of(claims);
     if (const std::vector<Table1Row> table = table_1(results); !table.empty())
         text += "\n## Table 1 of the papers\n\n" + std::string(table_1_caption) + "\n\n" + markdown(text_table(table));
+    if (const TextTable table = gem_table(results); !table.rows.empty())
+        text += "\n## The gem's power plant\n\n" + std::string(gem_caption) + "\n\n" + markdown(table);
     if (const std::vector<PreprocessingRow> table = preprocessing(results); !table.empty())
         text += "\n## Preprocessing\n\n" + std::string(preprocessing_caption) + "\n\n" + markdown(text_table(table));
     const std::filesystem::path images = file.parent_path() / "images";

@@ -7,6 +7,7 @@
 
 #include "core/base/file.h"
 #include "core/base/number.h"
+#include "lab/report/gem_table.h"
 #include "lab/report/method_looks.h"
 #include "lab/report/page.h"
 #include "lab/report/papers_tables.h"
@@ -67,6 +68,8 @@ std::string tables_of_papers(const Results& results) {
     std::string text;
     if (const std::vector<Table1Row> table = table_1(results); !table.empty())
         text += "<h2>Table 1 of the papers</h2>" + html(text_table(table), table_1_caption);
+    if (const TextTable table = gem_table(results); !table.rows.empty())
+        text += "<h2>The gem's power plant</h2>" + html(table, gem_caption);
     if (const std::vector<PreprocessingRow> table = preprocessing(results); !table.empty())
         text += "<h2>Preprocessing</h2>" + html(text_table(table), preprocessing_caption);
     return text;
