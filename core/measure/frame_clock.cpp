@@ -15,6 +15,7 @@ void set_times(const TimeSamples& samples, Values& values) {
     set(samples.traverse, Measure::traverse_ms, Measure::traverse_error);
     set(samples.upload, Measure::upload_ms, Measure::upload_error);
     set(samples.draw, Measure::draw_ms, Measure::draw_error);
+    if (samples.traverse.empty() && samples.draw.empty()) return;
     values[Measure::total_ms] = total;
     values[Measure::total_error] = std::sqrt(squares);
 }

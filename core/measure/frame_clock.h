@@ -28,7 +28,14 @@ struct TimeSamples {
     std::vector<double> traverse, upload, draw;  ///< upload and draw are empty in 2D
 };
 
-/// Sets the times of a frame: medians, their sum, and the standard errors of the samples' means.
+/// Whether a frame has to pay for the traversal: a method that is told what is visible stands for drawing it alone.
+template <int D>
+bool pays_for_traversal(const Method<D>& method) {
+    return !method.needs.visible_set;
+}
+
+/// Sets the times of a frame: medians, their sum, and the standard errors of the samples' means. What has no sample is
+/// no part of the sum; without any there is none.
 void set_times(const TimeSamples& samples, Values& values);
 
 /// Milliseconds of starting and running the method to the problem's budget, unrecorded. `run` is reused from frame to

@@ -39,6 +39,9 @@ bool WholeRunner<D>::advance(std::uint32_t steps) {
         largest_front_ = std::max(largest_front_, run_->counters().front_size);
         whole_.touched_after.push_back(run_->counters().touched_count);
         whole_.largest_front.push_back(largest_front_);
+        whole_.tests_after.push_back(run_->tests());
+        rounds_ += recording_.steps.back().item.kind == Kind::round;
+        whole_.rounds_after.push_back(rounds_);
         if (counts_cells_) whole_.spent_after.push_back(run_->counters().spent);
         if (const Step& step = recording_.steps.back(); step.item.kind == Kind::cell) {
             zero_keys_ += step.key == 0;
@@ -133,6 +136,7 @@ Values frame_numbers(const WholeRun& run, const Truth& truth, std::uint32_t budg
     v[M::blob] = of_pixels(largest_region(wrong, reference.image.width, reference.image.height));
     if (run.k95) v[M::k95] = static_cast<double>(*run.k95) / static_cast<double>(rendered.size());
     v[M::efficiency] = ratio(static_cast<double>(found), static_cast<double>(count));
+    v[M::emitted_over_visible] = ratio(static_cast<double>(count), static_cast<double>(reference.count));
     v[M::zeta] = ratio(static_cast<double>(ranks), static_cast<double>(hit));
 
     v[M::fused] = truth.fused;
@@ -142,6 +146,9 @@ Values frame_numbers(const WholeRun& run, const Truth& truth, std::uint32_t budg
     if (steps > 0 && run.zero_keys_after.size() >= steps)
         v[M::zero_keys] = ratio(run.zero_keys_after[steps - 1], static_cast<double>(steps));
     v[M::front] = steps > 0 ? run.largest_front[steps - 1] : 0;
+    v[M::tested] = steps > 0 && run.tests_after.size() >= steps ? static_cast<double>(run.tests_after[steps - 1]) : 0;
+    if (steps > 0 && run.rounds_after.size() >= steps && run.rounds_after[steps - 1] > 0)
+        v[M::rounds] = run.rounds_after[steps - 1];
     if (!run.inversions) return v;
     v[M::mis_ranked] = v[M::unreached] = 0;
     for (const Inversion& inversion : *run.inversions) {

@@ -23,8 +23,10 @@ struct WholeRun {
     std::optional<std::uint32_t> k95;                  ///< rendered primitives with coverage >= 0.95 for the first time
     bool culled_costs = false;                         ///< the parameter culled_cost
     std::vector<std::uint32_t> zero_keys_after;        ///< per step, how many popped a cell with key 0; empty: no cells
-    bool whole = false;                      ///< no budget cuts it: it was made with its own (Method::prefixes)
-    std::vector<std::uint32_t> spent_after;  ///< per step, with budget_counts=per_cell; else empty
+    bool whole = false;                         ///< no budget cuts it: it was made with its own (Method::prefixes)
+    std::vector<std::uint64_t> tests_after{};   ///< per step
+    std::vector<std::uint32_t> rounds_after{};  ///< per step
+    std::vector<std::uint32_t> spent_after;     ///< per step, with budget_counts=per_cell; else empty
 };
 
 /// The same in slices, for callers that must stay responsive.
@@ -42,7 +44,7 @@ private:
     OwnRun<D> run_;
     Recording recording_;
     WholeRun whole_;
-    std::uint32_t largest_front_ = 0, zero_keys_ = 0;
+    std::uint32_t largest_front_ = 0, zero_keys_ = 0, rounds_ = 0;
     bool counts_cells_ = false;
 };
 

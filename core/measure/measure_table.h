@@ -24,6 +24,7 @@ enum class Measure : std::uint8_t {
     blob,
     k95,
     efficiency,
+    emitted_over_visible,
     mis_ranked,
     unreached,
     zeta,
@@ -31,6 +32,8 @@ enum class Measure : std::uint8_t {
     steps,
     zero_keys,
     front,
+    tested,
+    rounds,
     pop,
     flip,
     visible_change,
@@ -38,6 +41,7 @@ enum class Measure : std::uint8_t {
     upload_ms,
     draw_ms,
     total_ms,
+    over_exact,
     traverse_error,
     upload_error,
     draw_error,
@@ -47,10 +51,20 @@ enum class Measure : std::uint8_t {
 
 inline constexpr std::size_t measure_count = static_cast<std::size_t>(Measure::count);
 
+/// Wrong pixels are also counted by the distance from the eye of what the exact image shows there.
+inline constexpr std::size_t distance_bins = 8;
+using DistanceBins = std::array<double, distance_bins>;
+
 /// A value per measure; NaN where there is none.
 struct Values {
     std::array<double, measure_count> all;
-    Values() { all.fill(std::numeric_limits<double>::quiet_NaN()); }
+    DistanceBins wrong_at, pixels_at;  ///< wrong pixels, and those that show something / all pixels (distance.h)
+    Values() {
+        constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+        all.fill(nothing);
+        wrong_at.fill(nothing);
+        pixels_at.fill(nothing);
+    }
     double& operator[](Measure measure) { return all[static_cast<std::size_t>(measure)]; }
     double operator[](Measure measure) const { return all[static_cast<std::size_t>(measure)]; }
 };
@@ -65,7 +79,8 @@ struct MeasureRow {
     std::string_view formula;  ///< for people
     std::string_view source;
     Better better = Better::neither;
-    bool is_time = false;      ///< differs from run to run; summed up as the median over frames, others as the mean
+    bool is_time =
+        false;  ///< or made of times: differs from run to run; summed up as the median over frames, others as the mean
     bool has_extreme = false;  ///< the worst frame has a column of its own: ID_min or ID_max
 };
 

@@ -13,6 +13,21 @@ double median(std::vector<double> values) {
     return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
 }
 
+double quantile(std::vector<double> values, double share) {
+    if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
+    std::sort(values.begin(), values.end());
+    const double place = share * static_cast<double>(values.size() - 1);
+    const auto below = static_cast<std::size_t>(place);
+    if (below + 1 >= values.size()) return values.back();
+    return values[below] + (values[below + 1] - values[below]) * (place - static_cast<double>(below));
+}
+
+Spread spread(const std::vector<double>& values) {
+    double mean = values.empty() ? std::numeric_limits<double>::quiet_NaN() : 0;
+    for (const double v : values) mean += v / static_cast<double>(values.size());
+    return {mean, quantile(values, 0.25), median(values), quantile(values, 0.75)};
+}
+
 double standard_error(std::span<const double> values) {
     if (values.size() < 2) return std::numeric_limits<double>::quiet_NaN();
     const auto n = static_cast<double>(values.size());

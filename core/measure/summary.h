@@ -13,6 +13,16 @@ namespace sightline {
 /// NaN of nothing.
 double median(std::vector<double> values);
 
+/// Where a share of the values lies below, interpolated between neighbours in order: 0 the least, 0.5 the median, 1 the
+/// largest. NaN of nothing.
+double quantile(std::vector<double> values, double share);
+
+/// How values lie.
+struct Spread {
+    double mean, lower_quartile, median, upper_quartile;
+};
+Spread spread(const std::vector<double>& values);
+
 /// s / sqrt(n), s with n - 1; NaN for fewer than two values.
 double standard_error(std::span<const double> values);
 

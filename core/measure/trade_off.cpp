@@ -154,7 +154,9 @@ void TradeOffStudy<D>::take_time(TradeOffDot& dot) {
         work.problem.budget = primitives(dot.budget);
         OwnRun<D>& run = timed_[dot.variant];
         const double ms = run_milliseconds(task_.variants[dot.variant].method, work.problem, run);
-        if (sample > 0) work.times.traverse.push_back(ms);
+        // In 2D nothing is drawn: what a perfect order costs is all that there is to show.
+        if (sample > 0 && (!drawn || pays_for_traversal(task_.variants[dot.variant].method)))
+            work.times.traverse.push_back(ms);
         if (sample == repeats) rendered_ids(run->met(), ids_);
     } else if constexpr (D == 3) {
         const DrawTimes times = task_.time_drawing(task_.scene, task_.views[work.view], ids_);

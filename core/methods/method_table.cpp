@@ -36,6 +36,7 @@ std::vector<Method<D>> rows() {
                                     "only the visible primitives, nearest first: no method can do better",
                                     perfect_order<D>()));
     table.back().needs.visible_set = true;
+    table.back().budgeted = false;
     table.back().compared = false;
     std::vector<Method<D>> firsts;
     for (const Method<D>& method : table)

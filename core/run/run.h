@@ -78,6 +78,8 @@ public:
     /// Those in the front at the start, first to last.
     virtual std::span<const Item> seeds() const { return {}; }
     virtual Misses misses() const { return Misses::may; }
+    /// How many times it asked an image, or occluders, whether something can be seen; not what the view alone decides.
+    virtual std::uint64_t tests() const { return 0; }
     /// What this frame leaves to the next; nullptr: nothing.
     virtual std::shared_ptr<const FrameHistory> next_history() const { return nullptr; }
 

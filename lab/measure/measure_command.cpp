@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <iostream>
 
@@ -37,6 +38,13 @@ std::string typed(int argc, const char* const* argv) {
 
 /// What a person wants to see at once.
 void print_table(const Results& results) {
+    using M = Measure;
+    static constexpr std::array<std::pair<M, std::size_t>, 6> columns{{{M::emitted_over_visible, 9},
+                                                                       {M::traverse_ms, 10},
+                                                                       {M::upload_ms, 8},
+                                                                       {M::draw_ms, 8},
+                                                                       {M::total_ms, 8},
+                                                                       {M::over_exact, 8}}};
     std::size_t scene = 5, method = 6;  // widths, with the headings
     for (const Row& row : results.rows) {
         scene = std::max(scene, one_line(row.scene).size());
@@ -44,14 +52,16 @@ void print_table(const Results& results) {
     }
     std::cout << padded("scene", scene + 2, true) << padded("method", method + 2, true) << padded("budget", 10)
               << padded("coverage %", 12) << padded("wrong %", 9) << padded("worst %", 9) << padded("pop %", 8)
-              << padded("ms", 9) << "\n";
+              << padded("drawn/V", 9) << padded("traverse", 10) << padded("upload", 8) << padded("draw", 8)
+              << padded("ms", 8) << padded("ms/V's", 8) << "\n";
     for (const Row& row : results.rows) {
         const auto share = [&](Measure measure) { return per_cent(summary(row, measure)); };
         std::cout << padded(one_line(row.scene), scene + 2, true)
                   << padded(one_line(method_text(row.method)), method + 2, true) << padded(one_line(row.budget), 10)
                   << padded(share(Measure::coverage), 12) << padded(share(Measure::wrong), 9)
-                  << padded(per_cent(worst(row, Measure::wrong)), 9) << padded(share(Measure::pop), 8)
-                  << padded(number(summary(row, Measure::total_ms)), 9) << "\n";
+                  << padded(per_cent(worst(row, Measure::wrong)), 9) << padded(share(Measure::pop), 8);
+        for (const auto& [measure, width] : columns) std::cout << padded(number(summary(row, measure)), width);
+        std::cout << "\n";
     }
 }
 
@@ -98,7 +108,8 @@ int measure_command(int argc, const char* const* argv, const MethodTables& table
                    "also write a documentation page, FILE.md, with its charts in images/ beside it");
     if (!parse(app, argc, argv)) return 0;
     ask_for_claims(options);
-    const Study study = study_of(options, tables);
+    Study study = study_of(options, tables);
+    add_baselines(study);
     StudyRun run;
     if (!shard.empty()) {
         run.shard = parse_shard(shard);

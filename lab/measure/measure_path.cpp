@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "core/base/error.h"
+#include "core/measure/distance.h"
 #include "core/measure/frame_change.h"
 #include "core/measure/frame_numbers.h"
 #include "core/measure/wrong_region.h"
@@ -136,6 +137,8 @@ private:
         frame.reference = truths.front().reference;
         frame.methods.resize(methods_.size());
         const Services services = services_of(frame);
+        const std::vector<std::uint8_t> distances =
+            distance_bins_of<D>(frame.reference.image, *lab_.scene, lab_.views[i]);
         tbb::parallel_for(std::size_t{0}, methods_.size(), [&](std::size_t m) {
             const Truth& truth = truths[truth_of[static_cast<std::size_t>(methods_[m].choice.tessellation)]];
             Problem<D> problem = problem_of(m, i, services);
@@ -151,6 +154,7 @@ private:
                 drawn.rendered = rendered_by(run, cut_at(run, k).met, lab_.scene->primitives.size());
                 drawn.wrong = wrong_mask(truth.reference.image, drawn.rendered);
                 shown.values.push_back(frame_numbers(run, truth, k, drawn.rendered, drawn.wrong, best));
+                count_distances(distances, drawn.wrong, shown.values.back());
                 shown.at.push_back(std::move(drawn));
             }
         });
@@ -180,7 +184,8 @@ private:
                 Choice& c = methods_[m];
                 problem.budget = c.budgets[b].primitives;
                 TimeSamples times;
-                for (std::uint32_t repeat = 0; repeat <= study_.repeats; ++repeat) {
+                const bool pays = pays_for_traversal(c.variant.method);
+                for (std::uint32_t repeat = 0; repeat <= (pays ? study_.repeats : 0); ++repeat) {
                     const double ms = run_milliseconds<D>(c.variant.method, problem, c.timed);
                     if (repeat > 0) times.traverse.push_back(ms);
                 }
@@ -192,6 +197,17 @@ private:
                 if (D == 3 && !instruments_.time_drawing)
                     values[Measure::total_ms] = values[Measure::total_error] = std::numeric_limits<double>::quiet_NaN();
             }
+        }
+        compare_with_exact(now);
+    }
+
+    /// How many times the frame takes what drawing exactly V takes.
+    void compare_with_exact(FrameOfAll& now) const {
+        for (std::size_t m = 0; m < methods_.size(); ++m) {
+            if (methods_[m].choice.variant != exactly_v) continue;
+            const double exact = now.methods[m].values.front()[Measure::total_ms];
+            for (Shown& shown : now.methods)
+                for (Values& values : shown.values) values[Measure::over_exact] = values[Measure::total_ms] / exact;
         }
     }
 

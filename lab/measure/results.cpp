@@ -2,6 +2,7 @@
 #include "lab/measure/results.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -10,6 +11,7 @@
 #include "core/base/file.h"
 #include "core/base/number.h"
 #include "core/base/quote.h"
+#include "core/measure/distance.h"
 #include "core/measure/summary.h"
 
 namespace sightline::lab {
@@ -45,6 +47,22 @@ Json to_json(const CellNumbers& t) {
               {"deviation", or_null(t.density.deviation)},
               {"median", or_null(t.density.median)},
               {"histogram", t.density.histogram}}}};
+}
+
+/// Arrays by distance, as results name them.
+constexpr std::array<std::pair<const char*, DistanceBins Values::*>, 2> by_distance{
+    {{"wrong_at", &Values::wrong_at}, {"pixels_at", &Values::pixels_at}}};
+
+Json to_json(const DistanceBins& bins) {
+    Json json = Json::array();
+    for (const double value : bins) json.push_back(or_null(value));
+    return json;
+}
+
+Json distance_ends() {
+    Json ends = Json::array();
+    for (std::size_t bin = 0; bin < distance_bins; ++bin) ends.push_back(or_null(distance_bin_end(bin)));
+    return ends;
 }
 
 double number_or_nan(const Json& json) {
@@ -87,10 +105,20 @@ Json to_json(const Row& row) {
         if (m.has_extreme) json[extreme_id(m)] = or_null(worst(row, m.measure));
     }
     json["likeness"] = or_null(likeness(row));
+    const Spread rate = hz(row);
+    json["hz"] = {{"mean", or_null(rate.mean)},
+                  {"lower_quartile", or_null(rate.lower_quartile)},
+                  {"median", or_null(rate.median)},
+                  {"upper_quartile", or_null(rate.upper_quartile)}};
+    for (const auto& [id, at] : by_distance) json[id] = to_json(mean_of(row, at));
     json["per_frame"]["frame"] = row.frames;
     for (const MeasureRow& m : measure_table()) {
         Json& all = json["per_frame"][std::string(m.id)] = Json::array();
         for (const Values& v : row.values) all.push_back(or_null(v[m.measure]));
+    }
+    for (const auto& [id, at] : by_distance) {
+        Json& all = json["per_frame"][id] = Json::array();
+        for (const Values& v : row.values) all.push_back(to_json(v.*at));
     }
     return json;
 }
@@ -119,6 +147,13 @@ Row read_row(const Json& json) {
         const Json& all = *found;
         for (std::size_t i = 0; i < row.values.size(); ++i)
             if (!all.at(i).is_null()) row.values[i][m.measure] = all.at(i);
+    }
+    for (const auto& [id, at] : by_distance) {
+        const auto found = json.at("per_frame").find(id);
+        if (found == json.at("per_frame").end()) continue;
+        for (std::size_t i = 0; i < row.values.size(); ++i)
+            for (std::size_t bin = 0; bin < distance_bins; ++bin)
+                (row.values[i].*at)[bin] = number_or_nan(found->at(i).at(bin));
     }
     return row;
 }
@@ -151,6 +186,22 @@ std::size_t worst_frame(const Row& row, Measure measure) {
 double worst(const Row& row, Measure measure) {
     return row.values.empty() ? std::numeric_limits<double>::quiet_NaN()
                               : row.values[worst_frame(row, measure)][measure];
+}
+
+Spread hz(const Row& row) {
+    std::vector<double> rates;
+    for (const Values& v : row.values)
+        if (v[Measure::total_ms] > 0) rates.push_back(1000 / v[Measure::total_ms]);
+    return spread(rates);
+}
+
+DistanceBins mean_of(const Row& row, DistanceBins Values::*at) {
+    DistanceBins mean;
+    mean.fill(row.values.empty() ? std::numeric_limits<double>::quiet_NaN() : 0);
+    for (const Values& v : row.values)
+        for (std::size_t bin = 0; bin < distance_bins; ++bin)
+            mean[bin] += (v.*at)[bin] / static_cast<double>(row.values.size());
+    return mean;
 }
 
 double likeness(const Row& row) {
@@ -187,6 +238,7 @@ std::string results_json(const Results& results, const std::string& claims) {
                 {"machine", c.machine},
                 {"renderer", c.renderer},
                 {"date", c.date}}},
+              {"distance_ends", distance_ends()},
               {"rows", Json::array()}};
     if (!claims.empty()) json["claims"] = Json::parse(claims);
     for (const Row& row : results.rows) json["rows"].push_back(to_json(row));
@@ -226,7 +278,7 @@ std::string results_csv(const Results& results) {
         text += ',' + std::string(m.id);
         if (m.has_extreme) text += ',' + extreme_id(m);
     }
-    text += ",likeness\n";
+    text += ",hz_mean,hz_lower_quartile,hz_median,hz_upper_quartile,likeness\n";
     const auto number = [](double value) { return std::isfinite(value) ? number_text(value) : std::string(); };
     for (const Row& row : results.rows) {
         const Json share = budget_share(row);
@@ -239,7 +291,10 @@ std::string results_csv(const Results& results) {
             text += ',' + number(summary(row, m.measure));
             if (m.has_extreme) text += ',' + number(worst(row, m.measure));
         }
-        text += ',' + number(likeness(row)) + '\n';
+        const Spread rate = hz(row);
+        for (const double value : {rate.mean, rate.lower_quartile, rate.median, rate.upper_quartile, likeness(row)})
+            text += ',' + number(value);
+        text += '\n';
     }
     return text;
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/measure/measure_table.h"
+#include "core/measure/summary.h"
 #include "core/space/density.h"
 #include "core/space/stabbing.h"
 #include "lab/measure/conditions.h"
@@ -52,12 +53,17 @@ double summary(const Row& row, Measure measure);
 double worst(const Row& row, Measure measure);
 /// The frame (index into Row::frames) that has it; 0 where none has a value.
 std::size_t worst_frame(const Row& row, Measure measure);
+/// Frames per second: of 1000 / total_ms over frames; NaN where it was not timed.
+Spread hz(const Row& row);
+/// Means over frames of Values::wrong_at or Values::pixels_at.
+DistanceBins mean_of(const Row& row, DistanceBins Values::*at);
 /// Pearson's r between the visible primitives that were rendered and the visible ones, over frames (field notes C2);
 /// NaN for fewer than 3 frames or where either does not vary.
 double likeness(const Row& row);
 
 /// {"format": "sightline-results", "version": 1, "conditions": {…}, "rows": […]}, fields as in design.md: each row has
-/// the summaries by id, ID_min or ID_max of the worst frame and per_frame arrays. NaN is null. `claims`: a JSON value
+/// the summaries by id, ID_min or ID_max of the worst frame, hz, wrong_at and pixels_at by distance (their ends, as
+/// shares of the scene's longest side, are in distance_ends) and per_frame arrays. NaN is null. `claims`: a JSON value
 /// that says what the rows make of the papers' claims, left out where it is empty and not read back.
 std::string results_json(const Results& results, const std::string& claims = {});
 /// Throws InputError "name: place: reason".

@@ -18,11 +18,19 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// All of a frame's numbers in one order, to write and to read them.
+template <typename AnyValues, typename Each>
+void for_each_value(AnyValues& values, Each each) {
+    for (auto& value : values.all) each(value);
+    for (auto* const at : {&values.wrong_at, &values.pixels_at})
+        for (auto& value : *at) each(value);
+}
+
 std::string frame_json(const FrameResult& result) {
     Json values = Json::array();
     for (const Values& v : result.values) {
         Json one = Json::array();
-        for (const double value : v.all) one.push_back(std::isfinite(value) ? Json(value) : Json(nullptr));
+        for_each_value(v, [&](double value) { one.push_back(std::isfinite(value) ? Json(value) : Json(nullptr)); });
         values.push_back(std::move(one));
     }
     return values.dump();
@@ -32,8 +40,10 @@ FrameResult read_frame(std::uint32_t frame, const std::string& text) {
     FrameResult result{frame, {}};
     for (const Json& one : Json::parse(text)) {
         Values& v = result.values.emplace_back();
-        for (std::size_t i = 0; i < measure_count; ++i)
-            if (!one.at(i).is_null()) v.all[i] = one.at(i);
+        std::size_t i = 0;
+        for_each_value(v, [&](double& value) {
+            if (const Json& kept = one.at(i++); !kept.is_null()) value = kept;
+        });
     }
     return result;
 }

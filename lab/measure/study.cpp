@@ -76,6 +76,15 @@ std::vector<MethodChoice> all_methods(const MethodTables& tables) {
     return choices;
 }
 
+void add_baselines(Study& study) {
+    for (const char* const id : {view_culling, exactly_v}) {
+        const auto same = [&](const MethodChoice& choice) { return choice.variant == id; };
+        if (std::any_of(study.methods.begin(), study.methods.end(), same)) continue;
+        if (const MethodChoice choice{id}; method_of<2>(study.tables, choice) || method_of<3>(study.tables, choice))
+            study.methods.push_back(choice);
+    }
+}
+
 template <int D>
 const Method<D>* method_of(const MethodTables& tables, const MethodChoice& choice) {
     const std::string id = choice.id();

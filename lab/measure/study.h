@@ -35,6 +35,9 @@ Tessellation read_tessellation(std::string_view word);
 /// cells too. Kd cells are measured where a study names them.
 std::vector<MethodChoice> all_methods(const MethodTables& tables = {});
 
+/// The method that draws exactly V, and the one that culls by the view alone: what studies hold others against.
+inline constexpr const char *exactly_v = "perfect", *view_culling = "view";
+
 /// nullptr when the table of the dimension does not have it.
 template <int D>
 const Method<D>* method_of(const MethodTables& tables, const MethodChoice& choice);
@@ -52,6 +55,9 @@ struct Study {
     std::vector<std::string> settings;  ///< FIELD=VALUE for every scene, over what its catalogue row says
     std::uint32_t repeats = 3;          ///< timed runs a frame after one to warm up; 0: nothing is timed
 };
+
+/// Puts view culling and drawing exactly V beside the methods of a study that is without them.
+void add_baselines(Study& study);
 
 /// A scene of one dimension: "2d:bottleneck" or "3d:bottleneck". Without either, the dimension whose catalogue has the
 /// name (3D where both do), else that of the kind of file (JSON, GeoJSON and WAD are 2D, folders and the rest 3D).

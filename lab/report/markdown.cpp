@@ -5,10 +5,12 @@
 #include "core/base/number.h"
 #include "core/base/quote.h"
 #include "lab/report/claims.h"
+#include "lab/report/gem_table.h"
 #include "lab/report/page.h"
 #include "lab/report/papers_tables.h"
 #include "lab/report/report.h"
 #include "lab/report/study_charts.h"
+#include "lab/report/time_table.h"
 
 namespace sightline::lab {
 
@@ -55,6 +57,8 @@ void write_markdown(const Results& results, const std::string& command, const st
     if (const std::vector<Claim> claims = judge_claims(results); !claims.empty()) text += claims_of(claims);
     if (const std::vector<Table1Row> table = table_1(results); !table.empty())
         text += "\n## Table 1 of the papers\n\n" + std::string(table_1_caption) + "\n\n" + markdown(text_table(table));
+    if (const TextTable table = gem_table(results); !table.rows.empty())
+        text += "\n## The gem's power plant\n\n" + std::string(gem_caption) + "\n\n" + markdown(table);
     if (const std::vector<PreprocessingRow> table = preprocessing(results); !table.empty())
         text += "\n## Preprocessing\n\n" + std::string(preprocessing_caption) + "\n\n" + markdown(text_table(table));
     const std::filesystem::path images = file.parent_path() / "images";
@@ -73,7 +77,7 @@ void write_markdown(const Results& results, const std::string& command, const st
             text += "![Time per frame and " + std::string(measure_row(measure).title) +
                     " of each method and budget](images/" + stem + ".svg)\n";
         }
-        text += "\n" + rows_of(group);
+        text += "\n" + rows_of(group) + "\n" + time_caption + "\n\n" + markdown(time_table(group));
     }
     write_file(file, text);
 }

@@ -7,9 +7,11 @@
 
 #include "core/base/file.h"
 #include "core/base/number.h"
+#include "lab/report/gem_table.h"
 #include "lab/report/method_looks.h"
 #include "lab/report/page.h"
 #include "lab/report/papers_tables.h"
+#include "lab/report/time_table.h"
 
 namespace sightline::lab {
 
@@ -26,9 +28,14 @@ std::string conditions(const Results& results) {
                        std::to_string(study.value("repeats", 0)) + " runs, then over frames.</p>";
     if (!study.at("settings").empty())
         html += "<p>Settings of every scene: <code>" + escaped(study.at("settings").dump()) + "</code></p>";
-    return html +
-           "<p>All methods but <b>view</b> and <b>everything</b> are approximate: they may miss visible "
-           "primitives. Those two never do; they run without a budget.</p>";
+    std::string conservative;
+    for (const Row& row : results.rows)
+        if (const std::string name = "<b>" + escaped(method_text(row.method)) + "</b>";
+            !row.approximate && conservative.find(name) == std::string::npos)
+            conservative += (conservative.empty() ? "" : ", ") + name;
+    return html + "<p>Methods are approximate: they may miss visible primitives." +
+           (conservative.empty() ? "" : " These never do at the reference size: " + conservative + ".") +
+           " <b>perfect</b> draws exactly the visible ones, which it is told: no method can do better.</p>";
 }
 
 std::string answers(const std::vector<Group>& all) {
@@ -61,6 +68,8 @@ std::string tables_of_papers(const Results& results) {
     std::string text;
     if (const std::vector<Table1Row> table = table_1(results); !table.empty())
         text += "<h2>Table 1 of the papers</h2>" + html(text_table(table), table_1_caption);
+    if (const TextTable table = gem_table(results); !table.rows.empty())
+        text += "<h2>The gem's power plant</h2>" + html(table, gem_caption);
     if (const std::vector<PreprocessingRow> table = preprocessing(results); !table.empty())
         text += "<h2>Preprocessing</h2>" + html(text_table(table), preprocessing_caption);
     return text;
@@ -155,7 +164,7 @@ void write_report(const Results& results, const std::vector<Claim>& judged, cons
             write_chart(chart.chart, folder / "charts" / chart.id);
             html += picture(folder / "charts" / (chart.id + ".svg"), escaped(chart.text));
         }
-        html += table_of_rows(group);
+        html += table_of_rows(group) + sightline::lab::html(time_table(group), time_caption);
     }
     html += worst_frames(pictures.worst) + measures();
     write_file(folder / "report.html", page("Speed against accuracy", html));

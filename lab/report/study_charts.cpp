@@ -7,6 +7,7 @@
 
 #include "core/base/number.h"
 #include "core/draw/palette.h"
+#include "core/measure/distance.h"
 #include "core/measure/summary.h"
 #include "lab/report/method_looks.h"
 
@@ -65,6 +66,30 @@ Chart per_frame(const Group& group, Measure measure) {
     return chart;
 }
 
+/// The share of the pixels at a distance that are wrong there: one curve per method at its largest budget.
+Chart wrong_by_distance(const Group& group) {
+    Chart chart;
+    chart.title = heading(group) + ": wrong pixels by distance from the eye";
+    chart.x = "distance, up to this share of the scene's longest side (the last dot: beyond it)";
+    chart.y = "wrong pixels, % of the pixels at that distance";
+    chart.log_x = true;
+    const MethodLooks looks = MethodLooks::of(group.rows);
+    for (const auto& rows : by_method(group)) {
+        const Row* row = largest_budget(rows);
+        Series s = looks.series(row->method);
+        if (row->budget != "unlimited") s.name += " " + row->budget;
+        const DistanceBins wrong = mean_of(*row, &Values::wrong_at), pixels = mean_of(*row, &Values::pixels_at);
+        for (std::size_t bin = 0; bin < distance_bins; ++bin) {
+            const bool last = bin + 1 == distance_bins;
+            const double end = last ? 2 * distance_bin_end(bin - 1) : distance_bin_end(bin);
+            s.points.push_back(
+                {end, pixels[bin] > 0 ? 100 * wrong[bin] / pixels[bin] : std::numeric_limits<double>::quiet_NaN()});
+        }
+        chart.series.push_back(std::move(s));
+    }
+    return chart;
+}
+
 /// How many visible primitives each budget of one method finds, under the exact count (TVCG figs. 10 and 11).
 Chart found_per_frame(const Group& group, const std::vector<const Row*>& rows) {
     Chart chart;
@@ -114,30 +139,34 @@ std::vector<Group> groups(const Results& results) {
     return all;
 }
 
-std::vector<TradeOffPoint> pareto_points(const std::vector<const Row*>& rows, Measure measure) {
+std::vector<TradeOffPoint> pareto_points(const std::vector<const Row*>& rows, Measure measure, Measure cost) {
     std::vector<Trade> trades;
-    for (const Row* row : rows) trades.push_back({summary(*row, Measure::total_ms), summary(*row, measure)});
+    for (const Row* row : rows) trades.push_back({summary(*row, cost), summary(*row, measure)});
     std::vector<TradeOffPoint> front;
     for (const std::size_t i : sightline::pareto_points(trades, measure_row(measure).better))
         front.push_back({rows[i], trades[i].ms, trades[i].value});
     return front;
 }
 
-Chart trade_off(const Group& group, Measure measure) {
+Chart trade_off(const Group& group, Measure measure, Measure cost) {
+    const bool by_time = cost == Measure::total_ms;
     Chart chart;
-    chart.title = heading(group) + ": speed and accuracy";
+    chart.title = heading(group) + (by_time                     ? ": speed and accuracy"
+                                    : cost == Measure::rendered ? ": what is drawn, and accuracy"
+                                                                : ": what is tested, and accuracy");
     const bool drawn = std::any_of(group.rows.begin(), group.rows.end(),
                                    [](const Row* row) { return !std::isnan(summary(*row, Measure::draw_ms)); });
-    chart.x = std::string("time per frame, ms (") + (drawn ? "traversal + upload + drawing" : "traversal alone") +
-              "; median over frames)";
+    chart.x = by_time ? std::string("time per frame, ms (") +
+                            (drawn ? "traversal + upload + drawing" : "traversal alone") + "; median over frames)"
+                      : axis(cost) + " (mean over frames)";
     chart.y = axis(measure) + " (mean over frames)";
     chart.log_x = true;
     if (measure_row(measure).better == Better::higher) chart.most_y = 105;
 
     Series front = guide("Pareto points", light_grey);
     front.width = 7;
-    for (const TradeOffPoint& point : pareto_points(group.rows, measure))
-        front.points.push_back({point.ms, scaled(measure, point.value)});
+    for (const TradeOffPoint& point : pareto_points(group.rows, measure, cost))
+        front.points.push_back({point.cost, scaled(measure, point.value)});
     chart.series.push_back(std::move(front));
 
     // A budget's label is left out where one stands already: the dots of a line are in the order of the budgets.
@@ -156,8 +185,7 @@ Chart trade_off(const Group& group, Measure measure) {
     for (const auto& rows : by_method(group)) {
         Series s = looks.series(rows.front()->method);
         for (const Row* row : rows) {
-            const double ms = summary(*row, Measure::total_ms);
-            s.points.push_back({ms, scaled(measure, summary(*row, measure))});
+            s.points.push_back({summary(*row, cost), scaled(measure, summary(*row, measure))});
             s.labels.push_back(row->budget == "unlimited" || near_label(s.points.back()) ? "" : row->budget);
             if (!s.labels.back().empty()) labelled.push_back(s.points.back());
             if (row->budget == "unlimited") continue;
@@ -168,7 +196,7 @@ Chart trade_off(const Group& group, Measure measure) {
         }
         chart.series.push_back(std::move(s));
     }
-    if (measure == Measure::coverage) {
+    if (measure == Measure::coverage && by_time) {
         for (const auto& [budget, point] : best) oracle.points.push_back(point);
         std::sort(oracle.points.begin(), oracle.points.end());
         chart.series.push_back(std::move(oracle));
@@ -193,6 +221,17 @@ std::vector<NamedChart> study_charts(const Results& results) {
                 "Higher and further left is better. The oracle is the best that the budget could find.",
                 trade_off(group, Measure::coverage));
         }
+        add(stem + "-drawn-wrong", "The same over what is drawn, which no machine changes. V itself is perfect's dot.",
+            trade_off(group, Measure::wrong, Measure::rendered));
+        if (std::count_if(group.rows.begin(), group.rows.end(),
+                          [](const Row* row) { return summary(*row, Measure::tested) > 0; }) > 1)
+            add(stem + "-tested-wrong",
+                "Over how much is held against what is drawn; methods that test nothing are not here.",
+                trade_off(group, Measure::wrong, Measure::tested));
+        if (std::any_of(group.rows.begin(), group.rows.end(),
+                        [](const Row* row) { return mean_of(*row, &Values::wrong_at)[0] >= 0; }))
+            add(stem + "-distance-wrong", "Where pixels are wrong: the gem finds them far from the eye.",
+                wrong_by_distance(group));
         if (!has_curve) continue;
         for (const auto& rows : by_method(group))
             if (rows.front()->method.variant == "published")

@@ -24,17 +24,18 @@ struct Group {
 };
 std::vector<Group> groups(const Results& results);
 
-/// A dot that no other one beats in both time and the measure.
+/// A dot that no other one beats in both its cost and the measure.
 struct TradeOffPoint {
     const Row* row;
-    double ms, value;
+    double cost, value;
 };
-/// By time. Rows without a time or a value are left out; equal ones are all there.
-std::vector<TradeOffPoint> pareto_points(const std::vector<const Row*>& rows, Measure measure);
+/// By cost: total_ms, rendered or tested. Rows without a cost or a value are left out; equal ones are all there.
+std::vector<TradeOffPoint> pareto_points(const std::vector<const Row*>& rows, Measure measure,
+                                         Measure cost = Measure::total_ms);
 
-/// x time per frame, y wrong pixels or coverage: a line per method, a dot per budget, the line of the Pareto points
-/// under them and, over coverage, the oracle, which draws as fast as the fastest and needs no traversal.
-Chart trade_off(const Group& group, Measure measure);
+/// x what a frame costs, y wrong pixels or coverage: a line per method, a dot per budget, the line of the Pareto points
+/// under them and, over coverage and time, the oracle, which draws as fast as the fastest and needs no traversal.
+Chart trade_off(const Group& group, Measure measure, Measure cost = Measure::total_ms);
 
 /// Every chart of a study, group by group (TVCG figs. 10 to 12 and 15 in form).
 std::vector<NamedChart> study_charts(const Results& results);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "lab/report/gem_table.h"
 #include "lab/report/papers_tables.h"
 #include "tests/lab/report_rows.h"
 
@@ -166,10 +167,10 @@ TEST(LabClaims, AboutRoomAreJudgedFromInside) {
 
 TEST(LabClaims, EachCitesWhereItStands) {
     std::vector<Row> rows;
-    for (const char* scene : {"city", "cars", "room"})
+    for (const char* scene : {"city", "cars", "room", "plant"})
         for (const char* path : {"street", "street:60-67", "outside"})
             for (const char* budget : {"1%", "5%", "10%", "unlimited"})
-                for (const char* method : {"published", "published@tree", "centroid", "view"})
+                for (const char* method : {"published", "published@tree", "centroid", "view", "layers", "cplp"})
                     rows.push_back(along(with(report_row(scene, method, budget, 9, 0.1, 0.5), {{M::zeta, 1},
                                                                                                {M::pop, 0},
                                                                                                {M::flip, 0},
@@ -178,11 +179,32 @@ TEST(LabClaims, EachCitesWhereItStands) {
                                                                                                {M::rendered, 1000}}),
                                          path));
     const auto claims = judge_claims(results_of(rows));
-    EXPECT_EQ(claims.size(), 20u) << "every one is judged";
+    EXPECT_EQ(claims.size(), 23u) << "every one is judged";
     for (const Claim& claim : claims) {
-        EXPECT_EQ(claim.source.find("TVCG "), 0u) << claim.text;
+        EXPECT_TRUE(claim.source.starts_with("TVCG ") || claim.source.starts_with("gem, ")) << claim.text;
         EXPECT_EQ(claim.source.find("5.1"), std::string::npos) << claim.text << ": 5.1 is about preprocessing";
     }
+}
+
+TEST(LabClaims, OfTheGemAreJudgedInThePlant) {
+    const auto rows = [](double wrong_in_three, double wrong_in_one, double cplp_ms) {
+        Row plp = report_row("plant:200k", "layers@tree", "1%", 20, wrong_in_three, 0.5, 4);
+        plp.values[1][M::wrong] = wrong_in_one;
+        return std::vector{std::move(plp), report_row("plant:200k", "cplp@tree first=layers", "1%", cplp_ms, 0, 1, 4)};
+    };
+    EXPECT_EQ(judged(rows(0.01, 0.1, 100), "96.3 %"), "holds");
+    EXPECT_EQ(judged(rows(0.01, 0.2, 100), "96.3 %"), "does not hold") << "the mean";
+    EXPECT_EQ(judged(rows(0.01, 0.1, 100), "10.1 frames"), "holds") << "50 and 10 Hz";
+    EXPECT_EQ(judged(rows(0.01, 0.1, 30), "10.1 frames"), "does not hold");
+    EXPECT_EQ(judged(rows(0.01, 0.1, 100), "misses nothing"), "holds");
+    EXPECT_EQ(judged({rows(0, 0, 1)[0]}, "10.1 frames"), "not judged") << "without cPLP";
+    const TextTable table = gem_table(results_of(rows(0.01, 0.05, 100)));
+    ASSERT_EQ(table.rows.size(), 4u);
+    EXPECT_EQ(table.rows[0],
+              (std::vector<std::string>{"power plant (gem)", "PLP by layers", "1.08%", "10.1", "9.3", "96.3", "94.9"}));
+    EXPECT_EQ(table.rows[2],
+              (std::vector<std::string>{"plant:200k, test", "layers@tree", "1%", "50", "50", "98", "98"}));
+    EXPECT_TRUE(gem_table(results_of({report_row("city", "layers", "1%", 1, 0, 1)})).rows.empty());
 }
 
 TEST(PapersTables, PutTheirFiguresBesideOurs) {

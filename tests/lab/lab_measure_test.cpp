@@ -86,6 +86,56 @@ TEST_F(LabStudy, OfConservativeMethodsMissesNothing) {
     }
 }
 
+TEST_F(LabStudy, HasViewCullingAndExactlyVBesideTheMethods) {
+    Study study = small_study();
+    study.scenes = {"3d:bottleneck"};
+    study.methods = {parse_method("cplp"), parse_method("view")};
+    study.budgets = {parse_budget("5%")};
+    study.repeats = 1;
+    add_baselines(study);
+    add_baselines(study);
+    ASSERT_EQ(study.methods.size(), 3u);
+    const Results results = run_study(study, folder("a"), graphics_);
+    const Row &cplp = results.rows.at(0), &view = results.rows.at(1), &exact = results.rows.at(2);
+    EXPECT_EQ(exact.method.variant, exactly_v);
+    EXPECT_EQ(exact.budget, "unlimited");
+    for (std::size_t i = 0; i < exact.values.size(); ++i) {
+        const Values &v = exact.values[i], &c = cplp.values[i];
+        EXPECT_EQ(v[M::emitted_over_visible], 1);
+        EXPECT_EQ(v[M::wrong], 0);
+        EXPECT_TRUE(std::isnan(v[M::traverse_ms])) << "it is told what is visible";
+        EXPECT_GT(c[M::tested], 0);
+        EXPECT_GE(c[M::rounds], 1);
+        EXPECT_GE(c[M::emitted_over_visible], 1);
+        EXPECT_EQ(view.values[i][M::tested], 0);
+        EXPECT_TRUE(std::isnan(view.values[i][M::rounds]));
+        if (!graphics_.has_opengl()) continue;
+        EXPECT_EQ(v[M::over_exact], 1);
+        EXPECT_DOUBLE_EQ(v[M::total_ms], v[M::upload_ms] + v[M::draw_ms]);
+        EXPECT_DOUBLE_EQ(c[M::over_exact], c[M::total_ms] / v[M::total_ms]);
+        EXPECT_DOUBLE_EQ(c[M::total_ms], c[M::traverse_ms] + c[M::upload_ms] + c[M::draw_ms]);
+    }
+    const auto json = nlohmann::json::parse(results_json(results));
+    EXPECT_EQ(json["distance_ends"].size(), distance_bins);
+    if (graphics_.has_opengl()) EXPECT_DOUBLE_EQ(json["rows"][0]["hz"]["median"].get<double>(), hz(cplp).median);
+}
+
+TEST_F(LabStudy, CountsWrongPixelsByDistance) {
+    Study study = small_study();
+    study.methods = {parse_method("centroid")};
+    study.budgets = {parse_budget("2%")};
+    for (const Row& row : run_study(study, folder("a"), graphics_).rows)
+        for (const Values& v : row.values) {
+            double wrong = 0;
+            for (std::size_t bin = 0; bin < distance_bins; ++bin) {
+                EXPECT_LE(v.wrong_at[bin], v.pixels_at[bin]);
+                wrong += v.wrong_at[bin];
+            }
+            EXPECT_GT(wrong, 0) << row.scene;
+            EXPECT_NEAR(wrong, v[M::wrong], 1e-12) << row.scene;
+        }
+}
+
 TEST_F(LabStudy, GoesOnWhereItWasStopped) {
     const Study study = small_study();
     int frames = 0;

@@ -16,6 +16,7 @@
 #include "lab/measure/run_study.h"
 #include "lab/report/claims.h"
 #include "lab/report/markdown.h"
+#include "lab/report/time_table.h"
 #include "tests/lab/report_rows.h"
 
 namespace sightline::lab {
@@ -51,7 +52,7 @@ TEST(LabTradeOff, IsWhatNothingBeats) {
                 const bool in = std::any_of(front.begin(), front.end(), [&](const auto& p) { return p.row == &row; });
                 EXPECT_EQ(in, !beaten);
             }
-            for (std::size_t i = 1; i < front.size(); ++i) EXPECT_LE(front[i - 1].ms, front[i].ms);
+            for (std::size_t i = 1; i < front.size(); ++i) EXPECT_LE(front[i - 1].cost, front[i].cost);
         }
     }
 }
@@ -62,6 +63,27 @@ TEST(LabTradeOff, SaysWhatItsTimesAre) {
     EXPECT_NE(axis().find("drawing"), std::string::npos);
     for (Values& v : row.values) v[M::draw_ms] = v[M::upload_ms] = std::numeric_limits<double>::quiet_NaN();
     EXPECT_NE(axis().find("traversal alone"), std::string::npos) << axis();
+}
+
+TEST(LabTradeOff, HasAnAxisOfWhatIsDrawnAndOneOfWhatIsTested) {
+    Row row = report_row("city", "cplp", "5%", 1, 0.1, 0.9), other = report_row("city", "view", "unlimited", 2, 0, 1);
+    for (Values& v : row.values) {
+        v[M::rendered] = 70;
+        v[M::tested] = 30;
+    }
+    for (Values& v : other.values) v[M::rendered] = 500;
+    const Group group{row.scene, row.path, {&row, &other}};
+    const auto point = [&](M cost) { return trade_off(group, M::wrong, cost).series[1].points.at(0); };
+    EXPECT_EQ(point(M::total_ms), (std::array{1.0, 10.0}));
+    EXPECT_EQ(point(M::rendered), (std::array{70.0, 10.0}));
+    EXPECT_EQ(point(M::tested), (std::array{30.0, 10.0}));
+    EXPECT_NE(trade_off(group, M::wrong, M::tested).x.find("tested, tests"), std::string::npos);
+    EXPECT_EQ(pareto_points(group.rows, M::wrong, M::rendered).front().cost, 70);
+    const TextTable table = time_table(group);
+    ASSERT_EQ(table.rows.size(), 2u);
+    for (const auto& cells : table.rows) EXPECT_EQ(cells.size(), table.head.size());
+    EXPECT_EQ(table.rows[1][9], "2") << "the total";
+    EXPECT_EQ(table.rows[1][11], "500") << "frames per second";
 }
 
 TEST(LabTradeOff, NamesTheBestWithinATime) {

@@ -359,7 +359,8 @@ TEST(LabCommands, Run) {
                              "d/compare.html", "d2/compare.json", "r/reduced.json", "r/reduced.obj"})
         EXPECT_TRUE(fs::exists(folder / file)) << file;
     const auto results = read_results(read_file(folder / "m2/results.json"), "m2");
-    ASSERT_EQ(results.rows.size(), 1u) << "method and budget are those of the settings file";
+    ASSERT_EQ(results.rows.size(), 3u) << "method and budget are those of the settings file; and what to compare with";
+    EXPECT_EQ(results.rows[1].method.id() + results.rows[2].method.id(), "viewperfect");
     EXPECT_EQ(results.rows[0].method.id(), "layers");
     EXPECT_EQ(load_results((folder / "c/without-cells").string()).rows.size(), 2u) << "centroid and view";
     EXPECT_EQ(load_results((folder / "c").string()).rows.size(), 4u);

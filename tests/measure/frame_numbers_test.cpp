@@ -44,6 +44,8 @@ WholeRun hand_made_run() {
                       {3, 12, Inversion::Kind::unreached, 13, 1},
                       {3, 14, Inversion::Kind::mis_ranked, 13, 0}};
     run.k95 = 5;
+    run.tests_after = {0, 4, 12, 13};
+    run.rounds_after = {0, 1, 2, 2};
     return run;
 }
 
@@ -72,6 +74,9 @@ TEST(FrameNumbers, AreThoseWorkedOutByHand) {
     EXPECT_DOUBLE_EQ(v[M::zeta], (2 + 1 + 3) / 3.0);
     EXPECT_EQ(v[M::steps], 3);
     EXPECT_EQ(v[M::front], 7);
+    EXPECT_DOUBLE_EQ(v[M::emitted_over_visible], 1) << "three drawn, three visible";
+    EXPECT_EQ(v[M::tested], 12) << "by the third step";
+    EXPECT_EQ(v[M::rounds], 2);
     for (const M other : {M::pop, M::flip, M::visible_change, M::traverse_ms, M::upload_ms, M::draw_ms, M::total_ms})
         EXPECT_TRUE(std::isnan(v[other])) << measure_row(other).id << " needs another frame or a clock";
 }
@@ -270,7 +275,7 @@ TEST(MeasureTable, HasARowForEachMeasureInItsPlace) {
         EXPECT_EQ(static_cast<std::size_t>(row.measure), i);
         EXPECT_TRUE(ids.insert(row.id).second) << row.id;
         EXPECT_FALSE(row.formula.empty() || row.unit.empty() || row.title.empty() || row.source.empty()) << row.id;
-        EXPECT_EQ(row.is_time, row.unit == "ms") << row.id;
+        EXPECT_EQ(row.is_time, row.unit == "ms" || row.measure == M::over_exact) << row.id;
     }
 }
 
@@ -290,6 +295,13 @@ TEST(FrameClock, SumsUpRepeats) {
     EXPECT_EQ(in_2d[M::total_ms], 4);
     EXPECT_TRUE(std::isnan(in_2d[M::draw_ms]) && std::isnan(in_2d[M::draw_error]));
     EXPECT_TRUE(std::isnan(in_2d[M::traverse_error])) << "once says nothing of the error";
+    Values drawing_alone;
+    set_times({{}, {1}, {2}}, drawing_alone);
+    EXPECT_EQ(drawing_alone[M::total_ms], 3);
+    EXPECT_TRUE(std::isnan(drawing_alone[M::traverse_ms]));
+    Values nothing;
+    set_times({}, nothing);
+    EXPECT_TRUE(std::isnan(nothing[M::total_ms]));
     for (const MeasureRow& row : measure_table())
         EXPECT_EQ(error_of(row.measure).has_value(), row.is_time && row.better == Better::lower) << row.id;
 }

@@ -116,6 +116,7 @@ TEST(Cplp, ARoundSaysWhatItTestedAndStepsThroughIt) {
     for (int i = 0; i < test::soak_count(40); ++i) {
         const CplpCase<2> made = random_cplp_case<2>(random);
         const test::Recorded<2> recorded = test::record_all(method, made.problem(method));
+        std::size_t here = 0;
         for (std::uint32_t step = 1; step <= recorded.timeline.size(); ++step) {
             const Step& record = recorded.timeline.steps[step - 1];
             if (record.item.kind != Kind::round) continue;
@@ -128,6 +129,7 @@ TEST(Cplp, ARoundSaysWhatItTestedAndStepsThroughIt) {
             for (const Considered& test : looked) saw += Rule{test.rule} == Rule::tested_seen;
             ASSERT_EQ(saw, now) << "what is seen is projected, and nothing else";
             tests += looked.size();
+            here += looked.size();
             seen += saw;
             // Each substep has one lit line.
             OwnRun<2> at = OwnRun<2>(recorded.run->clone());
@@ -138,6 +140,7 @@ TEST(Cplp, ARoundSaysWhatItTestedAndStepsThroughIt) {
                 ASSERT_EQ(lit, 1u) << substep;
             }
         }
+        ASSERT_EQ(recorded.run->tests(), here) << "all that was tested, and nothing twice";
     }
     EXPECT_GT(tests, 200u);
     EXPECT_GT(seen, 100u);

@@ -22,6 +22,7 @@ public:
 
     bool finished() const override;
     bool undoes_by_marks() const override { return true; }
+    std::uint64_t tests() const override;
     bool move(Direction, const Step&, std::span<Change>, const Counters& before) override;
     std::uint32_t substeps(const Step&, std::span<const Change>) const override;
     void rewind_to(Step&, std::vector<Change>&, const Counters& before, std::uint32_t substep) override;

@@ -162,6 +162,16 @@ Misses CellBase<D>::misses() const {
     return rounds_ && finished() ? Misses::none_at_this_resolution : Misses::may;
 }
 
+/// A cell that is seen is projected in the same round, and one that is hidden is never asked again.
+template <int D>
+std::uint64_t CellBase<D>::tests() const {
+    if (!rounds_ || rounds_->done == 0) return 0;
+    std::uint64_t count = 0;
+    for (std::size_t cell = 0; cell < rounds_->hidden.size(); ++cell)
+        count += (rounds_->hidden[cell] != 0) + (rounds_->round_of[cell] != 0);
+    return count;
+}
+
 template <int D>
 std::string CellBase<D>::popped_words(const Step& step) const {
     return step.item.kind == Kind::round ? "round " + std::to_string(step.item.id) : Run<D>::popped_words(step);
@@ -194,6 +204,7 @@ Verdict CellBase<D>::why_waiting(const Item& item) const {
     template void CellBase<D>::add_round_lines(std::vector<CodeLine>&, const CodePlace&, bool) const; \
     template std::vector<Considered> CellBase<D>::tests_of(std::span<const Change>) const;            \
     template Misses CellBase<D>::misses() const;                                                      \
+    template std::uint64_t CellBase<D>::tests() const;                                                \
     template std::string CellBase<D>::popped_words(const Step&) const;                                \
     template Verdict CellBase<D>::why_waiting(const Item&) const;
 SIGHTLINE_INSTANTIATE(2)

@@ -63,6 +63,10 @@ public:
     std::vector<std::pair<Item, Mark>> front() const override;
     Misses misses() const override;
     std::shared_ptr<const FrameHistory> next_history() const override;
+    /// Boxes, against depths.
+    std::uint64_t tests() const override {
+        return tests_depth() && this->steps_ > occluder_steps() ? this->steps_ - occluder_steps() : 0;
+    }
 
     std::string_view rule_words(std::uint8_t rule) const override { return box_rule_words[rule]; }
     std::vector<Considered> considered(const Step&, std::span<const Change>, int digits) const override;

@@ -116,7 +116,7 @@ std::span<const CatalogueRow<3>> catalogue<3>() {
          {},
          {{"step:100", "between the first frames"}},
          1'000'000,
-         {"round", "test"}},
+         {"round", "tour", "test"}},
     };
     return rows;
 }

@@ -55,6 +55,10 @@ const std::vector<PlanRow>& plans() {
             "From outside, any cell at the border may hold something visible, but one seed starts at one spot, "
             "and the traversal goes in among the crates before it has covered the facade.",
             {{30, -70}, {30, 0}, 60}, 0.05, "5%", {}, {hidden, half}),
+        both<niche>("niche", 20, "Wall that reaches the hull",
+                    "The walls of a niche reach past the border of the cells: a traversal that starts in the niche "
+                    "finds all its neighbours hidden and never comes to what stands in plain view beside it.",
+                    {{20, -2}, {20, 20}, 140}, 0.05, "5%", {{"border", "none"}}, {half}),
         both<fence>("fence", 7, "Fence at the border",
                     "The cells reach from leaf centre to leaf centre, so a fence at the border of the scene lies in no "
                     "cell and is never drawn, unless the corners of a larger box are added.",
@@ -80,6 +84,10 @@ const std::vector<PlanRow>& plans() {
             "Bars a few millimetres from the eye fill much of the picture, lie in the cell that holds the eye, "
             "and are lost by any method that clips at a near plane.",
             {{20, 4}, {20, 40}, 90}, 0.05, "10%", {}, {something}),
+        both<booth>("booth", 17, "Box round the eye",
+                    "The eye stands in a booth hardly wider than itself: every cell round it has parts behind the eye, "
+                    "and what is seen shows through a slit of 4 cm.",
+                    {{20, 20}, {20, 40}, 90}, 0.05, "10%", {}, {something}),
         both<broken>(
             "broken", 18, "Broken primitives",
             "Files hold primitives with NaN or infinite coordinates, of zero size, or duplicated: they are left "
@@ -158,6 +166,20 @@ std::span<const CatalogueRow<2>> failure_scenes<2>() {
     static const std::vector<CatalogueRow<2>> rows = [] {
         std::vector<CatalogueRow<2>> made;
         for (const PlanRow& row : plans()) made.push_back(row.plan);
+        made.push_back({"meadow",
+                        21,
+                        "Meadow all round",
+                        "In a meadow nothing hides anything, so the front grows to a ring of hundreds of cells round "
+                        "the eye: more than ids of 8 bits can tell apart.",
+                        failures::meadow,
+                        {{40.2, 40.1}, {60, 60}, 360},
+                        0.015,
+                        "published",
+                        "30%",
+                        {},
+                        {half},
+                        0,
+                        {}});
         return made;
     }();
     return rows;

@@ -38,4 +38,16 @@ std::vector<Primitive<2>> lattice(std::uint64_t) {
     return sketch.segments;
 }
 
+std::vector<Primitive<2>> meadow(std::uint64_t seed) {
+    Random random(seed);
+    Sketch sketch;
+    for (int y = 0; y < 80; ++y)
+        for (int x = 0; x < 80; ++x) {
+            const SinCos turn = sincos_degrees(random.uniform(0, 360));
+            const Vec<2> at(x + 0.5, y + 0.5), out(turn.cos * 0.02, turn.sin * 0.02);
+            sketch.line(at - out, at + out);
+        }
+    return sketch.segments;
+}
+
 }  // namespace sightline::failures

@@ -92,4 +92,19 @@ std::vector<Primitive<2>> broken(std::uint64_t seed) {
     return sketch.segments;
 }
 
+std::vector<Primitive<2>> booth(std::uint64_t seed) {
+    Random random(seed);
+    Sketch sketch;
+    // Closed but for a slit of 4 cm before the eye at (20, 20), from 2 cm beside it to 20 cm.
+    sketch.path({{20.02, 20.2}, {20.2, 20.2}, {20.2, 19.9}, {19.98, 19.98}, {19.8, 19.9}, {19.8, 20.2}, {19.98, 20.2}},
+                false);
+    crate_rows(sketch, random, {1, 1, 39, 19}, 2, 0.4);
+    crate_rows(sketch, random, {1, 22, 39, 39}, 2, 0.4);
+    for (const double side : {0.0, 40.0}) {
+        pieces(sketch, {0, side}, {40, side}, 40);
+        pieces(sketch, {side, 0}, {side, 40}, 40);
+    }
+    return sketch.segments;
+}
+
 }  // namespace sightline::failures

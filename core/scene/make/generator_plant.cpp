@@ -234,6 +234,7 @@ Generated plant(std::uint64_t seed, std::size_t triangles) {
     const std::vector<Vec<3>> loop = {{4, 0, z}, {-x, 0, z}, {-x, y, z}, {x, y, z}, {x, 0, z}, {4, 0, z}};
     const std::vector<Vec<3>> there = {{7, 0, z}, {-7, 0, z}};
     made.paths.push_back(along("round", bays >= 60 ? loop : there, 200, 5, 60));
+    made.paths.push_back(along("tour", bays >= 60 ? loop : there, 500, 5, 60));  // as many frames as the gem's
     made.paths.push_back(test_path(made.paths.front()));
     return made;
 }

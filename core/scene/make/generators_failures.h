@@ -20,6 +20,9 @@ std::vector<Primitive<2>> warehouse(std::uint64_t seed);
 /// Two blocks of houses and the street between them; -20..30 x 6..37.
 std::vector<Primitive<2>> corner(std::uint64_t seed);
 
+/// A niche in the front whose side walls reach past the cells, with crates beside it; 0..40 x 0..40.
+std::vector<Primitive<2>> niche(std::uint64_t seed);
+
 // Primitives of awkward size or place.
 
 /// Forty planks, each from side to side of the scene, over crates; 0..40 x 0..40.
@@ -28,6 +31,8 @@ std::vector<Primitive<2>> planks(std::uint64_t seed);
 std::vector<Primitive<2>> needles(std::uint64_t seed);
 /// Bars a few millimetres before the eye and crates in a hall; 0..40 x 0..40.
 std::vector<Primitive<2>> cockpit(std::uint64_t seed);
+/// A booth of 40 cm round the eye at (20, 20), closed but for a slit, in a hall of crates; 0..40 x 0..40.
+std::vector<Primitive<2>> booth(std::uint64_t seed);
 /// A corridor whose left wall lies in line with the eye at (0, 0); 0..60 x -12..4.
 std::vector<Primitive<2>> graze(std::uint64_t seed);
 /// Posters that lie in the very walls they hang on; 0..40 x 0..40.
@@ -48,6 +53,9 @@ std::vector<Primitive<2>> onecell(std::uint64_t seed);
 std::vector<Primitive<2>> line(std::uint64_t seed);
 /// A small segment in the middle of each unit square of 0..32 x 0..32: the leaves' centres form a lattice.
 std::vector<Primitive<2>> lattice(std::uint64_t seed);
+
+/// A blade of 4 cm in the middle of each unit square of 0..80 x 0..80: hardly anything hides anything.
+std::vector<Primitive<2>> meadow(std::uint64_t seed);
 
 // Who hides what.
 
