@@ -24,7 +24,7 @@ constexpr std::array entries{
     Entry{Look::projected, ShapeKind::polygon, "projected"},
     Entry{Look::completed, ShapeKind::polygon, "projected in a round"},
     Entry{Look::enqueued, ShapeKind::polygon, "in the front (enqueued)"},
-    Entry{Look::hidden, ShapeKind::polygon, "in the front, tested: hidden"},
+    Entry{Look::hidden, ShapeKind::polygon, "tested: hidden"},
     Entry{Look::unseen, ShapeKind::polygon, "outside the view (unseen)"},
     Entry{Look::both, ShapeKind::polygon, "projected by both"},
     Entry{Look::only_left, ShapeKind::polygon, "projected by the left only"},

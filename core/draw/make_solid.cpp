@@ -6,6 +6,7 @@
 #include "core/draw/palette.h"
 #include "core/draw/picture_3d.h"
 #include "core/draw/round_fields.h"
+#include "core/draw/shown_boxes.h"
 #include "core/draw/shown_cells.h"
 #include "core/draw/solid_cells.h"
 #include "core/draw/solid_palette.h"
@@ -27,8 +28,9 @@ SolidLook look_of(CellState state, InRounds rounds) {
             return rounds == InRounds::projected ? SolidLook::completed : SolidLook::projected;
         case CellState::unseen:
             return SolidLook::unseen;
-        case CellState::clean:
         case CellState::hidden:
+            return SolidLook::hidden;
+        case CellState::clean:
             break;
     }
     return SolidLook::clean;
@@ -98,6 +100,23 @@ std::vector<CellPaint> paint_cells(const Session<3>& session, const PictureOptio
     return paint;
 }
 
+void paint_boxes(const Session<3>& session, SolidList& list) {
+    const Settings& set = session.settings();
+    std::vector<Box<3>> boxes;
+    std::vector<CellPaint> paint;
+    for (const ShownBox<3>& shown : shown_boxes(session)) {
+        if (set.only == OnlyCells::front && shown.state != CellState::enqueued) continue;
+        if (list.slice && glm::dot(list.slice->normal, shown.box.centre()) > list.slice->offset) continue;
+        const SolidLook look = look_of(shown.state, InRounds::nothing);
+        CellPaint& own = paint.emplace_back();
+        own.group = own.style = look_index(look);
+        own.as = drawn_as(set, look);
+        own.border = own.style;
+        boxes.push_back(shown.box);
+    }
+    add_boxes(boxes, paint, list);
+}
+
 void make_glass(const Settings& set, SolidList& list) {
     for (const SolidLook look :
          {SolidLook::clean, SolidLook::enqueued, SolidLook::projected, SolidLook::unseen, SolidLook::both,
@@ -125,6 +144,10 @@ SolidList make_solid(const Session<3>& session, const PictureOptions3& options) 
     add_triangles(session, set.show_visibility == Switch::on && (outside || set.triangles > Triangles::rendered), list);
     if (!outside) return list;
     make_glass(set, list);
+    if (walks_boxes(session)) {
+        paint_boxes(session, list);
+        return list;
+    }
     add_cells(session.cells(), paint_cells(session, options, list), set.shrink, list);
     return list;
 }

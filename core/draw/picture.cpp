@@ -10,6 +10,7 @@
 #include "core/draw/notes.h"
 #include "core/draw/palette.h"
 #include "core/draw/round_fields.h"
+#include "core/draw/shown_boxes.h"
 #include "core/draw/shown_world.h"
 #include "core/methods/cells/facet_geometry.h"
 #include "core/session/explain.h"
@@ -35,7 +36,8 @@ public:
             if (set_.heat != CellNumber::none && options.heat_range) heat_map(*options.heat_range);
             if (by_state) options.sides.empty() ? states() : sides(options.sides);
         }
-        if (wants(PicturePart::tessellation) && set_.show_tessellation == Switch::on) tessellation();
+        if (wants(PicturePart::tessellation) && set_.show_tessellation == Switch::on && !walks_boxes(session))
+            tessellation();
         if (!wants(PicturePart::above)) return;
         if (by_state && options.sides.empty()) projected_borders();
         if (set_.show_primitives == Switch::on) primitives();
@@ -59,7 +61,20 @@ private:
         for (const std::uint32_t p : corners) list_.points.push_back(cells_.points[p]);
     }
 
+    void box_shape(const Box<2>& box, Look look) {
+        list_.add(ShapeKind::polygon, index(look), {box.corner(0), box.corner(1), box.corner(2), box.corner(3)});
+    }
+
+    void box_states() {
+        for (const ShownBox<2>& shown : shown_boxes(session_))
+            box_shape(shown.box, shown.state == CellState::enqueued ? Look::enqueued
+                                 : shown.state == CellState::hidden ? Look::hidden
+                                 : shown.state == CellState::unseen ? Look::unseen
+                                                                    : Look::projected);
+    }
+
     void states() {
+        if (walks_boxes(session_)) return box_states();
         const RoundFields<2> in_rounds(session_.traversal());
         for (std::uint32_t cell = 0; cell < cells_.cell_count(); ++cell) {
             const CellState state = session_.mark(cell).state;
@@ -184,6 +199,7 @@ private:
 
     void highlights() {
         if (const std::uint32_t last = last_cell(session_); last != none) cell_shape(last, index(Look::last));
+        if (const auto box = last_box(session_)) box_shape(*box, Look::last);
         if (session_.selected_cell != none) cell_shape(session_.selected_cell, index(Look::selected));
         if (session_.selected_primitive == none) return;
         const Primitive<2>& segment = session_.scene().primitives[session_.selected_primitive];

@@ -10,6 +10,7 @@
 #include "core/draw/notes.h"
 #include "core/draw/palette.h"
 #include "core/draw/projection.h"
+#include "core/draw/shown_boxes.h"
 #include "core/draw/shown_cells.h"
 #include "core/draw/solid_cells.h"
 #include "core/methods/cells/facet_geometry.h"
@@ -179,6 +180,8 @@ private:
 
     void highlights() {
         if (const std::uint32_t last = last_cell(session_); last != none) outline_cell(last, index(Look::last));
+        if (const auto box = last_box(session_))
+            for (const auto& edge : edges_of_boxes()) line(box->corner(edge[0]), box->corner(edge[1]), Look::last);
         if (session_.selected_cell != none) outline_cell(session_.selected_cell, index(Look::selected));
         if (session_.selected_primitive == none) return;
         const Primitive<3>& triangle = session_.scene().primitives[session_.selected_primitive];

@@ -157,6 +157,26 @@ std::span<const Edge> edges_of(const CellComplex<3>& cells, std::uint32_t cell) 
     return tetrahedron_edges;
 }
 
+std::span<const Edge> edges_of_boxes() { return box_edges; }
+
+void add_boxes(std::span<const Box<3>> boxes, std::span<const CellPaint> paint, SolidList& list) {
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        if (has_faces(paint[i]))
+            for (const auto& face : box_faces) {
+                for (const std::uint8_t corner : face) list.points.push_back(boxes[i].corner(corner));
+                list.face_begin.push_back(static_cast<std::uint32_t>(list.points.size()));
+                list.face_style.push_back(paint[i].style);
+                list.face_cell.push_back(none);
+            }
+        const std::uint8_t style = edge_style(paint[i]);
+        if (style == no_style) continue;
+        for (const Edge& edge : box_edges) {
+            for (const std::uint8_t corner : edge) list.edge_points.push_back(boxes[i].corner(corner));
+            list.edge_style.push_back(style);
+        }
+    }
+}
+
 void add_cells(const CellComplex<3>& cells, std::span<const CellPaint> paint, double shrink, SolidList& list) {
     CellSolids solids(cells, paint, list);
     if (shrink < 1) {

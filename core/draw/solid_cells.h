@@ -27,6 +27,12 @@ struct CellPaint {
 /// Cells are tetrahedra or boxes with their corners in the order of tree_cells.
 void add_cells(const CellComplex<3>& cells, std::span<const CellPaint> paint, double shrink, SolidList& list);
 
+/// Adds boxes, each a body of its own that belongs to no cell; `paint` has one entry per box.
+void add_boxes(std::span<const Box<3>> boxes, std::span<const CellPaint> paint, SolidList& list);
+
+/// The edges of a box: pairs of corners as Box::corner numbers them.
+std::span<const std::array<std::uint8_t, 2>> edges_of_boxes();
+
 /// The edges of a cell: pairs of places in its row of corners.
 std::span<const std::array<std::uint8_t, 2>> edges_of(const CellComplex<3>& cells, std::uint32_t cell);
 

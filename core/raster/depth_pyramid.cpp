@@ -2,6 +2,7 @@
 #include "core/raster/depth_pyramid.h"
 
 #include <algorithm>
+#include <array>
 
 namespace sightline {
 
@@ -9,8 +10,19 @@ namespace {
 
 float farthest_pixel(const DepthImage& image, int block_x, int block_y) {
     constexpr int side = DepthPyramid::block;
+    const int end_y = std::min((block_y + 1) * side, image.height);
     float farthest = std::numeric_limits<float>::infinity();
-    for (int y = block_y * side; y < std::min((block_y + 1) * side, image.height); ++y)
+    if ((block_x + 1) * side <= image.width) {
+        // Column by column, for the sake of vectors.
+        std::array<float, side> columns;
+        columns.fill(farthest);
+        for (int y = block_y * side; y < end_y; ++y) {
+            const float* const row = &image.nearness[image.index(block_x * side, y)];
+            for (std::size_t i = 0; i < side; ++i) columns[i] = row[i] < columns[i] ? row[i] : columns[i];
+        }
+        return *std::min_element(columns.begin(), columns.end());
+    }
+    for (int y = block_y * side; y < end_y; ++y)
         for (int x = block_x * side; x < std::min((block_x + 1) * side, image.width); ++x)
             farthest = std::min(farthest, image.nearness[image.index(x, y)]);
     return farthest;

@@ -131,6 +131,22 @@ struct CoveredRows {
         end = std::min(end, width_);
     }
 
+    /// The same of rows [row, row + 8) at once, where vectors can do it.
+    static constexpr int rows_at_once = 8;
+    using Columns = std::array<std::int32_t, rows_at_once>;
+    [[gnu::always_inline]] void spans(std::int32_t row, Columns& first, Columns& end) const {
+        for (int i = 0; i < rows_at_once; ++i) {
+            const double y = row + i;
+            const double left = std::min(left_[0].steps(y), left_[1].steps(y));
+            const double right = std::min(right_[0].steps(y), right_[1].steps(y));
+            constexpr double most = largest_raster;
+            const double from = -std::floor(std::min(std::max(left, -most), most));
+            const double to = 1 + std::floor(std::min(std::max(right, -1.0), most));
+            first[static_cast<std::size_t>(i)] = static_cast<std::int32_t>(std::max(from, 0.0));
+            end[static_cast<std::size_t>(i)] = static_cast<std::int32_t>(std::min(to, static_cast<double>(width_)));
+        }
+    }
+
 private:
     /// An edge's function at the centre of pixel 0 of row 0 (less what it must reach), its change from row to row, and
     /// from pixel to pixel.

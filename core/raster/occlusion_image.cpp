@@ -24,20 +24,65 @@ struct PixelBlocks {
     int left, top, right, bottom;
 };
 
-/// Whether something as near as that may be seen in those blocks that block (x, y) of the level has.
-bool may_show(const DepthPyramid& pyramid, const PixelBlocks& blocks, float nearest, int level, int x, int y) {
-    if (nearest < pyramid.levels[static_cast<std::size_t>(level)].at(x, y)) return false;
+/// No pixel has a box nearer: it lies behind the planes of all its faces that turn to the eye, and nearness in a plane
+/// is linear in column and row.
+struct BoxNearness {
+    struct Plane {
+        double at, by_column, by_row;
+    };
+    double nearest;
+    int planes = 0;
+    std::array<Plane, 3> plane{};
+
+    /// Over pixels [x, end_x) x [y, end_y).
+    double bound(int x, int y, int end_x, int end_y) const {
+        double least = nearest;
+        for (int i = 0; i < planes; ++i) {
+            const Plane& p = plane[static_cast<std::size_t>(i)];
+            least = std::min(least, p.at + p.by_column * (p.by_column > 0 ? end_x - 1 : x) +
+                                        p.by_row * (p.by_row > 0 ? end_y - 1 : y));
+        }
+        return least;
+    }
+};
+
+/// A point of the face at `c` on an axis, seen at (x, y) of the image, has one over w = d / (c - eye) on that axis,
+/// where d is the direction through (x, y) to the plane w = 1.
+BoxNearness nearness_of(const Box<3>& box, const View<3>& view, const ImageSize& size, double least_w) {
+    constexpr double step = 1 + 0x1p-22;  // of a float, as hidden-tests are widened
+    BoxNearness nearness{nearness_1 / least_w * step};
+    const auto& c = view.corners;
+    const Vec<3> right = (c[1] - c[0]) * 0.5, up = (c[3] - c[0]) * 0.5, middle = (c[0] + c[2]) * 0.5 - view.eye;
+    for (int axis = 0; axis < 3; ++axis) {
+        const bool low = view.eye[axis] < box.min[axis];
+        if (!low && !(view.eye[axis] > box.max[axis])) continue;
+        const double scale = nearness_1 * step / ((low ? box.min[axis] : box.max[axis]) - view.eye[axis]);
+        const double x = right[axis] * scale, y = up[axis] * scale, at = middle[axis] * scale;
+        const double by_column = 2 * x / size.width, by_row = -2 * y / size.height;
+        const double wider = (std::abs(by_column) + std::abs(by_row)) * query_margin +
+                             0x1p-45 * (std::abs(x) + std::abs(y) + std::abs(at));  // rounding of the corners
+        nearness.plane[static_cast<std::size_t>(nearness.planes++)] = {at - x + y + 0.5 * (by_column + by_row) + wider,
+                                                                       by_column, by_row};
+    }
+    return nearness;
+}
+
+/// Whether a box may be seen in those of its blocks that block (x, y) of the level has.
+bool may_show(const DepthPyramid& pyramid, const PixelBlocks& blocks, const BoxNearness& box, int level, int x, int y) {
+    const int side = DepthPyramid::block << level;
+    const float farthest = pyramid.levels[static_cast<std::size_t>(level)].at(x, y);
+    if (box.bound(x * side, y * side, (x + 1) * side, (y + 1) * side) < farthest) return false;
     if (level == 0) return true;
     const int below = level - 1;
     for (int row = std::max(2 * y, blocks.top >> below); row <= std::min(2 * y + 1, blocks.bottom >> below); ++row)
         for (int column = std::max(2 * x, blocks.left >> below); column <= std::min(2 * x + 1, blocks.right >> below);
              ++column)
-            if (may_show(pyramid, blocks, nearest, below, column, row)) return true;
+            if (may_show(pyramid, blocks, box, below, column, row)) return true;
     return false;
 }
 
 /// From the level at which they are few.
-bool may_show(const DepthPyramid& pyramid, const PixelBlocks& blocks, float nearest) {
+bool may_show(const DepthPyramid& pyramid, const PixelBlocks& blocks, const BoxNearness& box) {
     int level = 0;
     const auto most = static_cast<int>(pyramid.levels.size()) - 1;
     while (level < most && ((blocks.right >> level) - (blocks.left >> level) > 1 ||
@@ -45,7 +90,7 @@ bool may_show(const DepthPyramid& pyramid, const PixelBlocks& blocks, float near
         ++level;
     for (int y = blocks.top >> level; y <= blocks.bottom >> level; ++y)
         for (int x = blocks.left >> level; x <= blocks.right >> level; ++x)
-            if (may_show(pyramid, blocks, nearest, level, x, y)) return true;
+            if (may_show(pyramid, blocks, box, level, x, y)) return true;
     return false;
 }
 
@@ -183,9 +228,9 @@ BoxSight OcclusionImage<3>::look(const Box<3>& box) const {
     const int x = first_pixel(seen.min.x, image_.width), end_x = end_pixel(seen.max.x, image_.width),
               y = first_pixel(seen.min.y, image_.height), end_y = end_pixel(seen.max.y, image_.height);
     if (x >= end_x || y >= end_y) return BoxSight::outside;
-    const auto nearest = static_cast<float>(nearness_1 / least_w * (1 + 0x1p-22));
     const PixelBlocks blocks{block_of(x), block_of(y), block_of(end_x - 1), block_of(end_y - 1)};
-    return may_show(pyramid_, blocks, nearest) ? BoxSight::seen : BoxSight::hidden;
+    return may_show(pyramid_, blocks, nearness_of(box, *view_, image_.size(), least_w)) ? BoxSight::seen
+                                                                                        : BoxSight::hidden;
 }
 
 }  // namespace sightline

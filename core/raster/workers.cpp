@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/raster/workers.h"
 
-#include <algorithm>
-
 #if SIGHTLINE_THREADS
 #include <tbb/info.h>
 #include <tbb/parallel_for.h>
@@ -16,8 +14,9 @@ void run_parts(int count, int threads, const std::function<void(int)>& part) {
 #if SIGHTLINE_THREADS
     if (threads != 1 && count > 1) {
         const auto all = [&] { tbb::parallel_for(0, count, part, tbb::simple_partitioner()); };
-        if (threads > 0)
-            tbb::task_arena(std::min(threads, tbb::info::default_concurrency())).execute(all);
+        // An arena of its own wakes its threads anew each time, which takes longer than most tasks here.
+        if (threads > 0 && threads < tbb::info::default_concurrency())
+            tbb::task_arena(threads).execute(all);
         else
             all();
         return;

@@ -5,8 +5,10 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/number.h"
+#include "core/base/text.h"
 #include "core/session/condition.h"
 #include "core/session/explain.h"
+#include "core/space/box_tree.h"
 #include "core/truth/truth.h"
 
 namespace sightline {
@@ -190,12 +192,17 @@ std::string conditions(const Session<D>& session) {
     std::string text = scene.title.empty() ? scene.id : scene.title;
     if (scene.source == "generated") text += " (" + scene.id + ", seed " + std::to_string(scene.seed) + ")";
     text += ", " + std::to_string(scene.primitives.size()) + primitives + ". Method " + settings.method + " (" +
-            session.guarantee() + "), " + std::to_string(session.cells().cell_count()) + " " +
-            (settings.tessellation == Tessellation::delaunay ? "Delaunay"
-             : settings.tessellation == Tessellation::kd     ? "kd-tree"
-             : D == 2                                        ? "quadtree"
-                                                             : "octree") +
-            " cells, budget " + budget_text(settings.budget);
+            session.guarantee() + "), ";
+    if (session.method().pops == Kind::node)
+        text += counted(session.problem().boxes().nodes.size(), "node") + " of a box tree";
+    else
+        text += std::to_string(session.cells().cell_count()) + " " +
+                (settings.tessellation == Tessellation::delaunay ? "Delaunay"
+                 : settings.tessellation == Tessellation::kd     ? "kd-tree"
+                 : D == 2                                        ? "quadtree"
+                                                                 : "octree") +
+                " cells";
+    text += ", budget " + budget_text(settings.budget);
     if (settings.budget.kind == Budget::Kind::share)
         text += " = " + std::to_string(budget_in_primitives(session)) + primitives;
     return text + ".";

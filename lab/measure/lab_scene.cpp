@@ -114,6 +114,8 @@ LabScene<D> load_lab_scene(const std::string& name, const std::string& path_name
         lab.frames.push_back(static_cast<std::uint32_t>(frame));
         lab.specs.push_back(path.frames[frame]);
         lab.views.push_back(scene_view(path.frames[frame], *lab.scene, study.size));
+        lab.before.emplace_back();
+        if (frame > 0) lab.before.back() = scene_view(path.frames[frame - 1], *lab.scene, study.size);
     }
     for (const MethodChoice& choice : study.methods) {
         auto& cells = lab.cells[static_cast<std::size_t>(choice.tessellation)];

@@ -27,6 +27,7 @@ struct LabScene {
     std::string path;
     std::vector<std::uint32_t> frames;  ///< of the path, those that are measured
     std::vector<View<D>> views;         ///< one per measured frame
+    std::vector<std::optional<View<D>>> before;  ///< the one before each of these on the path; none: it is the first
     std::vector<ViewSpec<D>> specs;     ///< the same as they are written down
 
     const CellComplex<D>& on(Tessellation tessellation) const { return *cells[static_cast<std::size_t>(tessellation)]; }

@@ -104,11 +104,18 @@ private:
         OwnRun<D> timed;  ///< reused
     };
 
-    /// Without a budget.
+    /// Without a budget. History is that of the path's frame before, which had none.
     Problem<D> problem_of(std::size_t method, std::uint32_t i, const Services& services) const {
         const Choice& c = methods_[method];
-        return make_problem(c.variant.method, c.variant.parameters, *lab_.scene, lab_.on(c.choice.tessellation),
-                            lab_.views[i], none, services);
+        Problem<D> problem = make_problem(c.variant.method, c.variant.parameters, *lab_.scene,
+                                          lab_.on(c.choice.tessellation), lab_.views[i], none, services);
+        if (!c.variant.method.needs.history || !lab_.before[i]) return problem;
+        Problem<D> last = problem;
+        last.view = *lab_.before[i];
+        const std::unique_ptr<Run<D>> run = c.variant.method.start(last);
+        run->run(none);
+        problem.history = run->next_history();
+        return problem;
     }
     Services services_of(const FrameOfAll& frame) const {
         return known_services(std::make_shared<std::vector<std::uint8_t>>(frame.reference.visible),
@@ -171,10 +178,10 @@ private:
         if (study_.repeats == 0) return;
         const Services services = services_of(now);
         std::vector<std::uint32_t> ids;
-        for (std::size_t m = 0; m < methods_.size(); ++m)
+        for (std::size_t m = 0; m < methods_.size(); ++m) {
+            Problem<D> problem = problem_of(m, i, services);
             for (std::size_t b = 0; b < methods_[m].budgets.size(); ++b) {
                 Choice& c = methods_[m];
-                Problem<D> problem = problem_of(m, i, services);
                 problem.budget = c.budgets[b].primitives;
                 TimeSamples times;
                 const bool pays = pays_for_traversal(c.variant.method);
@@ -190,6 +197,7 @@ private:
                 if (D == 3 && !instruments_.time_drawing)
                     values[Measure::total_ms] = values[Measure::total_error] = std::numeric_limits<double>::quiet_NaN();
             }
+        }
         compare_with_exact(now);
     }
 

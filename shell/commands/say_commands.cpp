@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/base/glossary.h"
 #include "core/session/explain.h"
+#include "core/session/explain_box.h"
 #include "core/session/explanation_json.h"
 #include "shell/commands/arguments.h"
 #include "shell/commands/groups.h"
@@ -58,17 +59,31 @@ void say_primitive(Workbench<D>& bench, Text id, bool seeds, const std::string& 
 }
 
 template <int D>
+void say_box(Workbench<D>& bench, Text id) {
+    const Session<D>& session = bench.session;
+    if (session.method().pops != Kind::node)
+        throw InputError("method '" + std::string(session.method().id) + "' walks no tree of boxes");
+    const std::uint32_t node = whole_argument(id, "the number of a node");
+    const std::size_t count = session.problem().boxes().nodes.size();
+    if (node >= count)
+        throw InputError("node " + std::to_string(node) + " does not exist; there are " + std::to_string(count) +
+                         ", from 0");
+    bench.say(box_sentence(session, node));
+}
+
+template <int D>
 void explain(Workbench<D>& bench, Text text) {
     const Session<D>& session = bench.session;
     const auto [words, file] = read_asked(text);
     const std::string kind = words.empty() ? "" : words[0];
     if (kind == "cell" && words.size() == 2) return say_cell(bench, words[1], file);
+    if (kind == "node" && words.size() == 2 && file.empty()) return say_box(bench, words[1]);
     if (kind == "primitive" && (words.size() == 2 || (words.size() == 3 && words[2] == "seeds")))
         return say_primitive(bench, words[1], words.size() == 3, file);
     std::uint32_t step = session.position();
     if (kind == "step" && words.size() == 2) step = whole_argument(words[1], "a step");
     if (!file.empty() || (!words.empty() && (kind != "step" || words.size() != 2)))
-        throw InputError("write explain, explain step N, explain cell ID or explain primitive ID");
+        throw InputError("write explain, explain step N, explain cell ID, explain node ID or explain primitive ID");
     if (step == 0) return bench.say("Step 0: the seed cell is in the front, nothing is projected yet.");
     if (step > session.position())
         throw InputError("step " + std::to_string(step) + " has not been made yet; the session is at step " +
@@ -144,8 +159,9 @@ void panels(Workbench<D>& bench, Text text) {
 template <int D>
 std::span<const Command<D>> say_commands() {
     static constexpr std::array table{
-        Command<D>{"explain", "Explain", "[step N | cell ID | primitive ID [seeds]] [FILE.json]",
-                   "explain a step, why a cell waits, or why a primitive is visible or hidden", "", explain<D>},
+        Command<D>{"explain", "Explain", "[step N | cell ID | node ID | primitive ID [seeds]] [FILE.json]",
+                   "explain a step, why a cell or a box waits, or why a primitive is visible or hidden", "",
+                   explain<D>},
         Command<D>{"what-if", "What if", "",
                    "change one parameter at a time; say when the selected cell or primitive is then reached", "",
                    what_if_changed<D>},

@@ -5,6 +5,7 @@
 #include "core/base/number.h"
 #include "core/base/text.h"
 #include "core/session/explain.h"
+#include "core/session/explain_box.h"
 #include "core/session/explain_primitive.h"
 #include "shell/desk/into.h"
 #include "shell/desk/what_if.h"
@@ -132,6 +133,10 @@ void write_primitive(Writer& to, const Session<D>& s, const PrimitiveExplanation
     to.add(sight_sentence(s, e));
     Row& met = to.add(met_sentence(e, s.position()), 0, e.visible && e.met_at == 0 ? Tone::bad : Tone::plain);
     if (e.met_at > 0) met.command = "seek " + std::to_string(e.met_at);
+    if (const std::uint32_t box = box_around(s, e.primitive); box != none) {
+        to.add("in " + box_sentence(s, box), 1);
+        return;
+    }
     for (std::size_t i = 0; i < std::min(e.cells.size(), most_cells_told); ++i)
         to.cell("in " + name(e.cells[i]) + ": " + place_words(s, e.cells[i]), e.cells[i], 1);
     if (e.cells.size() > most_cells_told)

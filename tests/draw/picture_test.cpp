@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/draw/picture.h"
+#include "core/draw/shown_boxes.h"
 #include "core/session/settings_table.h"
 
 #include <gtest/gtest.h>
@@ -70,6 +71,7 @@ TEST(Picture, CellsLookAsTheirStates) {
         session.seek(static_cast<std::uint32_t>(random.below(40)));
         const DrawList list = make_picture(session);
         std::map<CellState, std::set<std::vector<double>>> expected;
+        std::map<CellState, std::vector<std::vector<double>>> boxes;
         for (std::uint32_t cell = 0; cell < session.cells().cell_count(); ++cell) {
             std::vector<double> corners;
             for (const std::uint32_t p : session.cells().corners_of(cell)) {
@@ -78,10 +80,21 @@ TEST(Picture, CellsLookAsTheirStates) {
             }
             expected[session.mark(cell).state].insert(corners);
         }
+        if (session.method().pops == Kind::node) {
+            expected.clear();
+            for (const ShownBox<2>& shown : shown_boxes(session)) {
+                std::vector<double>& corners = boxes[shown.state].emplace_back();
+                for (int i = 0; i < 4; ++i)
+                    corners.insert(corners.end(), {shown.box.corner(i).x, shown.box.corner(i).y});
+            }
+            for (const auto& [state, of_state] : boxes) expected[state] = {of_state.begin(), of_state.end()};
+            ASSERT_EQ(polygons(list, Look::hidden), expected[CellState::hidden]);
+        }
         ASSERT_EQ(polygons(list, Look::projected), expected[CellState::projected]);
         ASSERT_EQ(polygons(list, Look::enqueued), expected[CellState::enqueued]);
         ASSERT_EQ(polygons(list, Look::unseen), expected[CellState::unseen]);
-        ASSERT_EQ(count(list, Look::tessellation), session.cells().facet_count());
+        ASSERT_EQ(count(list, Look::tessellation),
+                  session.method().pops == Kind::node ? 0 : session.cells().facet_count());
 
         // Primitives by what the budget and the exact set say.
         std::array<std::size_t, 4> lines{};
@@ -93,7 +106,7 @@ TEST(Picture, CellsLookAsTheirStates) {
         ASSERT_EQ(count(list, Look::missed), lines[1]);
         ASSERT_EQ(count(list, Look::wasted), lines[2]);
         ASSERT_EQ(count(list, Look::rendered), lines[3]);
-        ASSERT_EQ(count(list, Look::last), session.position() > 0 && session.method().orders_cells());
+        ASSERT_EQ(count(list, Look::last), session.position() > 0 && session.method().pops != Kind::primitive);
         for (const Shape& shape : list.shapes) {
             ASSERT_LT(shape.style, list.styles.size());
             ASSERT_LE(shape.first_point + shape.point_count, list.points.size());

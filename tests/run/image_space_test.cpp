@@ -229,6 +229,33 @@ TEST(ImageSpace, ViewCullingDrawsWhatIsInView) {
     view_culling_draws_what_is_in_view<3>(96);
 }
 
+TEST(ImageSpace, WhereLittleIsInViewNothingIsTested) {
+    Random random(99);
+    std::size_t tested = 0, left = 0;
+    for (int i = 0; i < test::soak_count(40); ++i) {
+        const BoxCase<3> made = random_box_case<3>(random);
+        const auto start = [&](const char* text) {
+            const Variant<3> variant = make_variant<3>(method_table<3>(), text);
+            auto run = variant.method.start(made.problem(variant));
+            run->run(none);
+            return run;
+        };
+        const auto view = start("view"), boxes = start("boxes worth=8 refresh=2"), all = start("boxes refresh=2");
+        // Back faces are in view too, so more lie in view than view culling draws.
+        const auto drawn = rendered_mask(boxes->met(), made.scene.primitives.size());
+        if (view->counters().rendered_count > static_cast<std::uint32_t>(made.size.width * made.size.height / 8)) {
+            ASSERT_EQ(boxes->hash(), all->hash());
+            ++tested;
+        } else if (boxes->hash() != all->hash()) {
+            ASSERT_EQ(drawn, rendered_mask(view->met(), made.scene.primitives.size()));
+            ASSERT_EQ(boxes->misses(), Misses::none);
+            ++left;
+        }
+    }
+    EXPECT_GT(tested, 3u);
+    EXPECT_GT(left, 3u);
+}
+
 TEST(ImageSpace, AMapWithHolesOverlooksGaps) {
     Random random(97);
     std::size_t missed = 0;

@@ -34,6 +34,7 @@ const std::map<std::string_view, Range> ranges{
     {"around", {0, 1000, false, false, true}},
     {"occluder_share", {0, 1}},
     {"opacity", {0, 1}},
+    {"worth", {0, 1e6}},
     {"refresh", {1, 1e6, false, false, true}},
 };
 

@@ -58,6 +58,8 @@ void BoxRun<D>::begin_boxes() {
         method_.test == BoxMethod::Test::pixels ? 1 : static_cast<std::uint32_t>(parameters.number(refresh_row()));
     opacity_ = method_.test == BoxMethod::Test::opacity ? parameters.number(opacity_row()) : 1;
     tree_ = &this->problem_.boxes();
+    const double worth = method_.test == BoxMethod::Test::depth ? parameters.number(worth_row()) : 0;
+    tests_depth_ = method_.test != BoxMethod::Test::view && (worth == 0 || are_worth_testing(worth));
     marks_.begin(tree_->nodes.size());
     front_.clear();
     front_is_stale_ = false;
@@ -69,6 +71,28 @@ void BoxRun<D>::begin_boxes() {
         occluders_ = occluders<D>(this->problem_, asked == Occluders::own ? method_.occluders : asked, picker_);
     }
     if (!tree_->nodes.empty()) enqueue(0, nullptr);
+}
+
+/// Whether more primitives lie in view than one for so many pixels. Looks at no more boxes than that takes.
+template <int D>
+bool BoxRun<D>::are_worth_testing(double worth) const {
+    const ImageSize size = image_size<D>(this->problem_.services.image);
+    const double enough = double{1} * size.width * std::max(size.height, 1) / worth;
+    const View<D>& view = this->problem_.view;
+    std::vector<std::uint32_t> nodes;
+    if (!tree_->nodes.empty()) nodes.push_back(0);
+    double found = 0;
+    while (!nodes.empty() && found <= enough) {
+        const typename BoxTree<D>::Node& at = tree_->nodes[nodes.back()];
+        nodes.pop_back();
+        const auto corners = corners_of<D>(at.box);
+        if (!in_view(view, std::span<const Vec<D>>(corners))) continue;
+        if (at.first_child == none || all_in_view(view, std::span<const Vec<D>>(corners)))
+            found += at.end - at.begin;
+        else
+            nodes.insert(nodes.end(), {at.first_child, at.first_child + 1});
+    }
+    return found > enough;
 }
 
 template <int D>

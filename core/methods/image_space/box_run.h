@@ -77,7 +77,8 @@ private:
     std::uint32_t occluder_steps() const { return (static_cast<std::uint32_t>(occluders_.size()) + batch - 1) / batch; }
     /// Counters::partial_cell when the budget ended among the occluders.
     std::uint32_t occluders_left() const { return static_cast<std::uint32_t>(tree_->nodes.size()); }
-    bool tests_depth() const { return method_.test != BoxMethod::Test::view; }
+    bool tests_depth() const { return tests_depth_; }
+    bool are_worth_testing(double worth) const;
     bool wins_pixels() const { return tests_depth() && all_winners_; }
 
     Stop next(Recorder*);
@@ -100,6 +101,7 @@ private:
     BoxMethod method_;
     Picker picker_;
     const BoxTree<D>* tree_ = nullptr;
+    bool tests_depth_ = true;
     bool all_winners_ = true;  ///< draws=winners
     std::uint32_t refresh_ = 1;
     double opacity_ = 1;

@@ -94,6 +94,8 @@ std::vector<CodeLine> BoxRun<D>::code(const CodePlace& at) const {
         add("draw the occluders", 0, (in_step && !pops) || (!in_step && this->steps_ < occluder_steps()),
             in_step ? counted(at.rendered, "occluder") : counted(occluders_.size(), "occluder"),
             method_.test == BoxMethod::Test::opacity ? "Zhang et al. 1997, section 3" : "");
+    if (method_.test != BoxMethod::Test::view && !tests_depth())
+        add("so little is in view that drawing all of it is cheaper: test nothing", 0, false);
     add("while a box waits:", 0, !in_step && this->steps_ >= occluder_steps() && counters.spent < this->problem_.budget,
         counters.front_size == 1 ? "1 box waits" : std::to_string(counters.front_size) + " boxes wait");
     add(tests_depth() ? "take the nearest one" : "take the next one", 1, testing, popped,

@@ -25,7 +25,8 @@ Method<D> box_method(std::string_view id, std::string_view title, std::string_vi
     row.needs.history = true;
     row.promise = Misses::none_at_this_resolution;
     row.parameters = {&occluders_row(), &occluder_share_row(), &draws_row()};
-    if (method.test == BoxMethod::Test::depth) row.parameters.push_back(&refresh_row());
+    if (method.test == BoxMethod::Test::depth)
+        row.parameters.insert(row.parameters.end(), {&refresh_row(), &worth_row()});
     if (method.test == BoxMethod::Test::opacity) row.parameters.push_back(&opacity_row());
     return row;
 }

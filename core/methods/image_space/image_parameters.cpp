@@ -32,6 +32,14 @@ const ParameterRow& refresh_row() {
     return row;
 }
 
+const ParameterRow& worth_row() {
+    static const ParameterRow row =
+        number_row("worth", "0", 0, 1e6, "[0, 1e6]", "docs/methods.md",
+                   "with less than one primitive in view for so many pixels nothing is tested, as drawing all is "
+                   "cheaper; 0: always test");
+    return row;
+}
+
 const ParameterRow& opacity_row() {
     static const ParameterRow row =
         number_row("opacity", "1", 0, 1, "[0, 1]", "Zhang et al. 1997, section 4",

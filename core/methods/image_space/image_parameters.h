@@ -21,5 +21,6 @@ const ParameterRow& occluder_share_row();
 const ParameterRow& draws_row();
 const ParameterRow& refresh_row();
 const ParameterRow& opacity_row();
+const ParameterRow& worth_row();
 
 }  // namespace sightline

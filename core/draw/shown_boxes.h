@@ -1,0 +1,33 @@
+// The boxes of a method that walks a tree of them, as pictures show them.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/session/session.h"
+
+namespace sightline {
+
+template <int D>
+bool walks_boxes(const Session<D>& session) {
+    return session.method().pops == Kind::node;
+}
+
+template <int D>
+struct ShownBox {
+    std::uint32_t node = none;
+    CellState state = CellState::clean;
+    Box<D> box;
+};
+
+/// Those that wait, that are dropped and that are drawn, parents before their children; of an opened box its halves.
+/// None for a method that walks no boxes.
+template <int D>
+std::vector<ShownBox<D>> shown_boxes(const Session<D>& session);
+
+/// The one that the last step popped.
+template <int D>
+std::optional<Box<D>> last_box(const Session<D>& session);
+
+}  // namespace sightline

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/explain_box.h"
+
+#include <algorithm>
+
+#include "core/base/number.h"
+#include "core/base/text.h"
+#include "core/space/box_tree.h"
+
+namespace sightline {
+
+template <int D>
+std::uint32_t box_around(const Session<D>& session, std::uint32_t primitive) {
+    if (session.method().pops != Kind::node) return none;
+    const BoxTree<D>& tree = session.problem().boxes();
+    const auto place = static_cast<std::uint32_t>(std::find(tree.primitives.begin(), tree.primitives.end(), primitive) -
+                                                  tree.primitives.begin());
+    std::uint32_t found = 0;
+    while (tree.nodes[found].first_child != none) {
+        const std::uint32_t high = tree.nodes[found].first_child + 1;
+        const std::uint32_t next = place >= tree.nodes[high].begin ? high : high - 1;
+        if (session.traversal().mark(Item{next, Kind::node}).state == CellState::clean) break;
+        found = next;
+    }
+    return found;
+}
+
+template <int D>
+std::string box_sentence(const Session<D>& session, std::uint32_t node) {
+    const Item item{node, Kind::node};
+    const auto primitives = session.problem().boxes().primitives_of(node);
+    std::string text = item_name(item) + ", " + counted(primitives.size(), D == 2 ? "segment" : "triangle") + ": ";
+    const Mark mark = session.traversal().mark(item);
+    if (const Verdict verdict = session.traversal().why_not(item)) return text + verdict.sentence;
+    if (mark.state == CellState::enqueued) return text + "it waits in the front, key " + short_number(mark.key);
+    const Drawn& drawn = session.traversal().drawn();
+    const auto rendered =
+        std::count_if(primitives.begin(), primitives.end(), [&](std::uint32_t p) { return drawn.has(p); });
+    return text + "it may be seen, and " + std::to_string(rendered) + " of them are rendered";
+}
+
+#define SIGHTLINE_INSTANTIATE(D)                                                      \
+    template std::uint32_t box_around<D>(const Session<D>&, std::uint32_t primitive); \
+    template std::string box_sentence<D>(const Session<D>&, std::uint32_t node);
+SIGHTLINE_INSTANTIATE(2)
+SIGHTLINE_INSTANTIATE(3)
+#undef SIGHTLINE_INSTANTIATE
+
+}  // namespace sightline
