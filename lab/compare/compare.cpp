@@ -45,6 +45,11 @@ bool sweeps(const Results& results) {
     return false;
 }
 
+/// Methods that no heuristic touches. Others may be conservative too, and change.
+bool is_control(const MethodChoice& method) {
+    return method.variant == view_culling || method.variant == "everything" || method.variant == exactly_v;
+}
+
 }  // namespace
 
 double confidence_half_width(const std::vector<double>& values) {
@@ -105,7 +110,7 @@ std::optional<double> machine_change(const std::vector<Pair>& pairs, const std::
                                      const std::string& path) {
     std::optional<double> most;
     for (const Pair& pair : pairs) {
-        if (pair.a->approximate || pair.a->method != pair.b->method) continue;
+        if (!is_control(pair.a->method) || pair.a->method != pair.b->method) continue;
         if (pair.a->scene != scene || pair.a->path != path) continue;
         for (const Change& change : pair.changes)
             if (change.measure == Measure::total_ms && change.a > 0)

@@ -152,8 +152,9 @@ Row read_row(const Json& json) {
         const auto found = json.at("per_frame").find(id);
         if (found == json.at("per_frame").end()) continue;
         for (std::size_t i = 0; i < row.values.size(); ++i)
-            for (std::size_t bin = 0; bin < distance_bins; ++bin)
-                (row.values[i].*at)[bin] = number_or_nan(found->at(i).at(bin));
+            if (const Json& bins = found->at(i); bins.is_array())
+                for (std::size_t bin = 0; bin < std::min(distance_bins, bins.size()); ++bin)
+                    (row.values[i].*at)[bin] = number_or_nan(bins[bin]);
     }
     return row;
 }

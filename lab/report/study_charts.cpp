@@ -165,7 +165,9 @@ Chart trade_off(const Group& group, Measure measure, Measure cost) {
 
     Series front = guide("Pareto points", light_grey);
     front.width = 7;
-    for (const TradeOffPoint& point : pareto_points(group.rows, measure, cost))
+    std::vector<const Row*> real = group.rows;
+    std::erase_if(real, [](const Row* row) { return row->method.variant == exactly_v; });  // nobody is told V
+    for (const TradeOffPoint& point : pareto_points(real, measure, cost))
         front.points.push_back({point.cost, scaled(measure, point.value)});
     chart.series.push_back(std::move(front));
 

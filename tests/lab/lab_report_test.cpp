@@ -73,10 +73,10 @@ TEST(LabTradeOff, HasAnAxisOfWhatIsDrawnAndOneOfWhatIsTested) {
     }
     for (Values& v : other.values) v[M::rendered] = 500;
     const Group group{row.scene, row.path, {&row, &other}};
-    const auto point = [&](M cost) { return trade_off(group, M::wrong, cost).series[1].points.at(0); };
-    EXPECT_EQ(point(M::total_ms), (std::array{1.0, 10.0}));
-    EXPECT_EQ(point(M::rendered), (std::array{70.0, 10.0}));
-    EXPECT_EQ(point(M::tested), (std::array{30.0, 10.0}));
+    const auto at = [&](M cost) { return trade_off(group, M::wrong, cost).series[1].points.at(0)[0]; };
+    EXPECT_EQ(at(M::total_ms), 1);
+    EXPECT_EQ(at(M::rendered), 70);
+    EXPECT_EQ(at(M::tested), 30);
     EXPECT_NE(trade_off(group, M::wrong, M::tested).x.find("tested, tests"), std::string::npos);
     EXPECT_EQ(pareto_points(group.rows, M::wrong, M::rendered).front().cost, 70);
     const TextTable table = time_table(group);
@@ -87,11 +87,12 @@ TEST(LabTradeOff, HasAnAxisOfWhatIsDrawnAndOneOfWhatIsTested) {
 }
 
 TEST(LabTradeOff, NamesTheBestWithinATime) {
-    const std::vector<Row> rows{report_row("city", "published", "1%", 4, 0.3, 0),
-                                report_row("city", "layers", "1%", 6, 0.1, 0),
-                                report_row("city", "centroid", "1%", 5, 0.2, 0)};
+    const std::vector<Row> rows{
+        report_row("city", "published", "1%", 4, 0.3, 0), report_row("city", "layers", "1%", 6, 0.1, 0),
+        report_row("city", "centroid", "1%", 5, 0.2, 0), report_row("city", "perfect", "unlimited", 1, 0, 1)};
     const Group group{"city", "test", pointers(rows)};
-    EXPECT_EQ(best_within(group, 3), nullptr);
+    EXPECT_EQ(best_within(group, 3), nullptr) << "exactly V is no method";
+    EXPECT_EQ(trade_off(group, M::wrong).series[0].points.front()[0], 4) << "nor a Pareto point";
     EXPECT_EQ(best_within(group, 4)->method.id(), "published");
     EXPECT_EQ(best_within(group, 5.5)->method.id(), "centroid");
     EXPECT_EQ(best_within(group, 100)->method.id(), "layers");

@@ -172,6 +172,13 @@ TEST(LabCompare, TimesOfTwoRunsAreHeldAgainstWhatNoHeuristicTouches) {
     const Results before = run(10, 40), busy = run(12, 48), slower = run(12, 40);
     EXPECT_FALSE(time_changed(before, busy)) << "all times grew by a fifth";
     EXPECT_TRUE(time_changed(before, slower));
+    Results with_boxes = before, faster_boxes = slower;
+    for (Results* results : {&with_boxes, &faster_boxes}) {
+        results->rows.push_back(results->rows.back());
+        results->rows.back().method = parse_method("boxes");
+    }
+    for (Values& v : faster_boxes.rows.back().values) v[M::total_ms] /= 2;
+    EXPECT_TRUE(time_changed(with_boxes, faster_boxes)) << "a conservative method that changed is no control";
     EXPECT_NEAR(*machine_change(compare_results(before, busy), "city", "test"), 0.2, 0.01);
     EXPECT_FALSE(machine_change(compare_results(before, busy), "room", "test"));
     Results alone = before, alone_busy = busy;

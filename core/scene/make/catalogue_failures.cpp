@@ -58,7 +58,7 @@ const std::vector<PlanRow>& plans() {
         both<niche>("niche", 20, "Wall that reaches the hull",
                     "The walls of a niche reach past the border of the cells: a traversal that starts in the niche "
                     "finds all its neighbours hidden and never comes to what stands in plain view beside it.",
-                    {{20, -2}, {20, 20}, 140}, 0.05, "5%", {{"border", "none"}}, {half}),
+                    {{20, -0.8}, {20, 20}, 168}, 0.05, "5%", {{"border", "none"}, {"jitter", "0"}}, {half}),
         both<fence>("fence", 7, "Fence at the border",
                     "The cells reach from leaf centre to leaf centre, so a fence at the border of the scene lies in no "
                     "cell and is never drawn, unless the corners of a larger box are added.",
@@ -216,6 +216,7 @@ std::span<const CatalogueRow<3>> failure_scenes<3>() {
                 row.title = "Needles and T-junctions";
                 row.view = {{8, 0, 1.5}, {8, 10, 1.2}, 60};
             }
+            if (id == "niche") row.view.fov = 160;  // as far to the sides as the plan's
             if (id == "lattice") {
                 row.generate = failures::lattice_3d;
                 row.error_bound = 0.07;

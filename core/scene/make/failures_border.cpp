@@ -52,8 +52,8 @@ std::vector<Primitive<2>> niche(std::uint64_t seed) {
     pieces(sketch, {15, 0}, {15, 8}, 8);
     pieces(sketch, {25, 0}, {25, 8}, 8);
     pieces(sketch, {15, 8}, {25, 8}, 10);
-    crate_rows(sketch, random, {1, 2, 13, 39}, 2, 0.4);
-    crate_rows(sketch, random, {27, 2, 39, 39}, 2, 0.4);
+    crate_rows(sketch, random, {1, 0, 13, 39}, 2, 0.4);
+    crate_rows(sketch, random, {27, 0, 39, 39}, 2, 0.4);
     pieces(sketch, {0, 40}, {40, 40}, 40);
     for (const double x : {0.0, 40.0}) pieces(sketch, {x, 0}, {x, 40}, 20);
     return sketch.segments;
