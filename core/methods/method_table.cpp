@@ -43,10 +43,7 @@ std::vector<Method<D>> rows() {
         if (method.orders_cells()) firsts.push_back(method);
     table.push_back(cplp_method<D>(std::move(firsts), cell_parameter_rows(plp_parameter_rows())));
     table.back().compared = false;
-    for (Method<D>& method : image_methods<D>(table.front())) {
-        table.push_back(std::move(method));
-        table.back().compared = false;
-    }
+    for (Method<D>& method : image_methods<D>(table.front())) table.push_back(std::move(method));
     return table;
 }
 

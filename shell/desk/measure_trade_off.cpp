@@ -55,7 +55,7 @@ void update_trade_off(Workbench<D>& bench) {
         for (const ViewSpec<D>& view : views)
             task.views.push_back(scene_view(view, session.scene(), session.settings().reference_size));
         for (const Method<D>& method : bench.methods)
-            if (method.compared)
+            if (method.compared && !method.needs.history)  // the frames of a chart follow no path
                 task.variants.push_back(
                     variant_of(method, session.settings().parameters, session.settings().parameters));
         task.draw_ids = drawing_of(session.settings().reference, bench.graphics.draw_ids);

@@ -35,7 +35,7 @@ TradeOffTask<D> task_of(const Session<D>& session, std::size_t views, Random& ra
         for (int c = 0; c < D; ++c) spec.eye[c] += random.uniform(-0.2, 0.2);
     }
     for (const Method<D>& method : method_table<D>())
-        if (method.compared)
+        if (method.compared && !method.needs.history)
             task.variants.push_back(variant_of(method, session.settings().parameters, session.settings().parameters));
     return task;
 }

@@ -69,8 +69,10 @@ void nothing_is_missed(std::uint64_t seed, int count) {
     for (int i = 0; i < count; ++i) {
         SCOPED_TRACE(i);
         CplpCase<D> made = random_cplp_case<D>(random);
-        for (const char* first : {"published", "layers", "formula key=depth"}) {
-            made.settings.parameters.set(cplp_first_row(), first);
+        for (const char* first : {"published", "layers", "formula key=depth", "layers, winners only"}) {
+            const std::string_view words = first;
+            made.settings.parameters.set(cplp_first_row(), words.substr(0, words.find(',')));
+            made.settings.parameters.set(draws_row(), words.find(',') == words.npos ? "own" : "winners");
             const Problem<D> problem = made.problem(method);
             const std::unique_ptr<Run<D>> run = method.start(problem);
             std::uint32_t before = 0;
@@ -90,8 +92,8 @@ void nothing_is_missed(std::uint64_t seed, int count) {
                 }
             cut += static_cast<std::size_t>(std::count(rendered.begin(), rendered.end(), 0)) > 0;
             // What is still in the front could change nothing; what is projected was seen.
-            DepthScreen<D> screen;
-            screen.draw(run->problem(), run->met());
+            Screen<D> screen;
+            screen.show(run->problem(), run->met(), run->counters().touched_count);
             for (std::uint32_t cell = 0; cell < made.cells.cell_count(); ++cell)
                 if (run->mark(cell).state == CellState::enqueued) {
                     ++hidden;

@@ -1,5 +1,5 @@
-// The conservative methods in the scenes in which methods fail, from anywhere: no pixel of the software reference is
-// missed. SPDX-License-Identifier: GPL-3.0-or-later
+// Conservative methods where others fail, seen from anywhere: no pixel of the software reference is missed.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
 #include "core/base/random.h"
@@ -13,8 +13,9 @@
 namespace sightline {
 namespace {
 
-constexpr std::array from_anywhere{"cplp first=layers",      "boxes refresh=16", "hzb", "hom", "two-pass",
-                                   "two-pass occluders=plp", "boxes draws=box"};
+constexpr std::array from_anywhere{
+    "cplp first=layers", "cplp first=layers draws=winners", "boxes refresh=16", "hzb", "hom",
+    "two-pass",          "two-pass occluders=plp",          "boxes draws=whole"};
 
 Scene<2> gallery_scene(const CatalogueRow<2>& row) { return make_scene(row); }
 Scene<3> gallery_scene(const CatalogueRow<3>& row) { return make_scene(row, 10'000); }

@@ -86,16 +86,16 @@ IdImage image_ids(const BoxCase<3>& c) { return draw_ids_in_software(c.scene, c.
 constexpr std::array conservative{"boxes",
                                   "boxes refresh=1",
                                   "boxes refresh=3 occluders=plp occluder_share=0.1",
-                                  "boxes draws=box refresh=2",
+                                  "boxes draws=whole refresh=2",
                                   "boxes occluders=largest",
                                   "hzb",
-                                  "hzb draws=box",
+                                  "hzb draws=whole",
                                   "hom",
                                   "hom occluder_share=0.2 occluders=plp",
                                   "hom draws=winners",
                                   "two-pass",
                                   "two-pass occluders=none",
-                                  "two-pass draws=box occluders=largest occluder_share=0.3"};
+                                  "two-pass draws=whole occluders=largest occluder_share=0.3"};
 
 template <int D>
 void no_pixel_is_missed(std::uint64_t seed, int count) {
@@ -163,7 +163,7 @@ void no_pixel_is_missed(std::uint64_t seed, int count) {
             EXPECT_LT(counts[1], 6 * counts[0]) << text << ": nearly all was drawn";
         }
     }
-    EXPECT_LT(met["boxes refresh=1"][1], met["boxes draws=box refresh=2"][1]);
+    EXPECT_LT(met["boxes refresh=1"][1], met["boxes draws=whole refresh=2"][1]);
 }
 
 TEST(ImageSpace, InThePlaneNothingThatAPixelShowsIsMissed) { no_pixel_is_missed<2>(91, test::soak_count(30)); }

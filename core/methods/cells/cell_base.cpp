@@ -76,6 +76,7 @@ bool CellBase<D>::move(Direction direction, const Step& step, std::span<Change> 
         else
             set_state(step.item.id, CellState::enqueued);
         this->drawn_.take_back(before.touched_count, this->counters_.touched_count);
+        if (rounds_) rounds_->screen.forget();
         --this->steps_;
         set_counters(before);
     } else {

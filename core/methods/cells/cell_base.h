@@ -3,11 +3,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/run/marks.h"
 #include "core/methods/cells/cell_parameters.h"
 #include "core/methods/cells/cell_rules.h"
-#include "core/run/front.h"
 #include "core/methods/cells/rounds.h"
+#include "core/run/front.h"
+#include "core/run/marks.h"
 #include "core/run/run.h"
 
 namespace sightline {
@@ -42,7 +42,7 @@ public:
 
     /// From the end of the budget on the run goes on in rounds until nothing visible is left (cplp/cplp.h). To be
     /// called before the first step.
-    void complete_in_rounds();
+    void complete_in_rounds(bool only_winners = false);
     std::vector<CodeLine> code(const CodePlace&) const override;
 
 protected:

@@ -19,8 +19,9 @@ bool is_test(const Change& change) {
 }  // namespace
 
 template <int D>
-void CellBase<D>::complete_in_rounds() {
+void CellBase<D>::complete_in_rounds(bool only_winners) {
     rounds_.emplace();
+    rounds_->only_winners = only_winners;
     rounds_->begin(marks_.size());
 }
 
@@ -65,11 +66,12 @@ Stop CellBase<D>::make_round(Recorder* recorder) {
     const std::uint32_t number = ++rounds_->done;
     if (recorder) recorder->popped({number, Kind::round}, {});
     if (number == 1) begin_rounds(recorder);
-    rounds_->screen.draw(this->problem_, this->met());
+    Screen<D>& screen = rounds_->screen;
+    screen.show(this->problem_, this->met(), this->counters_.touched_count);
     std::vector<std::uint32_t> seen;
     for (const auto& [item, mark] : front()) {
         if (rounds_->hidden[item.id]) continue;
-        const auto pixel = rounds_->screen.seen_at(this->problem_, item.id);
+        const auto pixel = screen.seen_at(this->problem_, item.id);
         if (pixel)
             seen.push_back(item.id);
         else
@@ -78,10 +80,26 @@ Stop CellBase<D>::make_round(Recorder* recorder) {
             recorder->changed(item, mark, static_cast<std::uint8_t>(pixel ? Rule::tested_seen : Rule::tested_hidden),
                               pixel.value_or(none));
     }
-    for (const std::uint32_t cell : seen) {
-        rounds_->round_of[cell] = number;
-        project_now(cell, recorder);
+    // All at once, since threads help where there is much to draw.
+    std::vector<std::uint32_t> candidates, ends;
+    std::span<const std::uint8_t> won;
+    if (rounds_->only_winners) {
+        for (const std::uint32_t cell : seen) {
+            for (const std::uint32_t primitive : this->problem_.cells->primitives_of(cell))
+                if (!this->drawn_.has(primitive)) candidates.push_back(primitive);
+            ends.push_back(static_cast<std::uint32_t>(candidates.size()));
+        }
+        won = screen.draw(candidates);
     }
+    std::uint32_t next = 0;
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+        rounds_->round_of[seen[i]] = number;
+        rounds_->winners.clear();
+        for (; rounds_->only_winners && next < ends[i]; ++next)
+            if (won[next]) rounds_->winners.push_back(candidates[next]);
+        project_now(seen[i], recorder);
+    }
+    if (rounds_->only_winners) screen.met(this->counters_.touched_count);
     this->problem_.budget = budget;
     if (recorder) recorder->finished(this->counters_);
     return Stop::none;
@@ -180,9 +198,9 @@ std::string CellBase<D>::popped_words(const Step& step) const {
 template <int D>
 Verdict CellBase<D>::why_waiting(const Item& item) const {
     if (!rounds_ || item.kind != Kind::cell || !rounds_->hidden[item.id]) return {};
-    DepthScreen<D> screen;
-    screen.draw(this->problem_, this->met());
-    const CellSight sight = screen.look(this->problem_, item.id);
+    Screen<D> screen;
+    screen.show(this->problem_, this->met(), this->counters_.touched_count);
+    const SeenPart sight = screen.part_of(this->problem_, item.id);
     std::string by;
     constexpr std::size_t most = 4;
     for (std::size_t i = 0; i < sight.hidden_by.size() && i < most; ++i)
@@ -195,7 +213,7 @@ Verdict CellBase<D>::why_waiting(const Item& item) const {
 }
 
 #define SIGHTLINE_INSTANTIATE(D)                                                                      \
-    template void CellBase<D>::complete_in_rounds();                                                  \
+    template void CellBase<D>::complete_in_rounds(bool);                                              \
     template bool CellBase<D>::first_phase_ended() const;                                             \
     template bool CellBase<D>::may_be_seen(std::uint32_t) const;                                      \
     template void CellBase<D>::begin_rounds(Recorder*);                                               \

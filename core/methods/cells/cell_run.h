@@ -141,8 +141,7 @@ private:
             prefetch_row_begins(cell);
             if constexpr (Sink::enabled) {
                 const Front::Entry* next = this->front_top();
-                sink.recorder.popped(cell_item(cell), mark, next ? cell_item(next->id) : Item{},
-                                     next ? next->key : 0);
+                sink.recorder.popped(cell_item(cell), mark, next ? cell_item(next->id) : Item{}, next ? next->key : 0);
             }
         }
         go_on_with(cell, sink);
@@ -167,7 +166,10 @@ private:
         this->marks_.set(cell, mark);
         --this->counters_.front_size;
         this->counters_.offset = 0;
-        project(cell);
+        if (this->rounds_->only_winners)
+            for (const std::uint32_t primitive : this->rounds_->winners) this->meet(primitive, false);
+        else
+            project(cell);
         this->counters_.offset = 0;
         with_sink(recorder, [&](auto sink) { add_neighbours(cell, sink); });
     }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/methods/cells/depth_screen.h"
+#include "core/run/screen.h"
 
 namespace sightline {
 
@@ -11,13 +11,15 @@ struct Rounds {
     std::uint32_t done = 0;
     std::vector<std::uint8_t> hidden{};  ///< per cell: tested and hidden; what is drawn only comes nearer, so it stays
     std::vector<std::uint32_t> round_of{};  ///< per cell: the round that projected it; 0: none
-    DepthScreen<D> screen{};
+    bool only_winners = false;              ///< of a cell's primitives those that win a pixel are rendered
+    std::vector<std::uint32_t> winners{};   ///< of the cell that is being projected
+    Screen<D> screen{};
 
     void begin(std::size_t cell_count) {
         done = 0;
         hidden.assign(cell_count, 0);
         round_of.assign(cell_count, 0);
-        screen = {};
+        screen.forget();
     }
 };
 

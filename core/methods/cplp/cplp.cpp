@@ -21,22 +21,23 @@ const ParameterRow& cplp_first_row() {
 
 template <int D>
 Method<D> cplp_method(std::vector<Method<D>> firsts, std::vector<const ParameterRow*> parameters) {
-    Method<D> method{"cplp", "cPLP", "PLP to its budget, then rounds until nothing visible is missing (the gem)",
-                     [firsts = std::move(firsts)](const Problem<D>& problem) {
-                         Problem<D> inner = problem;
-                         const VariantText first = read_variant(problem.parameters.text(cplp_first_row()));
-                         const Method<D>& chosen = find_variant<D>(firsts, first, inner.parameters);
-                         std::unique_ptr<Run<D>> run = chosen.start(inner);
-                         auto* const cells = dynamic_cast<CellBase<D>*>(run.get());
-                         if (!cells) throw InputError("first=" + first.text() + " orders no cells");
-                         cells->complete_in_rounds();
-                         return run;
-                     }};
+    Method<D> method{
+        "cplp", "cPLP", "PLP to its budget, then rounds until nothing visible is missing (the gem)",
+        [firsts = std::move(firsts)](const Problem<D>& problem) {
+            Problem<D> inner = problem;
+            const VariantText first = read_variant(problem.parameters.text(cplp_first_row()));
+            const Method<D>& chosen = find_variant<D>(firsts, first, inner.parameters);
+            std::unique_ptr<Run<D>> run = chosen.start(inner);
+            auto* const cells = dynamic_cast<CellBase<D>*>(run.get());
+            if (!cells) throw InputError("first=" + first.text() + " orders no cells");
+            cells->complete_in_rounds(problem.parameters.template choice<Draws>(draws_row()) == Draws::winners);
+            return run;
+        }};
     method.needs.image = true;
     method.promise = Misses::none_at_this_resolution;
     method.prefixes = false;
     method.parameters = std::move(parameters);
-    method.parameters.insert(method.parameters.begin(), &cplp_first_row());
+    method.parameters.insert(method.parameters.begin(), {&cplp_first_row(), &draws_row()});
     return method;
 }
 

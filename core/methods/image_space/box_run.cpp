@@ -317,6 +317,7 @@ bool BoxRun<D>::move(Direction direction, const Step& step, std::span<Change> ch
         this->counters_ = step.after;
     }
     front_is_stale_ = true;
+    if (direction == Direction::back) screen_.forget();
     return true;
 }
 

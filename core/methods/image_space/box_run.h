@@ -5,10 +5,10 @@
 #include <optional>
 
 #include "core/methods/image_space/image_parameters.h"
-#include "core/methods/image_space/screen.h"
 #include "core/run/front.h"
 #include "core/run/marks.h"
 #include "core/run/method.h"
+#include "core/run/screen.h"
 #include "core/space/box_tree.h"
 
 namespace sightline {

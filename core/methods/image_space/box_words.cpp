@@ -53,7 +53,7 @@ Verdict BoxRun<D>::why_not(const Item& item) const {
     if (state == CellState::hidden) {
         Screen<D> screen;
         screen.show(this->problem_, this->met(), this->counters_.refreshed, opacity_);
-        const BoxPixels seen = screen.look_why(this->problem_.view, tree_->nodes[item.id].box);
+        const SeenPart seen = screen.part_of(this->problem_, tree_->nodes[item.id].box);
         std::string by;
         constexpr std::size_t most = 4;
         for (std::size_t i = 0; i < seen.hidden_by.size() && i < most; ++i)

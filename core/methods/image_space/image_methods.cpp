@@ -36,7 +36,7 @@ Method<D> box_method(std::string_view id, std::string_view title, std::string_vi
 template <int D>
 Method<D> view_method() {
     return box_method<D>("view", "view culling", "primitives in the view, box by box from the root (the gem)",
-                         {BoxMethod::Test::view, Occluders::none, Draws::box}, {});
+                         {BoxMethod::Test::view, Occluders::none, Draws::whole}, {});
 }
 
 template <int D>
@@ -55,7 +55,7 @@ std::vector<Method<D>> image_methods(const Method<D>& picker) {
     rows.push_back(
         box_method<D>("hom", "occlusion maps",
                       "chosen occluders first; then boxes, tested against their opacity and depth (Zhang 1997)",
-                      {Test::opacity, Occluders::largest, Draws::box}, pick));
+                      {Test::opacity, Occluders::largest, Draws::whole}, pick));
     rows.push_back(box_method<D>(
         "two-pass", "two passes",
         "what the last frame saw first; then boxes, tested against its depth (the culling of engines on GPUs)",

@@ -18,13 +18,6 @@ const ParameterRow& occluder_share_row() {
     return row;
 }
 
-const ParameterRow& draws_row() {
-    static const ParameterRow row =
-        choice_row("draws", Draws::own, "docs/methods.md",
-                   "of a box that may be seen: the primitives that win a pixel when their turn comes, or all in view");
-    return row;
-}
-
 const ParameterRow& refresh_row() {
     static const ParameterRow row =
         whole_row("refresh", "256", 1, 1e6, "[1, 1e6]", "docs/methods.md",

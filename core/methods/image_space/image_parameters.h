@@ -11,14 +11,8 @@ enum class Occluders : std::uint8_t { own, none, previous, largest, plp };
 template <>
 inline constexpr auto words<Occluders> = std::to_array<std::string_view>({"own", "none", "previous", "largest", "plp"});
 
-/// What is drawn of a box that may be seen.
-enum class Draws : std::uint8_t { own, winners, box };
-template <>
-inline constexpr auto words<Draws> = std::to_array<std::string_view>({"own", "winners", "box"});
-
 const ParameterRow& occluders_row();
 const ParameterRow& occluder_share_row();
-const ParameterRow& draws_row();
 const ParameterRow& refresh_row();
 const ParameterRow& opacity_row();
 const ParameterRow& worth_row();
