@@ -74,6 +74,15 @@ public:
         met_.resize(count);
         met_.push_back(met);
     }
+    /// Several that are not in it, none of them culled.
+    void add_all(std::uint32_t count, std::span<const std::uint32_t> primitives) {
+        met_.resize(count);
+        met_.reserve(count + primitives.size());
+        for (const std::uint32_t primitive : primitives) {
+            epoch_of_[primitive] = epoch_;
+            met_.push_back({primitive, false});
+        }
+    }
     /// Forgets, or remembers, entries [begin, end); they stay in the list for redo.
     void take_back(std::uint32_t begin, std::uint32_t end) {
         for (std::uint32_t i = begin; i < end; ++i) epoch_of_[met_[i].primitive()] = 0;

@@ -5,6 +5,7 @@
 
 #include "core/base/number.h"
 #include "core/session/explain.h"
+#include "core/session/explain_box.h"
 
 namespace sightline {
 
@@ -123,6 +124,10 @@ template <int D>
 std::vector<std::string> rows(const Session<D>& session, const PrimitiveExplanation& e) {
     std::vector<std::string> text{sight_sentence(session, e), met_sentence(e, session.position())};
     const std::size_t count = e.cells.size(), told = std::min(count, most_cells_told);
+    if (const std::uint32_t box = box_around(session, e.primitive); box != none) {
+        text.push_back("  It lies in " + box_sentence(session, box) + ".");
+        return text;
+    }
     if (count == 0) text.push_back("No cell holds it.");
     for (std::size_t i = 0; i < told; ++i)
         text.push_back("  " + item_name(cell_item(e.cells[i])) + " holds it: " + place_words(session, e.cells[i]));

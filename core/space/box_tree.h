@@ -10,6 +10,7 @@
 
 #include "core/base/index.h"
 #include "core/scene/scene.h"
+#include "core/space/facing.h"
 
 namespace sightline {
 
@@ -28,12 +29,13 @@ struct BoxTree {
     };
     std::vector<Node> nodes;
     std::vector<std::uint32_t> primitives;  ///< leaf by leaf; ascending in a leaf
+    FacingPlanes facing;                    ///< 3D, in that order; only SceneBoxes fills it
 
     std::span<const std::uint32_t> primitives_of(std::uint32_t node) const {
         return std::span(primitives).subspan(nodes[node].begin, nodes[node].end - nodes[node].begin);
     }
     std::size_t memory_bytes() const {
-        return nodes.capacity() * sizeof(Node) + primitives.capacity() * sizeof(std::uint32_t);
+        return nodes.capacity() * sizeof(Node) + primitives.capacity() * sizeof(std::uint32_t) + facing.memory_bytes();
     }
 };
 
@@ -51,7 +53,10 @@ template <int D>
 class SceneBoxes {
 public:
     const BoxTree<D>& of(const Scene<D>& scene) const {
-        std::call_once(once_, [&] { tree_ = build_box_tree<D>(scene.primitives); });
+        std::call_once(once_, [&] {
+            tree_ = build_box_tree<D>(scene.primitives);
+            if constexpr (D == 3) tree_.facing = FacingPlanes(scene, tree_.primitives);
+        });
         return tree_;
     }
 

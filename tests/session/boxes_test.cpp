@@ -4,6 +4,7 @@
 
 #include "core/draw/shown_boxes.h"
 #include "core/session/explain_box.h"
+#include "core/session/explain_primitive.h"
 #include "core/space/box_tree.h"
 #include "tests/session/session_support.h"
 #include "tests/soak.h"
@@ -72,6 +73,12 @@ TEST(Boxes, OfEachIsSaidWhatBecameOfIt) {
         }
     }
     EXPECT_GT(hidden, 20);
+    test::Start told = test::random_start(random, 200);
+    told.settings.method = "boxes";
+    Session<2> session = told.session();
+    session.seek(10);
+    const std::vector<std::string> text = rows(session, explain_primitive(session, 0));
+    EXPECT_TRUE(text.back().starts_with("  It lies in node ")) << text.back();
     test::Start start = test::random_start(random);
     start.settings.method = "published";
     const Session<2> cells = start.session();

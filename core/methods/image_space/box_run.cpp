@@ -245,8 +245,7 @@ void BoxRun<D>::pop(const Front::Entry& entry, Recorder* recorder) {
     Counters& counters = this->counters_;
     const std::uint32_t left = this->problem_.budget == none ? none : this->problem_.budget - counters.spent;
     if (waiting_.size() + (at.end - at.begin) < left) {
-        for (const std::uint32_t primitive : tree_->primitives_of(node))
-            if (is_candidate(primitive, whole)) waiting_.push_back(primitive);
+        collect(node, whole, waiting_);
         return;
     }
     draw_waiting();
@@ -257,10 +256,20 @@ void BoxRun<D>::pop(const Front::Entry& entry, Recorder* recorder) {
 
 /// Whether it is drawn, or may be.
 template <int D>
-bool BoxRun<D>::is_candidate(std::uint32_t primitive, bool whole) const {
-    if (this->drawn_.has(primitive)) return false;
-    if (whole) return !turns_away(this->problem_, primitive);
+bool BoxRun<D>::is_drawn(std::uint32_t primitive, SideSeen facing, bool whole) const {
+    if (facing == SideSeen::away || this->drawn_.has(primitive)) return false;
+    if (whole) return facing == SideSeen::seen || !turns_away(this->problem_, primitive);
     return wins_pixels() || shows(this->problem_, primitive);
+}
+
+template <int D>
+void BoxRun<D>::collect(std::uint32_t node, bool whole, std::vector<std::uint32_t>& found) {
+    const auto primitives = tree_->primitives_of(node);
+    facing_.assign(primitives.size(), D == 2 ? SideSeen::seen : SideSeen::unsure);
+    if constexpr (D == 3)
+        if (!tree_->facing.empty()) tree_->facing.tell(this->problem_.view.eye, tree_->nodes[node].begin, facing_);
+    for (std::size_t i = 0; i < primitives.size(); ++i)
+        if (is_drawn(primitives[i], facing_[i], whole)) found.push_back(primitives[i]);
 }
 
 template <int D>
@@ -272,7 +281,12 @@ void BoxRun<D>::draw_waiting() {
             if (won[i]) this->meet(waiting_[i], false);
         screen_.met(this->counters_.touched_count);
     } else {
-        for (const std::uint32_t primitive : waiting_) this->meet(primitive, false);
+        Counters& counters = this->counters_;
+        const auto count = static_cast<std::uint32_t>(waiting_.size());
+        this->drawn_.add_all(counters.touched_count, waiting_);
+        counters.touched_count += count;
+        counters.rendered_count += count;
+        counters.spent += count;
     }
     waiting_.clear();
 }
@@ -288,7 +302,7 @@ bool BoxRun<D>::draw_slowly(std::uint32_t node) {
         sight_of(node, whole);
     for (; counters.offset < primitives.size(); ++counters.offset) {
         const std::uint32_t primitive = primitives[counters.offset];
-        if (!is_candidate(primitive, whole)) continue;
+        if (!is_drawn(primitive, SideSeen::unsure, whole)) continue;
         if (counters.spent >= this->problem_.budget) return false;
         if (wins_pixels() && !screen_.draw({&primitive, 1})[0]) continue;
         this->meet(primitive, false);

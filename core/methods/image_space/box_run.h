@@ -96,7 +96,9 @@ private:
     const Front::Entry* front_top();
     void sync();
     void refresh_if_due();
-    bool is_candidate(std::uint32_t primitive, bool whole) const;
+    /// Appends what is drawn of the node, or may be.
+    void collect(std::uint32_t node, bool whole, std::vector<std::uint32_t>& found);
+    bool is_drawn(std::uint32_t primitive, SideSeen facing, bool whole) const;
     /// Draws what waits to be drawn; the budget has place for all of it.
     void draw_waiting();
     /// Draws the rest of a box one by one, until the budget ends; false: it did.
@@ -115,6 +117,7 @@ private:
     std::vector<std::uint32_t> occluders_;  ///< in their order
     Screen<D> screen_;
     std::vector<std::uint32_t> waiting_;  ///< primitives of popped boxes; empty between two calls of run()
+    std::vector<SideSeen> facing_;        ///< scratch
 };
 
 extern template class BoxRun<2>;
