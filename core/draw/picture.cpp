@@ -7,6 +7,7 @@
 
 #include "core/base/number.h"
 #include "core/draw/cell_number.h"
+#include "core/draw/depth_strip.h"
 #include "core/draw/notes.h"
 #include "core/draw/palette.h"
 #include "core/draw/round_fields.h"
@@ -49,6 +50,7 @@ public:
         if (set_.show_chain == Switch::on && session.selected_cell != none) chain();
         draw_notes<2>(
             session, [](const Vec<2>& p) { return p; }, colours_, index(Look::note), list_);
+        if (set_.show_depth == Switch::on) add_depth_strip(session, colours_, list_);
         labels();
     }
     DrawList take() { return std::move(list_); }

@@ -66,6 +66,7 @@ struct PictureSettings {
     Switch show_normals = Switch::off;
     Switch show_penalties = Switch::off;
     Switch show_chain = Switch::off;
+    Switch show_depth = Switch::off;
     CellNumber label = CellNumber::none;
     LabelWhere label_where = LabelWhere::front;
     CellNumber heat = CellNumber::none;

@@ -209,6 +209,9 @@ std::vector<SettingRow> own_rows() {
                                    "mark facets of projected cells that cost a penalty"),
         choice<&S::show_chain>("show_chain", Invalidates::picture, "docs/figures.md",
                                "draw the chain of updates from the seed to the selected cell"),
+        only_in(2, choice<&S::show_depth>("show_depth", Invalidates::picture, "docs/methods.md",
+                                          "draw a strip of what the eye has before it so far, and which pixels of the "
+                                          "selected or last cell or box are seen")),
         cell_number<&S::label>("label", "the number written on cells; also any field of the method, such as round"),
         choice<&S::label_where>("label_where", Invalidates::picture, "docs/figures.md",
                                 "which cells carry numbers: the front and the last cell, all touched, or the selected"),

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/draw/picture.h"
-#include "core/draw/shown_boxes.h"
-#include "core/session/settings_table.h"
 
 #include <gtest/gtest.h>
 
@@ -10,6 +8,8 @@
 
 #include "core/draw/cell_number.h"
 #include "core/draw/compose.h"
+#include "core/draw/shown_boxes.h"
+#include "core/session/settings_table.h"
 #include "tests/draw/picture_support.h"
 
 namespace sightline {
@@ -278,6 +278,57 @@ const std::vector<Golden>& goldens() {
         {"forget", {"9bd09df5b7bf4fcc", "3d22be2b07702a9d", "9272c8ba10112204"}},
     };
     return table;
+}
+
+/// The names of the styles of the strip's bars, and how often each is there.
+std::map<std::string, int> strip_of(const Session<2>& session) {
+    const DrawList list = make_picture(session);
+    std::map<std::string, int> bars;
+    for (const Shape& shape : list.shapes)
+        if (const std::string& name = list.styles[shape.style].name; name.starts_with("depth")) ++bars[name];
+    return bars;
+}
+
+TEST(Picture, AStripOfDepthsShowsWhatTheEyeHasBeforeIt) {
+    test::Start start;
+    Scene<2> scene;
+    scene.primitives = {{Vec<2>(2, -1), Vec<2>(2, 1)}, {Vec<2>(3, -3), Vec<2>(3, -0.5)}, {Vec<2>(-1, 5), Vec<2>(9, 5)}};
+    start.scene = std::make_shared<const Scene<2>>(scene);
+    start.view = {{0, 0}, {1, 0}, 90};
+    start.settings.method = "everything";
+    start.settings.budget = {};
+    Session<2> session = start.session();
+    EXPECT_TRUE(strip_of(session).empty());
+    Settings settings = session.settings();
+    apply_setting(settings, "show_depth=on");
+    apply_setting(settings, "reference_size=768");
+    session.change(settings);
+    auto bars = strip_of(session);
+    EXPECT_EQ(bars["depth"], 0) << "nothing is rendered";
+    EXPECT_EQ(bars["depth_rim"], 1);
+    session.run();
+    // All but what lies between the wall's left end, at half of the way to the border, and 5/9 of it.
+    bars = strip_of(session);
+    EXPECT_NEAR(bars["depth"], 192 * (1 - (5.0 / 9 - 0.5) / 2), 2);
+    const auto label = [&] {
+        const DrawList list = make_picture(session);
+        return list.labels.empty() ? std::string() : list.labels.front().text;
+    };
+    EXPECT_NE(label().find("747 of 768 pixels covered"), std::string::npos) << label();
+    // A cell behind the wall shows nothing of itself; the eye's own cell shows everywhere.
+    for (std::uint32_t cell = 0; cell < session.cells().cell_count(); ++cell) {
+        session.selected_cell = cell;
+        bars = strip_of(session);
+        const Vec<2> centre = session.cells().centre(cell);
+        if (centre.x > 2.5 && std::abs(centre.y) < 0.2) {
+            EXPECT_GT(bars["depth_hidden"], 0) << cell;
+        }
+    }
+    session.selected_cell = locate(session.cells(), Vec<2>(0, 0));
+    if (session.selected_cell != none) {
+        EXPECT_EQ(strip_of(session)["depth_seen"], 192);
+        EXPECT_NE(label().find("768 seen, 0 hidden"), std::string::npos) << label();
+    }
 }
 
 }  // namespace

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/draw/depth_strip.h"
+
+#include <algorithm>
+
+#include "core/draw/shown_boxes.h"
+#include "core/raster/pixel_line.h"
+
+namespace sightline {
+
+namespace {
+
+constexpr int columns = 192, depth_shades = 12;
+
+std::uint16_t add_fill(const char* name, Colour fill, DrawList& list) {
+    Style style{name};
+    style.fill = fill;
+    list.styles.push_back(style);
+    return static_cast<std::uint16_t>(list.styles.size() - 1);
+}
+
+PixelLine line_so_far(const Session<2>& session) {
+    const View<2> view = session.problem().view;
+    const int asked = image_size<2>(session.settings().reference_size).width;
+    PixelLine line(view, view.all_round ? std::max(4, asked / 4 * 4) : asked);
+    draw_line(line, session.scene().primitives, view, rendered_ids(session.met()));
+    return line;
+}
+
+/// The thing that is marked, and its name; nothing where there is none.
+struct Marked {
+    std::optional<LineShape> shape;
+    std::string name;
+};
+
+Marked marked(const Session<2>& session, int width) {
+    const View<2>& view = session.problem().view;
+    if (const auto box = last_box(session); box && session.selected_cell == none) {
+        const std::array corners{box->corner(0), box->corner(1), box->corner(2), box->corner(3)};
+        return {seen_polygon(view, width, corners), item_name(session.timeline().steps[session.position() - 1].item)};
+    }
+    const std::uint32_t cell = session.selected_cell != none ? session.selected_cell : last_cell(session);
+    if (cell == none) return {};
+    return {seen_cell(view, width, session.cells(), cell), item_name(cell_item(cell))};
+}
+
+bool covers(const LineShape& shape, int x) {
+    return shape.everywhere || std::any_of(shape.pieces.begin(), shape.pieces.end(),
+                                           [&](const auto& piece) { return x >= piece.first && x < piece.end; });
+}
+
+bool is_seen(const LineShape& shape, const PixelLine& line, int x) {
+    return shape.everywhere || std::any_of(shape.pieces.begin(), shape.pieces.end(), [&](const auto& piece) {
+               return x >= piece.first && x < piece.end &&
+                      piece.nearness(x) >= line.nearness[static_cast<std::size_t>(x)];
+           });
+}
+
+class Strip {
+public:
+    Strip(const PixelLine& line, DrawList& list) : line_(line), list_(list) {
+        const Vec<2> extent = list.world.extent();
+        low_ = list.world.min.y + 0.012 * extent.y;
+        height_ = 0.035 * extent.y;
+        left_ = list.world.min.x + 0.02 * extent.x;
+        width_ = 0.96 * extent.x;
+    }
+
+    void depths(const Colours& colours) {
+        const auto background = add_fill("depth_none", colours.background, list_);
+        bar(0, columns, low_, height_, background);
+        const auto first = static_cast<std::uint16_t>(list_.styles.size());
+        for (int i = 0; i < depth_shades; ++i)
+            add_fill("depth", between({colours.background, colours.ink}, (i + 2.0) / (depth_shades + 1)), list_);
+        double nearest = 0;
+        for (const double nearness : line_.nearness) nearest = std::max(nearest, nearness);
+        for (int column = 0; column < columns; ++column) {
+            double here = 0;
+            for_pixels(column, [&](int x) { here = std::max(here, line_.nearness[static_cast<std::size_t>(x)]); });
+            if (here <= 0) continue;
+            const auto shade = static_cast<int>(here / nearest * depth_shades);
+            bar(column, column + 1, low_, height_,
+                static_cast<std::uint16_t>(first + std::min(shade, depth_shades - 1)));
+        }
+        Style rim{"depth_rim"};
+        rim.stroke = colours.ink;
+        list_.styles.push_back(rim);
+        bar(0, columns, low_, height_, static_cast<std::uint16_t>(list_.styles.size() - 1));
+    }
+
+    /// How many pixels of the shape are seen, and how many hidden.
+    std::array<int, 2> mark(const LineShape& shape, const Colours& colours) {
+        const auto seen = add_fill("depth_seen", colours.looks[static_cast<std::size_t>(Look::last)].stroke, list_),
+                   hidden = add_fill("depth_hidden", colours.looks[static_cast<std::size_t>(Look::hidden)].fill, list_);
+        std::array<int, 2> pixels{};
+        for (int column = 0; column < columns; ++column) {
+            bool any = false, any_seen = false;
+            for_pixels(column, [&](int x) {
+                if (!covers(shape, x)) return;
+                const bool here = is_seen(shape, line_, x);
+                any = true;
+                any_seen |= here;
+                ++pixels[here ? 0 : 1];
+            });
+            if (any) bar(column, column + 1, low_ + height_, 0.35 * height_, any_seen ? seen : hidden);
+        }
+        return pixels;
+    }
+
+    void label(std::string text, const Colours& colours) {
+        Label label;
+        label.at = {left_, low_ + height_};
+        label.offset_pt = {0, 9};
+        label.align = TextAlign::left;
+        label.text = std::move(text);
+        label.scale = 0.8;
+        label.colour = colours.ink;
+        label.halo = colours.halo;
+        list_.labels.push_back(std::move(label));
+    }
+
+private:
+    /// Pixel 0 is at the right border of the view, column 0 at its left.
+    template <typename Each>
+    void for_pixels(int column, Each each) const {
+        const std::int64_t pixels = line_.width();
+        const auto end = pixels - pixels * column / columns, begin = pixels - pixels * (column + 1) / columns;
+        for (std::int64_t x = begin; x < std::max(end, begin + 1) && x < pixels; ++x) each(static_cast<int>(x));
+    }
+    void bar(int from, int to, double low, double height, std::uint16_t style) {
+        const double x = left_ + width_ * from / columns, end_x = left_ + width_ * to / columns;
+        list_.add(ShapeKind::polygon, style, {{x, low}, {end_x, low}, {end_x, low + height}, {x, low + height}});
+    }
+
+    const PixelLine& line_;
+    DrawList& list_;
+    double low_, height_, left_, width_;
+};
+
+}  // namespace
+
+void add_depth_strip(const Session<2>& session, const Colours& colours, DrawList& list) {
+    const PixelLine line = line_so_far(session);
+    Strip strip(line, list);
+    strip.depths(colours);
+    const auto covered = line.width() - std::count(line.ids.begin(), line.ids.end(), none);
+    std::string text = "depth from the left of the view to its right: " + std::to_string(covered) + " of " +
+                       std::to_string(line.width()) + " pixels covered";
+    if (const Marked what = marked(session, line.width()); what.shape) {
+        const auto [seen, hidden] = strip.mark(*what.shape, colours);
+        text += "; " + what.name + ": " + std::to_string(seen) + " seen, " + std::to_string(hidden) + " hidden";
+    }
+    strip.label(std::move(text), colours);
+}
+
+}  // namespace sightline

@@ -1,0 +1,17 @@
+// What an eye in the plane has before it so far: a strip of depths under the plan.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/draw/draw_list.h"
+#include "core/draw/palette.h"
+#include "core/session/session.h"
+
+namespace sightline {
+
+/// Along the lower border of the list's world, from the left of the view to its right: the nearer what is rendered, the
+/// darker, and empty where nothing is. Above it a bar marks the pixels of the last step's box or cell, or of the
+/// selected cell, as they would be seen or are hidden; a label says how many. Depths are those of a line of pixels as
+/// wide as the reference.
+void add_depth_strip(const Session<2>& session, const Colours& colours, DrawList& list);
+
+}  // namespace sightline
