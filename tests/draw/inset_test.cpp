@@ -118,8 +118,8 @@ TEST(Insets, NameSomeOfWhatHides) {
     const std::vector<std::uint32_t> ids{7, 9, 11, 12, 13};
     EXPECT_EQ(behind_text("segment", {}), "");
     EXPECT_EQ(behind_text("segment", std::span(ids).first(1)), " behind segment 7");
-    EXPECT_EQ(behind_text("segment", std::span(ids).first(3)), " behind segments 7, 9, 11");
-    EXPECT_EQ(behind_text("segment", ids), " behind segments 7, 9, 11 and 2 more");
+    EXPECT_EQ(behind_text("segment", std::span(ids).first(3)), " behind segments 7, 9 and 1 more");
+    EXPECT_EQ(behind_text("segment", ids), " behind segments 7, 9 and 3 more");
 }
 
 TEST(Insets, PixelsResizedAreTheMeansOfThoseUnderThem) {
