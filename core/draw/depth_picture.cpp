@@ -55,8 +55,8 @@ std::vector<float> nearness_shown(const DepthImage& image, bool blocks) {
     return shown;
 }
 
-/// Marks leave the depth to be made out.
-void mark(const SeenShape& shape, const DepthImage& image, Pixels& pixels) {
+/// Tints leave the depth to be made out.
+void tint(const SeenShape& shape, const DepthImage& image, Pixels& pixels) {
     for (int y = 0; y < image.height; ++y)
         for (int x = 0; x < image.width; ++x) {
             const std::size_t at = image.index(x, y);
@@ -85,7 +85,7 @@ DepthPicture depth_picture(const Session<3>& session, bool blocks) {
     picture.text =
         std::to_string(image.ids.size() - free) + " of " + std::to_string(image.ids.size()) + " pixels covered";
     if (const auto what = marked_shape(session, image.size())) {
-        mark(what->shape, image, picture.pixels);
+        tint(what->shape, image, picture.pixels);
         const ShapeSight sight = look_at(what->shape, image);
         picture.text = what->name + ": " + std::to_string(sight.seen) + " seen, " +
                        std::to_string(sight.pixels - sight.seen) + " hidden";
