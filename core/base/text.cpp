@@ -94,6 +94,13 @@ std::string counted(std::size_t n, std::string_view what) {
     return std::to_string(n) + " " + std::string(what) + (n == 1 ? "" : "s");
 }
 
+std::string some_of(std::string_view what, std::span<const std::uint32_t> ids, std::size_t most) {
+    std::string text = std::string(what) + (ids.size() == 1 ? " " : "s ");
+    for (std::size_t i = 0; i < std::min(most, ids.size()); ++i) text += (i > 0 ? ", " : "") + std::to_string(ids[i]);
+    if (ids.size() > most) text += " and " + std::to_string(ids.size() - most) + " more";
+    return text;
+}
+
 std::string_view closest(std::string_view mistyped, std::span<const std::string_view> words) {
     std::string_view best;
     std::size_t least = (mistyped.size() + 1) / 3 + 1;  // fewer than so many letters

@@ -29,6 +29,9 @@ std::string clean_text(std::string_view text);
 /// "1 facet", "3 facets".
 std::string counted(std::size_t n, std::string_view what);
 
+/// "segment 7", "segments 7, 9 and 3 more": so many of the ids, at least one of which there is.
+std::string some_of(std::string_view what, std::span<const std::uint32_t> ids, std::size_t most);
+
 /// The word that a mistyped one most likely stands for: few letters to put in, take out or change. Empty: none.
 std::string_view closest(std::string_view mistyped, std::span<const std::string_view> words);
 

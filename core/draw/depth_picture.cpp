@@ -7,6 +7,7 @@
 #include "core/draw/palette.h"
 #include "core/draw/shown_boxes.h"
 #include "core/raster/query.h"
+#include "core/space/box_tree.h"
 
 namespace sightline {
 
@@ -16,21 +17,11 @@ namespace {
 constexpr Colour nothing_there{22, 30, 66}, seen_there{30, 200, 80}, hidden_there{60, 110, 255};
 constexpr int widest_level = 64;
 
-struct MarkedShape {
-    SeenShape shape;
-    std::string name;
-};
-
-std::optional<MarkedShape> marked_shape(const Session<3>& session, const ImageSize& size) {
+SeenShape shape_of(const Session<3>& session, const Item& item, const ImageSize& size) {
     const View<3>& view = session.problem().view;
-    if (const std::uint32_t one = session.selected_primitive; one != none && session.selected_cell == none)
-        return MarkedShape{seen_polygon(view, size, session.scene().primitives[one]), item_name(primitive_item(one))};
-    if (const auto box = last_box(session); box && session.selected_cell == none)
-        return MarkedShape{seen_box(view, size, *box),
-                           item_name(session.timeline().steps[session.position() - 1].item)};
-    const std::uint32_t cell = session.selected_cell != none ? session.selected_cell : last_cell(session);
-    if (cell == none) return {};
-    return MarkedShape{seen_cell(view, size, session.cells(), cell), item_name(cell_item(cell))};
+    if (item.kind == Kind::primitive) return seen_polygon(view, size, session.scene().primitives[item.id]);
+    if (item.kind == Kind::node) return seen_box(view, size, session.problem().boxes().nodes[item.id].box);
+    return seen_cell(view, size, session.cells(), item.id);
 }
 
 /// Roots keep what is far apart: else one near wall leaves all behind it black.
@@ -57,18 +48,10 @@ std::vector<float> nearness_shown(const DepthImage& image, bool blocks) {
 
 /// Tints leave the depth to be made out.
 void tint(const SeenShape& shape, const DepthImage& image, Pixels& pixels) {
-    for (int y = 0; y < image.height; ++y)
-        for (int x = 0; x < image.width; ++x) {
-            const std::size_t at = image.index(x, y);
-            bool covers = shape.everywhere, shows = shape.everywhere;
-            for (const SeenFace& face : shape.faces)
-                if (face.holds(x, y)) {
-                    covers = true;
-                    shows |= face.nearness(x, y) >= static_cast<double>(image.nearness[at]);
-                }
-            if (!covers) continue;
-            pixels.colours[at] = between({pixels.colours[at], shows ? seen_there : hidden_there}, 0.65);
-        }
+    for_covered(shape, image, [&](int x, int y, bool shows) {
+        Colour& colour = pixels.colours[image.index(x, y)];
+        colour = between({colour, shows ? seen_there : hidden_there}, 0.65);
+    });
 }
 
 }  // namespace
@@ -84,10 +67,11 @@ DepthPicture depth_picture(const Session<3>& session, bool blocks) {
     const auto free = static_cast<std::size_t>(std::count(image.ids.begin(), image.ids.end(), none));
     picture.text =
         std::to_string(image.ids.size() - free) + " of " + std::to_string(image.ids.size()) + " pixels covered";
-    if (const auto what = marked_shape(session, image.size())) {
-        tint(what->shape, image, picture.pixels);
-        const ShapeSight sight = look_at(what->shape, image);
-        picture.text = what->name + ": " + std::to_string(sight.seen) + " seen, " +
+    if (const Item what = marked_item(session)) {
+        const SeenShape shape = shape_of(session, what, image.size());
+        tint(shape, image, picture.pixels);
+        const ShapeSight sight = look_at(shape, image);
+        picture.text = item_name(what) + ": " + std::to_string(sight.seen) + " seen, " +
                        std::to_string(sight.pixels - sight.seen) + " hidden";
     }
     return picture;

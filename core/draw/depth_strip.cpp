@@ -3,8 +3,10 @@
 
 #include <algorithm>
 
+#include "core/base/text.h"
 #include "core/draw/shown_boxes.h"
 #include "core/raster/pixel_line.h"
+#include "core/space/box_tree.h"
 
 namespace sightline {
 
@@ -21,41 +23,16 @@ std::uint16_t add_fill(const char* name, Colour fill, DrawList& list) {
 
 PixelLine line_so_far(const Session<2>& session) {
     const View<2> view = session.problem().view;
-    const int asked = image_size<2>(session.settings().reference_size).width;
-    PixelLine line(view, view.all_round ? std::max(4, asked / 4 * 4) : asked);
+    PixelLine line(view, pixels_of_line(view, image_size<2>(session.settings().reference_size).width));
     draw_line(line, session.scene().primitives, view, rendered_ids(session.met()));
     return line;
 }
 
-/// The thing that is marked, and its name; nothing where there is none.
-struct Marked {
-    std::optional<LineShape> shape;
-    std::string name;
-};
-
-Marked marked(const Session<2>& session, int width) {
+LineShape line_shape_of(const Session<2>& session, const Item& item, int width) {
     const View<2>& view = session.problem().view;
-    if (const std::uint32_t one = session.selected_primitive; one != none && session.selected_cell == none)
-        return {seen_polygon(view, width, session.scene().primitives[one]), item_name(primitive_item(one))};
-    if (const auto box = last_box(session); box && session.selected_cell == none) {
-        const std::array corners{box->corner(0), box->corner(1), box->corner(2), box->corner(3)};
-        return {seen_polygon(view, width, corners), item_name(session.timeline().steps[session.position() - 1].item)};
-    }
-    const std::uint32_t cell = session.selected_cell != none ? session.selected_cell : last_cell(session);
-    if (cell == none) return {};
-    return {seen_cell(view, width, session.cells(), cell), item_name(cell_item(cell))};
-}
-
-bool covers(const LineShape& shape, int x) {
-    return shape.everywhere || std::any_of(shape.pieces.begin(), shape.pieces.end(),
-                                           [&](const auto& piece) { return x >= piece.first && x < piece.end; });
-}
-
-bool is_seen(const LineShape& shape, const PixelLine& line, int x) {
-    return shape.everywhere || std::any_of(shape.pieces.begin(), shape.pieces.end(), [&](const auto& piece) {
-               return x >= piece.first && x < piece.end &&
-                      piece.nearness(x) >= line.nearness[static_cast<std::size_t>(x)];
-           });
+    if (item.kind == Kind::primitive) return seen_polygon(view, width, session.scene().primitives[item.id]);
+    if (item.kind == Kind::node) return seen_box(view, width, session.problem().boxes().nodes[item.id].box);
+    return seen_cell(view, width, session.cells(), item.id);
 }
 
 class Strip {
@@ -98,8 +75,8 @@ public:
         for (int column = 0; column < columns; ++column) {
             bool any = false, any_seen = false;
             for_pixels(column, [&](int x) {
-                if (!covers(shape, x)) return;
-                const bool here = is_seen(shape, line_, x);
+                if (!covers_pixel(shape, x)) return;
+                const bool here = shows_pixel(shape, line_, x);
                 any = true;
                 any_seen |= here;
                 ++pixels[here ? 0 : 1];
@@ -145,12 +122,7 @@ private:
 
 std::string behind_text(std::string_view one, std::span<const std::uint32_t> hidden_by) {
     constexpr std::size_t named = 2;
-    if (hidden_by.empty()) return {};
-    std::string text = " behind " + std::string(one) + (hidden_by.size() > 1 ? "s " : " ");
-    for (std::size_t i = 0; i < std::min(named, hidden_by.size()); ++i)
-        text += (i > 0 ? ", " : "") + std::to_string(hidden_by[i]);
-    if (hidden_by.size() > named) text += " and " + std::to_string(hidden_by.size() - named) + " more";
-    return text;
+    return hidden_by.empty() ? std::string() : " behind " + some_of(one, hidden_by, named);
 }
 
 void add_depth_strip(const Session<2>& session, const Colours& colours, DrawList& list) {
@@ -161,10 +133,11 @@ void add_depth_strip(const Session<2>& session, const Colours& colours, DrawList
     // In two lines: one would be wider than the picture.
     strip.label("strip: " + std::to_string(covered) + " of " + std::to_string(line.width()) + " pixels covered", 1,
                 colours);
-    if (const Marked what = marked(session, line.width()); what.shape) {
-        const auto [seen, hidden] = strip.mark(*what.shape, colours);
-        strip.label(what.name + ": " + std::to_string(seen) + " seen, " + std::to_string(hidden) + " hidden" +
-                        behind_text("segment", look_at(*what.shape, line).hidden_by),
+    if (const Item what = marked_item(session)) {
+        const LineShape shape = line_shape_of(session, what, line.width());
+        const auto [seen, hidden] = strip.mark(shape, colours);
+        strip.label(item_name(what) + ": " + std::to_string(seen) + " seen, " + std::to_string(hidden) + " hidden" +
+                        behind_text("segment", look_at(shape, line).hidden_by),
                     0, colours);
     }
 }

@@ -63,9 +63,7 @@ private:
         for (const std::uint32_t p : corners) list_.points.push_back(cells_.points[p]);
     }
 
-    void box_shape(const Box<2>& box, Look look) {
-        list_.add(ShapeKind::polygon, index(look), {box.corner(0), box.corner(1), box.corner(2), box.corner(3)});
-    }
+    void box_shape(const Box<2>& box, Look look) { list_.add(ShapeKind::polygon, index(look), box.corners()); }
 
     void box_states() {
         for (const ShownBox<2>& shown : shown_boxes(session_))

@@ -36,9 +36,19 @@ std::optional<Box<D>> last_box(const Session<D>& session) {
     return session.problem().boxes().nodes[node].box;
 }
 
+template <int D>
+Item marked_item(const Session<D>& session) {
+    if (session.selected_cell != none) return cell_item(session.selected_cell);
+    if (session.selected_primitive != none) return primitive_item(session.selected_primitive);
+    if (session.position() == 0) return {};
+    const Item last = session.timeline().steps[session.position() - 1].item;
+    return last.kind == Kind::node || last.kind == Kind::cell ? last : Item{};
+}
+
 #define SIGHTLINE_INSTANTIATE(D)                                         \
     template std::vector<ShownBox<D>> shown_boxes<D>(const Session<D>&); \
-    template std::optional<Box<D>> last_box<D>(const Session<D>&);
+    template std::optional<Box<D>> last_box<D>(const Session<D>&);       \
+    template Item marked_item<D>(const Session<D>&);
 SIGHTLINE_INSTANTIATE(2)
 SIGHTLINE_INSTANTIATE(3)
 #undef SIGHTLINE_INSTANTIATE

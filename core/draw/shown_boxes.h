@@ -30,4 +30,9 @@ std::vector<ShownBox<D>> shown_boxes(const Session<D>& session);
 template <int D>
 std::optional<Box<D>> last_box(const Session<D>& session);
 
+/// What pictures of depth mark: the selected cell or primitive, else what the last step popped; of kind none where that
+/// was neither a cell nor a box.
+template <int D>
+Item marked_item(const Session<D>& session);
+
 }  // namespace sightline

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
@@ -42,6 +43,11 @@ struct Box {
         for (int a = 0; a < D; ++a)
             if (i >> a & 1) p[a] = max[a];
         return p;
+    }
+    std::array<Vec<D>, 1 << D> corners() const {
+        std::array<Vec<D>, 1 << D> all;
+        for (int i = 0; i < 1 << D; ++i) all[static_cast<std::size_t>(i)] = corner(i);
+        return all;
     }
     /// Length of the longest side; 0 for an empty box.
     double longest_side() const {

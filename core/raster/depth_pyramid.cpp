@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 namespace sightline {
 
@@ -64,22 +65,9 @@ DepthPyramid::DepthPyramid(const DepthImage& image) {
         width = halved(width, 2);
         height = halved(height, 2);
     }
-    update(image, 0, 0, image.width, image.height);
-}
-
-void DepthPyramid::update(const DepthImage& image, int left, int top, int right, int bottom) {
-    left = std::max(left, 0);
-    top = std::max(top, 0);
-    right = std::min(right, image.width);
-    bottom = std::min(bottom, image.height);
-    if (left >= right || top >= bottom) return;
-    int size = block;
-    for (std::size_t i = 0; i < levels.size(); ++i, size *= 2)
-        for (int y = top / size; y <= (bottom - 1) / size; ++y)
-            for (int x = left / size; x <= (right - 1) / size; ++x)
-                levels[i].farthest[static_cast<std::size_t>(y) * static_cast<std::size_t>(levels[i].width) +
-                                   static_cast<std::size_t>(x)] =
-                    i == 0 ? farthest_pixel(image, x, y) : farthest_below(levels[i - 1], x, y);
+    std::vector<std::uint32_t> all(levels[0].farthest.size());
+    std::iota(all.begin(), all.end(), 0u);
+    update(image, all);
 }
 
 void DepthPyramid::update(const DepthImage& image, std::span<const std::uint32_t> blocks, double opacity) {

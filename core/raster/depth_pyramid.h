@@ -24,8 +24,6 @@ public:
 
     DepthPyramid() = default;
     explicit DepthPyramid(const DepthImage& image);
-    /// After pixels [left, right) x [top, bottom) of the image have changed.
-    void update(const DepthImage& image, int left, int top, int right, int bottom);
     /// After pixels of some blocks have changed: indices into level 0. Blocks of which at least the share `opacity` is
     /// covered count as covered (Zhang et al. 1997); below 1 a pyramid does not tell what is hidden for sure.
     void update(const DepthImage& image, std::span<const std::uint32_t> blocks, double opacity = 1);

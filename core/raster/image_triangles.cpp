@@ -73,7 +73,7 @@ void append_image_triangle(const Scene<3>& scene, const View<3>& view, const Ima
     if (beyond(projected)) return;
     const int side = orient(triangle[0], triangle[1], triangle[2], view.eye);
     // Edge-on: what the image then shows of it is rounding.
-    if (side == 0 || (side < 0 && (scene.two_sided.empty() || !scene.two_sided[primitive]))) return;
+    if (side == 0 || (side < 0 && !shows_both_sides(scene, primitive))) return;
     Polygon polygon;
     std::size_t count = 3;
     if (within_reach(projected))

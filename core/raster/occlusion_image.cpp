@@ -98,9 +98,7 @@ bool may_show(const DepthPyramid& pyramid, const PixelBlocks& blocks, const BoxN
 
 void OcclusionImage<3>::begin(const Scene<3>& scene, const View<3>& view, const ImageSize& size,
                               const RasterWork& work) {
-    scene_ = &scene;
-    view_ = &view;
-    plane_ = image_plane(view);
+    of_ = {scene, view, size};
     work_ = work;
     if (image_.size() == size) {
         std::fill(image_.nearness.begin(), image_.nearness.end(), 0.0f);
@@ -133,12 +131,11 @@ void OcclusionImage<3>::draw(std::span<const std::uint32_t> primitives, std::spa
     const int threads = primitives.size() < worth_threads ? 1 : work_.threads;
     const std::size_t part_count = (primitives.size() + primitives_of_part - 1) / primitives_of_part;
     if (parts_.size() < part_count) parts_.resize(part_count);
-    const ImageOf image = of();
     run_parts(static_cast<int>(part_count), threads, [&](int index) {
         Part& part = parts_[static_cast<std::size_t>(index)];
         const std::size_t begin = static_cast<std::size_t>(index) * primitives_of_part;
         part.snapped.clear();
-        snap_primitives(image, primitives.subspan(begin, std::min(primitives_of_part, primitives.size() - begin)),
+        snap_primitives(of_, primitives.subspan(begin, std::min(primitives_of_part, primitives.size() - begin)),
                         static_cast<std::uint32_t>(begin), work_.best_vectors, part.snapped);
         part.triangles.clear();
         std::size_t kept = 0;
@@ -185,10 +182,10 @@ void OcclusionImage<3>::refresh(double opacity) {
 
 BoxSight OcclusionImage<3>::look(const Box<3>& box) const {
     // The corners as (x w, y w, w): one, and what each side of the box adds.
-    const Vec<3> extent = box.extent(), from = box.min - plane_.eye, to = box.max - plane_.eye;
+    const Vec<3> extent = box.extent(), from = box.min - of_.plane.eye, to = box.max - of_.plane.eye;
     const Vec<3> far = glm::max(glm::abs(from), glm::abs(to));
-    const auto& across = plane_.across;
-    const Vec<3> first = plane_.project(box.min);
+    const auto& across = of_.plane.across;
+    const Vec<3> first = of_.plane.project(box.min);
     std::array<Vec<3>, 3> sides;
     double size = 0;  // no term of a coordinate is larger
     for (int i = 0; i < 3; ++i) {
@@ -229,8 +226,8 @@ BoxSight OcclusionImage<3>::look(const Box<3>& box) const {
               y = first_pixel(seen.min.y, image_.height), end_y = end_pixel(seen.max.y, image_.height);
     if (x >= end_x || y >= end_y) return BoxSight::outside;
     const PixelBlocks blocks{block_of(x), block_of(y), block_of(end_x - 1), block_of(end_y - 1)};
-    return may_show(pyramid_, blocks, nearness_of(box, *view_, image_.size(), least_w)) ? BoxSight::seen
-                                                                                        : BoxSight::hidden;
+    return may_show(pyramid_, blocks, nearness_of(box, *of_.view, image_.size(), least_w)) ? BoxSight::seen
+                                                                                           : BoxSight::hidden;
 }
 
 }  // namespace sightline

@@ -33,8 +33,8 @@ public:
     /// Brings the pyramid up to date. A block of which the share `opacity` is covered then counts as covered, and as
     /// far as the farthest of what covers it; below 1 that is not conservative.
     void refresh(double opacity = 1);
-    /// Conservative: by the rectangle of pixels around the box, and the planes of its faces that turn to the eye, widened
-    /// as hidden-tests are.
+    /// Conservative: by the rectangle of pixels around the box, and the planes of its faces that turn to the eye,
+    /// widened as hidden-tests are.
     BoxSight look(const Box<3>& box) const;
 
     const DepthImage& image() const { return image_; }
@@ -47,11 +47,7 @@ private:
     };
     bool may_win(const FixedTriangle& triangle) const;
 
-    ImageOf of() const { return {*scene_, *view_, image_.size()}; }
-
-    const Scene<3>* scene_ = nullptr;
-    const View<3>* view_ = nullptr;
-    ImagePlane plane_{};
+    ImageOf of_;
     RasterWork work_{};
     DepthImage image_;
     DepthPyramid pyramid_;

@@ -9,7 +9,7 @@ namespace sightline {
 void OcclusionImage<2>::begin(const Scene<2>& scene, const View<2>& view, const ImageSize& size, const RasterWork&) {
     scene_ = &scene;
     view_ = &view;
-    line_ = PixelLine(view, view.all_round ? std::max(4, size.width / 4 * 4) : size.width);
+    line_ = PixelLine(view, pixels_of_line(view, size.width));
     farthest_.assign(static_cast<std::size_t>((line_.width() + block - 1) / block), 0.0);
 }
 
@@ -34,8 +34,7 @@ void OcclusionImage<2>::refresh(double opacity) {
 }
 
 BoxSight OcclusionImage<2>::look(const Box<2>& box) const {
-    const std::array corners{box.corner(0), box.corner(1), box.corner(2), box.corner(3)};
-    const LineShape shape = seen_polygon(*view_, line_.width(), corners);
+    const LineShape shape = seen_box(*view_, line_.width(), box);
     if (shape.everywhere) return BoxSight::seen;
     if (shape.pieces.empty()) return BoxSight::outside;
     for (const LineShape::Piece& piece : shape.pieces)

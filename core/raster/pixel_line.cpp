@@ -145,12 +145,6 @@ void add_piece(LineShape& shape, const Part& part, const Vec<2>& eye, const Prim
     shape.pieces.push_back(piece);
 }
 
-bool shows(const LineShape& shape, const PixelLine& line, int x) {
-    return shape.everywhere || std::any_of(shape.pieces.begin(), shape.pieces.end(), [&](const LineShape::Piece& p) {
-               return x >= p.first && x < p.end && p.nearness(x) >= line.nearness[static_cast<std::size_t>(x)];
-           });
-}
-
 }  // namespace
 
 PixelLine::PixelLine(const View<2>& view, int width) {
@@ -216,15 +210,28 @@ LineShape seen_polygon(const View<2>& view, int width, std::span<const Vec<2>> c
     return shape;
 }
 
+LineShape seen_box(const View<2>& view, int width, const Box<2>& box) {
+    return seen_polygon(view, width, box.corners());
+}
+
+bool covers_pixel(const LineShape& shape, int x) {
+    return shape.everywhere || std::any_of(shape.pieces.begin(), shape.pieces.end(),
+                                           [&](const auto& p) { return x >= p.first && x < p.end; });
+}
+
+bool shows_pixel(const LineShape& shape, const PixelLine& line, int x) {
+    return shape.everywhere || std::any_of(shape.pieces.begin(), shape.pieces.end(), [&](const LineShape::Piece& p) {
+               return x >= p.first && x < p.end && p.nearness(x) >= line.nearness[static_cast<std::size_t>(x)];
+           });
+}
+
 LineSight look_at(const LineShape& shape, const PixelLine& line) {
     LineSight sight;
     for (int x = 0; x < line.width(); ++x) {
-        const bool covers = shape.everywhere || std::any_of(shape.pieces.begin(), shape.pieces.end(),
-                                                            [&](const auto& p) { return x >= p.first && x < p.end; });
-        if (!covers) continue;
+        if (!covers_pixel(shape, x)) continue;
         ++sight.pixels;
         const std::uint32_t id = line.ids[static_cast<std::size_t>(x)];
-        if (shows(shape, line, x)) {
+        if (shows_pixel(shape, line, x)) {
             ++sight.seen;
             if (!sight.witness) sight.witness = x;
         } else if (id != none) {

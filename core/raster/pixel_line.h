@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -26,6 +27,11 @@ struct PixelLine {
     bool operator==(const PixelLine&) const = default;
 };
 
+/// So many pixels of those that are asked for: all round a multiple of 4.
+inline int pixels_of_line(const View<2>& view, int asked) {
+    return view.all_round ? std::max(4, asked / 4 * 4) : asked;
+}
+
 /// Draws segments over what is there already, in any order: all, or those of the list. On equal depth the lowest id
 /// wins.
 void draw_line(PixelLine& line, std::span<const Primitive<2>> segments, const View<2>& view);
@@ -47,9 +53,14 @@ struct LineShape {
     std::vector<Piece> pieces;
     bool everywhere = false;  ///< the eye lies in it
 };
+LineShape seen_box(const View<2>& view, int width, const Box<2>& box);
 LineShape seen_cell(const View<2>& view, int width, const CellComplex<2>& cells, std::uint32_t cell);
 /// Corners in either order around it; two: a segment.
 LineShape seen_polygon(const View<2>& view, int width, std::span<const Vec<2>> corners);
+
+/// Whether the shape covers the pixel, and whether it lies there before all that is drawn.
+bool covers_pixel(const LineShape& shape, int x);
+bool shows_pixel(const LineShape& shape, const PixelLine& line, int x);
 
 struct LineSight {
     std::uint32_t pixels = 0;  ///< that the shape covers, seen or not

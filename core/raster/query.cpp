@@ -77,19 +77,12 @@ std::uint32_t count_seen(const SeenShape& shape, const DepthImage& image, const 
 
 ShapeSight look_at(const SeenShape& shape, const DepthImage& image) {
     ShapeSight sight;
-    for (int y = 0; y < image.height; ++y)
-        for (int x = 0; x < image.width; ++x) {
-            const std::size_t at = image.index(x, y);
-            bool covers = shape.everywhere, seen = shape.everywhere;
-            for (const SeenFace& face : shape.faces)
-                if (face.holds(x, y)) {
-                    covers = true;
-                    seen |= face.nearness(x, y) >= image.nearness[at];
-                }
-            sight.pixels += covers;
-            sight.seen += seen;
-            if (covers && !seen && image.ids[at] != none) sight.hidden_by.push_back(image.ids[at]);
-        }
+    for_covered(shape, image, [&](int x, int y, bool shows) {
+        const std::uint32_t id = image.ids[image.index(x, y)];
+        ++sight.pixels;
+        sight.seen += shows;
+        if (!shows && id != none) sight.hidden_by.push_back(id);
+    });
     std::sort(sight.hidden_by.begin(), sight.hidden_by.end());
     sight.hidden_by.erase(std::unique(sight.hidden_by.begin(), sight.hidden_by.end()), sight.hidden_by.end());
     return sight;

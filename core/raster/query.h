@@ -23,6 +23,21 @@ std::optional<Pixel> find_seen(const SeenShape& shape, const DepthImage& image, 
 /// How many pixels show it.
 std::uint32_t count_seen(const SeenShape& shape, const DepthImage& image, const DepthPyramid& pyramid);
 
+/// Calls `each(x, y, shows)` for every pixel that the shape covers.
+template <typename Each>
+void for_covered(const SeenShape& shape, const DepthImage& image, Each each) {
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x) {
+            bool covers = shape.everywhere, shows = shape.everywhere;
+            for (const SeenFace& face : shape.faces)
+                if (face.holds(x, y)) {
+                    covers = true;
+                    shows |= face.nearness(x, y) >= static_cast<double>(image.nearness[image.index(x, y)]);
+                }
+            if (covers) each(x, y, shows);
+        }
+}
+
 struct ShapeSight {
     std::uint32_t pixels = 0;  ///< that it covers, seen or not
     std::uint32_t seen = 0;

@@ -131,7 +131,7 @@ void snap_primitives(const ImageOf& image, std::span<const std::uint32_t> primit
             const std::uint8_t told = block.told[i];
             if (told & beyond) continue;
             const std::uint32_t primitive = primitives[begin + i];
-            if ((told & back) && (scene.two_sided.empty() || !scene.two_sided[primitive])) continue;
+            if ((told & back) && !shows_both_sides(scene, primitive)) continue;
             const auto place = first_place + static_cast<std::uint32_t>(begin + i);
             if (!(told & whole) || !(told & (front | back))) {
                 snap_one_by_one(image, primitive, place, out);

@@ -16,6 +16,7 @@ struct ImageOf {
     ImagePlane plane{};
     ImageSize size{};
 
+    ImageOf() = default;
     ImageOf(const Scene<3>& of, const View<3>& seen, const ImageSize& pixels)
         : scene(&of), view(&seen), plane(image_plane(seen)), size(pixels) {}
 };

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+#include <utility>
 #include <vector>
 
+#include "core/run/front.h"
 #include "core/run/step.h"
 
 namespace sightline {
@@ -50,5 +53,29 @@ private:
     std::vector<Packed> marks_;
     std::uint32_t epoch_ = 0;
 };
+
+/// The item gets the change's mark, the change the item's: undo and redo.
+inline void exchange(Marks& marks, Change& change) {
+    const Mark here = marks[change.id];
+    marks.set(change.id, change.mark());
+    change.set_mark(here);
+}
+
+/// A front of the items that wait: after marks were put back.
+inline void refill(Front& front, const Marks& marks) {
+    front.clear();
+    for (std::uint32_t id = 0; id < marks.size(); ++id)
+        if (const Mark mark = marks[id]; mark.state == CellState::enqueued) front.push({mark.key, mark.stamp, id});
+}
+
+/// The items that wait, first to last; all are of that kind.
+inline std::vector<std::pair<Item, Mark>> waiting_items(const Marks& marks, Kind kind) {
+    std::vector<std::pair<Item, Mark>> waiting;
+    for (std::uint32_t id = 0; id < marks.size(); ++id)
+        if (const Mark mark = marks[id]; mark.state == CellState::enqueued) waiting.emplace_back(Item{id, kind}, mark);
+    std::sort(waiting.begin(), waiting.end(),
+              [](const auto& a, const auto& b) { return comes_before(a.second, b.second); });
+    return waiting;
+}
 
 }  // namespace sightline

@@ -45,15 +45,15 @@ struct Problem {
     const BoxTree<D>& boxes() const { return cells->boxes->of(*scene); }
 };
 
-/// Whether the view can show the primitive: it meets the cone and, in 3D, turns a side to the eye that is seen.
-inline bool shows(const Problem<2>& problem, std::uint32_t primitive) {
-    return in_view(problem.view, problem.scene->primitives[primitive]);
+inline bool turns_a_seen_side(const Problem<2>&, std::uint32_t) { return true; }
+inline bool turns_a_seen_side(const Problem<3>& problem, std::uint32_t primitive) {
+    return shows_both_sides(*problem.scene, primitive) || faces(problem.view, problem.scene->primitives[primitive]);
 }
-inline bool shows(const Problem<3>& problem, std::uint32_t primitive) {
-    const Scene<3>& scene = *problem.scene;
-    const Primitive<3>& triangle = scene.primitives[primitive];
-    const bool both = !scene.two_sided.empty() && scene.two_sided[primitive];
-    return (both || faces(problem.view, triangle)) && in_view(problem.view, triangle);
+
+/// Whether the view can show the primitive: it meets the cone and, in 3D, turns a side to the eye that is seen.
+template <int D>
+bool shows(const Problem<D>& problem, std::uint32_t primitive) {
+    return turns_a_seen_side(problem, primitive) && in_view(problem.view, problem.scene->primitives[primitive]);
 }
 
 enum class CulledCost : std::uint8_t { free, charged };
@@ -77,6 +77,15 @@ bool meet(const Problem<D>& problem, bool culled_costs, std::uint32_t primitive,
     counters.rendered_count += !culled;
     counters.spent += costs;
     return true;
+}
+
+/// Meets several that have not been met; the budget has place for them all.
+inline void meet_all(std::span<const std::uint32_t> primitives, Drawn& drawn, Counters& counters) {
+    const auto count = static_cast<std::uint32_t>(primitives.size());
+    drawn.add_all(counters.touched_count, primitives);
+    counters.touched_count += count;
+    counters.rendered_count += count;
+    counters.spent += count;
 }
 
 }  // namespace sightline

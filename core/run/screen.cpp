@@ -8,8 +8,7 @@ namespace sightline {
 namespace {
 
 LineShape shape_of(const View<2>& view, const PixelLine& line, const Box<2>& box) {
-    const std::array corners{box.corner(0), box.corner(1), box.corner(2), box.corner(3)};
-    return seen_polygon(view, line.width(), corners);
+    return seen_box(view, line.width(), box);
 }
 SeenShape shape_of(const View<3>& view, const DepthImage& image, const Box<3>& box) {
     return seen_box(view, image.size(), box);

@@ -15,6 +15,9 @@ template <>
 inline constexpr auto words<Draws> = std::to_array<std::string_view>({"own", "winners", "whole"});
 const ParameterRow& draws_row();
 
+/// So many of SeenPart::hidden_by a sentence names.
+inline constexpr std::size_t most_hiders = 4;
+
 /// What a box or a cell would show of itself if all in it were drawn.
 struct SeenPart {
     std::uint32_t pixels = 0;              ///< that it covers
@@ -37,6 +40,8 @@ public:
     void forget() { begun_ = false; }
     /// Shows what the run has met, its pyramid what it had met when it was `refreshed` last.
     void show(const Problem<D>& problem, std::span<const Met> met, std::uint32_t refreshed, double opacity = 1);
+    /// Whether it shows what the run has met as it is.
+    bool shows(std::span<const Met> met) const { return begun_ && drawn_ == met.size(); }
     /// The pyramid shows all that is drawn.
     void refresh(double opacity = 1);
     /// Draws more; which of them change the image. The caller meets those, and only those.

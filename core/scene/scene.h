@@ -50,6 +50,11 @@ struct Scene {
 };
 
 template <int D>
+bool shows_both_sides(const Scene<D>& scene, std::size_t primitive) {
+    return !scene.two_sided.empty() && scene.two_sided[primitive];
+}
+
+template <int D>
 Box<D> bounds(const std::vector<Primitive<D>>& primitives) {
     Box<D> box;
     for (const Primitive<D>& p : primitives)

@@ -17,8 +17,7 @@ std::uint32_t box_around(const Session<D>& session, std::uint32_t primitive) {
                                                   tree.primitives.begin());
     std::uint32_t found = 0;
     while (tree.nodes[found].first_child != none) {
-        const std::uint32_t high = tree.nodes[found].first_child + 1;
-        const std::uint32_t next = place >= tree.nodes[high].begin ? high : high - 1;
+        const std::uint32_t next = tree.child_at(found, place);
         if (session.traversal().mark(Item{next, Kind::node}).state == CellState::clean) break;
         found = next;
     }

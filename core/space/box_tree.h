@@ -34,6 +34,11 @@ struct BoxTree {
     std::span<const std::uint32_t> primitives_of(std::uint32_t node) const {
         return std::span(primitives).subspan(nodes[node].begin, nodes[node].end - nodes[node].begin);
     }
+    /// The child of an inner node that holds that place of `primitives`.
+    std::uint32_t child_at(std::uint32_t node, std::uint32_t place) const {
+        const std::uint32_t low = nodes[node].first_child;
+        return place < nodes[low].end ? low : low + 1;
+    }
     std::size_t memory_bytes() const {
         return nodes.capacity() * sizeof(Node) + primitives.capacity() * sizeof(std::uint32_t) + facing.memory_bytes();
     }

@@ -22,7 +22,7 @@ FacingPlanes::FacingPlanes(const Scene<3>& scene, std::span<const std::uint32_t>
         const Primitive<3>& triangle = scene.primitives[order[i]];
         Vec<3> normal(0);
         double offset = 0;
-        if (!scene.two_sided.empty() && scene.two_sided[order[i]]) {
+        if (shows_both_sides(scene, order[i])) {
             offset = -std::numeric_limits<float>::max();  // on its inner side from anywhere
         } else {
             const Vec<3> u = triangle[1] - triangle[0], v = triangle[2] - triangle[0];

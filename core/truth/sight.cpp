@@ -82,7 +82,7 @@ PrimitiveSight sight_of(const Scene<3>& scene, const View<3>& view, const Refere
         sight.unseen = Unseen::outside;
         return sight;
     }
-    if (!faces(view, triangle) && (scene.two_sided.empty() || !scene.two_sided[primitive])) {
+    if (!faces(view, triangle) && !shows_both_sides(scene, primitive)) {
         sight.unseen = Unseen::turned_away;
         return sight;
     }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <mutex>
 
+#include "core/raster/pixel_line.h"
 #include "core/truth/hiding.h"
 #include "core/truth/item_buffer.h"
 #include "core/truth/software_ids.h"
@@ -27,8 +28,7 @@ std::vector<std::uint32_t> pixels_of(const IdImage& image, std::size_t primitive
 }
 
 IdImage item_row(const Scene<2>& scene, const View<2>& view, const ImageSize& size) {
-    int width = image_size<2>(size).width;
-    if (view.all_round) width = std::max(4, width / 4 * 4);
+    const int width = pixels_of_line(view, image_size<2>(size).width);
     return {width, 1, item_buffer(scene.primitives, view, width).ids};
 }
 

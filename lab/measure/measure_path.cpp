@@ -31,6 +31,7 @@ struct DrawnFrame {
 struct Shown {
     std::vector<DrawnFrame> at;  ///< per budget
     std::vector<Values> values;
+    std::shared_ptr<const FrameHistory> history;
 };
 
 /// All methods in one frame.
@@ -104,18 +105,20 @@ private:
         OwnRun<D> timed;  ///< reused
     };
 
-    /// Without a budget. History is that of the path's frame before, which had none.
+    /// Without a budget.
     Problem<D> problem_of(std::size_t method, std::uint32_t i, const Services& services) const {
         const Choice& c = methods_[method];
-        Problem<D> problem = make_problem(c.variant.method, c.variant.parameters, *lab_.scene,
-                                          lab_.on(c.choice.tessellation), lab_.views[i], none, services);
-        if (!c.variant.method.needs.history || !lab_.before[i]) return problem;
-        Problem<D> last = problem;
-        last.view = *lab_.before[i];
-        const std::unique_ptr<Run<D>> run = c.variant.method.start(last);
+        return make_problem(c.variant.method, c.variant.parameters, *lab_.scene, lab_.on(c.choice.tessellation),
+                            lab_.views[i], none, services);
+    }
+    /// What the path's frame before leaves, which had no history itself.
+    std::shared_ptr<const FrameHistory> history_of(std::size_t method, std::uint32_t i, Problem<D> problem) const {
+        const Method<D>& of = methods_[method].variant.method;
+        if (!of.needs.history || !lab_.before[i]) return nullptr;
+        problem.view = *lab_.before[i];
+        const std::unique_ptr<Run<D>> run = of.start(problem);
         run->run(none);
-        problem.history = run->next_history();
-        return problem;
+        return run->next_history();
     }
     Services services_of(const FrameOfAll& frame) const {
         return known_services(std::make_shared<std::vector<std::uint8_t>>(frame.reference.visible),
@@ -142,6 +145,7 @@ private:
         tbb::parallel_for(std::size_t{0}, methods_.size(), [&](std::size_t m) {
             const Truth& truth = truths[truth_of[static_cast<std::size_t>(methods_[m].choice.tessellation)]];
             Problem<D> problem = problem_of(m, i, services);
+            problem.history = frame.methods[m].history = history_of(m, i, problem);
             const Method<D>& method = methods_[m].variant.method;
             WholeRun run;
             if (method.prefixes) run = whole_run<D>(method, problem, truth.reference);
@@ -180,6 +184,7 @@ private:
         std::vector<std::uint32_t> ids;
         for (std::size_t m = 0; m < methods_.size(); ++m) {
             Problem<D> problem = problem_of(m, i, services);
+            problem.history = now.methods[m].history;
             for (std::size_t b = 0; b < methods_[m].budgets.size(); ++b) {
                 Choice& c = methods_[m];
                 problem.budget = c.budgets[b].primitives;

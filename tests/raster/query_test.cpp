@@ -253,7 +253,12 @@ TEST(DepthPyramid, EachBlockHasTheFarthestOfItsPixelsAlsoAfterMoreIsDrawn) {
             for (int row = y; row < bottom; ++row)
                 for (int column = x; column < right; ++column)
                     image.nearness[image.index(column, row)] += static_cast<float>(random.unit());
-            pyramid.update(image, x, y, right, bottom);
+            constexpr int block = DepthPyramid::block;
+            std::vector<std::uint32_t> changed;
+            for (int row = y / block; row <= (bottom - 1) / block; ++row)
+                for (int column = x / block; column <= (right - 1) / block; ++column)
+                    changed.push_back(static_cast<std::uint32_t>(row * pyramid.levels[0].width + column));
+            pyramid.update(image, changed);
             int side = DepthPyramid::block;
             for (const DepthPyramid::Level& level : pyramid.levels) {
                 std::vector<float> brute(level.farthest.size(), std::numeric_limits<float>::infinity());

@@ -23,10 +23,7 @@ void CellBase<D>::begin_cells(double seed_key) {
 template <int D>
 const Front::Entry* CellBase<D>::front_top() {
     if (front_is_stale_) {
-        front_.clear();
-        for (std::uint32_t cell = 0; cell < marks_.size(); ++cell)
-            if (const Mark mark = marks_[cell]; mark.state == CellState::enqueued)
-                front_.push({mark.key, mark.stamp, cell});
+        refill(front_, marks_);
         front_is_stale_ = false;
     }
     return front_.top([&](const Front::Entry& entry) { return marks_.is_enqueued(entry.id, entry.stamp); });
@@ -58,10 +55,8 @@ void CellBase<D>::set_counters(const Counters& counters) {
 
 template <int D>
 bool CellBase<D>::move(Direction direction, const Step& step, std::span<Change> changes, const Counters& before) {
-    const auto exchange = [&](Change& change) {
-        const Mark here = marks_[change.id];
-        marks_.set(change.id, change.mark());
-        change.set_mark(here);
+    const auto put = [&](Change& change) {
+        exchange(marks_, change);
         if (!rounds_) return;
         const bool forward = direction == Direction::forward;
         if (Rule{change.rule} == Rule::tested_hidden) rounds_->hidden[change.id] = forward;
@@ -70,7 +65,7 @@ bool CellBase<D>::move(Direction direction, const Step& step, std::span<Change> 
     const bool round = step.item.kind == Kind::round;
     if (direction == Direction::back) {
         // The last first: a cell may be reached through several facets.
-        std::for_each(changes.rbegin(), changes.rend(), exchange);
+        std::for_each(changes.rbegin(), changes.rend(), put);
         if (round)
             --rounds_->done;
         else
@@ -85,7 +80,7 @@ bool CellBase<D>::move(Direction direction, const Step& step, std::span<Change> 
             ++rounds_->done;
         else
             set_state(step.item.id, CellState::projected);
-        std::for_each(changes.begin(), changes.end(), exchange);
+        std::for_each(changes.begin(), changes.end(), put);
         this->drawn_.put_back(this->counters_.touched_count, step.after.touched_count);
         set_counters(step.after);
     }
@@ -164,14 +159,7 @@ std::uint64_t CellBase<D>::hash() const {
 
 template <int D>
 std::vector<std::pair<Item, Mark>> CellBase<D>::front() const {
-    std::vector<std::pair<Item, Mark>> waiting;
-    waiting.reserve(this->counters_.front_size);
-    for (std::uint32_t cell = 0; cell < marks_.size(); ++cell)
-        if (const Mark mark = marks_[cell]; mark.state == CellState::enqueued)
-            waiting.emplace_back(cell_item(cell), mark);
-    std::sort(waiting.begin(), waiting.end(),
-              [](const auto& a, const auto& b) { return comes_before(a.second, b.second); });
-    return waiting;
+    return waiting_items(marks_, Kind::cell);
 }
 
 template <int D>

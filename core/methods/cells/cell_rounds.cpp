@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 
+#include "core/base/text.h"
 #include "core/methods/cells/cell_base.h"
 #include "core/methods/cells/seed_cells.h"
 
@@ -201,15 +202,9 @@ Verdict CellBase<D>::why_waiting(const Item& item) const {
     Screen<D> screen;
     screen.show(this->problem_, this->met(), this->counters_.touched_count);
     const SeenPart sight = screen.part_of(this->problem_, item.id);
-    std::string by;
-    constexpr std::size_t most = 4;
-    for (std::size_t i = 0; i < sight.hidden_by.size() && i < most; ++i)
-        by += (i == 0 ? "" : ", ") + std::to_string(sight.hidden_by[i]);
-    if (sight.hidden_by.size() > most) by += " and " + std::to_string(sight.hidden_by.size() - most) + " more";
-    const char* const kind = D == 2 ? "segment" : "triangle";
     return {"hidden", "it is hidden: its " + std::to_string(sight.pixels) +
-                          (sight.pixels == 1 ? " pixel lies" : " pixels lie") + " behind " + kind +
-                          (sight.hidden_by.size() == 1 ? " " : "s ") + by};
+                          (sight.pixels == 1 ? " pixel lies" : " pixels lie") + " behind " +
+                          some_of(D == 2 ? "segment" : "triangle", sight.hidden_by, most_hiders)};
 }
 
 #define SIGHTLINE_INSTANTIATE(D)                                                                      \

@@ -31,12 +31,6 @@ double size_of(const CellComplex<3>& cells, const HalfFacet& half) {
     return std::sqrt(glm::dot(twice, twice)) / 2;
 }
 
-bool turns_a_seen_side(const Problem<2>&, std::uint32_t) { return true; }
-bool turns_a_seen_side(const Problem<3>& problem, std::uint32_t primitive) {
-    const Scene<3>& scene = *problem.scene;
-    return (!scene.two_sided.empty() && scene.two_sided[primitive]) || faces(problem.view, scene.primitives[primitive]);
-}
-
 /// Breadth first from the seeds.
 template <int D>
 std::vector<std::uint32_t> hops_from_seeds(const Problem<D>& problem) {

@@ -20,20 +20,6 @@ double squared_distance(const Box<D>& box, const Vec<D>& p) {
     return sum;
 }
 
-template <int D>
-std::array<Vec<D>, 1 << D> corners_of(const Box<D>& box) {
-    std::array<Vec<D>, 1 << D> corners;
-    for (int i = 0; i < 1 << D; ++i) corners[static_cast<std::size_t>(i)] = box.corner(i);
-    return corners;
-}
-
-bool turns_away(const Problem<2>&, std::uint32_t) { return false; }
-bool turns_away(const Problem<3>& problem, std::uint32_t primitive) {
-    const Scene<3>& scene = *problem.scene;
-    const bool both = !scene.two_sided.empty() && scene.two_sided[primitive];
-    return !both && !faces(problem.view, scene.primitives[primitive]);
-}
-
 }  // namespace
 
 template <int D>
@@ -77,7 +63,7 @@ void BoxRun<D>::begin_boxes() {
 template <int D>
 bool BoxRun<D>::are_worth_testing(double worth) const {
     const ImageSize size = image_size<D>(this->problem_.services.image);
-    const double enough = double{1} * size.width * std::max(size.height, 1) / worth;
+    const double enough = static_cast<double>(size.width) * std::max(size.height, 1) / worth;
     const View<D>& view = this->problem_.view;
     std::vector<std::uint32_t> nodes;
     if (!tree_->nodes.empty()) nodes.push_back(0);
@@ -85,7 +71,7 @@ bool BoxRun<D>::are_worth_testing(double worth) const {
     while (!nodes.empty() && found <= enough) {
         const typename BoxTree<D>::Node& at = tree_->nodes[nodes.back()];
         nodes.pop_back();
-        const auto corners = corners_of<D>(at.box);
+        const auto corners = at.box.corners();
         if (!in_view(view, std::span<const Vec<D>>(corners))) continue;
         if (at.first_child == none || all_in_view(view, std::span<const Vec<D>>(corners)))
             found += at.end - at.begin;
@@ -110,10 +96,7 @@ void BoxRun<D>::enqueue(std::uint32_t node, Recorder* recorder) {
 template <int D>
 const Front::Entry* BoxRun<D>::front_top() {
     if (front_is_stale_) {
-        front_.clear();
-        for (std::uint32_t node = 0; node < marks_.size(); ++node)
-            if (const Mark mark = marks_[node]; mark.state == CellState::enqueued)
-                front_.push({mark.key, mark.stamp, node});
+        refill(front_, marks_);
         front_is_stale_ = false;
     }
     return front_.top([](const Front::Entry&) { return true; });
@@ -212,7 +195,7 @@ BoxSight BoxRun<D>::sight_of(std::uint32_t node, bool& whole) {
         return method_.test == BoxMethod::Test::pixels ? screen_.look_closely(this->problem_.view, box)
                                                        : screen_.look(box);
     }
-    const auto corners = corners_of<D>(box);
+    const auto corners = box.corners();
     const View<D>& view = this->problem_.view;
     if (!in_view(view, std::span<const Vec<D>>(corners))) return BoxSight::outside;
     whole = all_in_view(view, std::span<const Vec<D>>(corners));
@@ -258,7 +241,7 @@ void BoxRun<D>::pop(const Front::Entry& entry, Recorder* recorder) {
 template <int D>
 bool BoxRun<D>::is_drawn(std::uint32_t primitive, SideSeen facing, bool whole) const {
     if (facing == SideSeen::away || this->drawn_.has(primitive)) return false;
-    if (whole) return facing == SideSeen::seen || !turns_away(this->problem_, primitive);
+    if (whole) return facing == SideSeen::seen || turns_a_seen_side(this->problem_, primitive);
     return wins_pixels() || shows(this->problem_, primitive);
 }
 
@@ -281,12 +264,7 @@ void BoxRun<D>::draw_waiting() {
             if (won[i]) this->meet(waiting_[i], false);
         screen_.met(this->counters_.touched_count);
     } else {
-        Counters& counters = this->counters_;
-        const auto count = static_cast<std::uint32_t>(waiting_.size());
-        this->drawn_.add_all(counters.touched_count, waiting_);
-        counters.touched_count += count;
-        counters.rendered_count += count;
-        counters.spent += count;
+        meet_all(waiting_, this->drawn_, this->counters_);
     }
     waiting_.clear();
 }
@@ -314,19 +292,15 @@ bool BoxRun<D>::draw_slowly(std::uint32_t node) {
 
 template <int D>
 bool BoxRun<D>::move(Direction direction, const Step& step, std::span<Change> changes, const Counters& before) {
-    const auto exchange = [&](Change& change) {
-        const Mark here = marks_[change.id];
-        marks_.set(change.id, change.mark());
-        change.set_mark(here);
-    };
+    const auto put = [&](Change& change) { exchange(marks_, change); };
     if (direction == Direction::back) {
-        std::for_each(changes.rbegin(), changes.rend(), exchange);
+        std::for_each(changes.rbegin(), changes.rend(), put);
         this->drawn_.take_back(before.touched_count, this->counters_.touched_count);
         --this->steps_;
         this->counters_ = before;
     } else {
         ++this->steps_;
-        std::for_each(changes.begin(), changes.end(), exchange);
+        std::for_each(changes.begin(), changes.end(), put);
         this->drawn_.put_back(this->counters_.touched_count, step.after.touched_count);
         this->counters_ = step.after;
     }
@@ -370,13 +344,7 @@ std::uint64_t BoxRun<D>::hash() const {
 
 template <int D>
 std::vector<std::pair<Item, Mark>> BoxRun<D>::front() const {
-    std::vector<std::pair<Item, Mark>> waiting;
-    for (std::uint32_t node = 0; node < marks_.size(); ++node)
-        if (const Mark mark = marks_[node]; mark.state == CellState::enqueued)
-            waiting.emplace_back(Item{node, Kind::node}, mark);
-    std::sort(waiting.begin(), waiting.end(),
-              [](const auto& a, const auto& b) { return comes_before(a.second, b.second); });
-    return waiting;
+    return waiting_items(marks_, Kind::node);
 }
 
 template <int D>
@@ -390,8 +358,9 @@ Misses BoxRun<D>::misses() const {
 template <int D>
 std::shared_ptr<const FrameHistory> BoxRun<D>::next_history() const {
     if (!tests_depth()) return nullptr;
-    Screen<D> screen;
-    screen.show(this->problem_, this->met(), 0, 1);
+    Screen<D> anew;
+    if (!screen_.shows(this->met())) anew.show(this->problem_, this->met(), 0);
+    const Screen<D>& screen = screen_.shows(this->met()) ? screen_ : anew;
     FrameHistory history;
     history.visible.assign(this->problem_.primitives().size(), 0);
     for (const std::uint32_t id : screen.image().image().ids)

@@ -36,11 +36,8 @@ std::string BoxRun<D>::popped_words(const Step& step) const {
 template <int D>
 std::uint32_t BoxRun<D>::nearest_marked_above(std::uint32_t node) const {
     std::uint32_t at = 0;
-    while (at != node && marks_[at].state == CellState::projected && tree_->nodes[at].first_child != none) {
-        const std::uint32_t high = tree_->nodes[at].first_child + 1;
-        const bool upper = tree_->nodes[node].begin >= tree_->nodes[high].begin;
-        at = upper ? high : high - 1;
-    }
+    while (at != node && marks_[at].state == CellState::projected && tree_->nodes[at].first_child != none)
+        at = tree_->child_at(at, tree_->nodes[node].begin);
     return at;
 }
 
@@ -54,13 +51,8 @@ Verdict BoxRun<D>::why_not(const Item& item) const {
         Screen<D> screen;
         screen.show(this->problem_, this->met(), this->counters_.refreshed, opacity_);
         const SeenPart seen = screen.part_of(this->problem_, tree_->nodes[item.id].box);
-        std::string by;
-        constexpr std::size_t most = 4;
-        for (std::size_t i = 0; i < seen.hidden_by.size() && i < most; ++i)
-            by += (i == 0 ? "" : ", ") + std::to_string(seen.hidden_by[i]);
-        if (seen.hidden_by.size() > most) by += " and " + std::to_string(seen.hidden_by.size() - most) + " more";
         return {"hidden", "it is hidden: " + counted(seen.pixels, "pixel") + " of it, behind " +
-                              (D == 2 ? "segment" : "triangle") + (seen.hidden_by.size() == 1 ? " " : "s ") + by};
+                              some_of(D == 2 ? "segment" : "triangle", seen.hidden_by, most_hiders)};
     }
     if (state != CellState::clean) return {};
     const std::uint32_t above = nearest_marked_above(item.id);
