@@ -9,7 +9,7 @@ namespace sightline {
 void OcclusionImage<2>::begin(const Scene<2>& scene, const View<2>& view, const ImageSize& size, const RasterWork&) {
     scene_ = &scene;
     view_ = &view;
-    line_ = PixelLine(view, view.all_round ? std::max(4, size.width / 4 * 4) : size.width);
+    line_ = PixelLine(view, whole_line_width(view, size.width));
     farthest_.assign(static_cast<std::size_t>((line_.width() + block - 1) / block), 0.0);
 }
 

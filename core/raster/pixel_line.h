@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -25,6 +26,11 @@ struct PixelLine {
     int width() const { return static_cast<int>(ids.size()); }
     bool operator==(const PixelLine&) const = default;
 };
+
+/// The pixels of a line that is to have `width`: all round it has a multiple of 4.
+inline int whole_line_width(const View<2>& view, int width) {
+    return view.all_round ? std::max(4, width / 4 * 4) : width;
+}
 
 /// Draws segments over what is there already, in any order: all, or those of the list. On equal depth the lowest id
 /// wins.
