@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/base/number.h"
+#include "core/draw/depth_picture.h"
 #include "core/draw/insets.h"
 #include "core/draw/shown_cells.h"
 #include "core/draw/wrong_picture.h"
@@ -31,6 +32,15 @@ void make(std::optional<GlTarget>& target, const ImageSize& size) {
         target.emplace(size.width, size.height, 1, true);
 }
 
+void upload(const GlTexture& texture, const Pixels& pixels) {
+    glBindTexture(GL_TEXTURE_2D, texture.name());
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, pixels.width, pixels.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                 pixels.colours.data());
+    glBindTexture(GL_TEXTURE_2D, 0);
+}
+
 void add_image(ImDrawList& list, GLuint texture, bool upside_down, const Area& area) {
     const ImVec2 low{0, upside_down ? 1.0f : 0.0f}, high{1, upside_down ? 0.0f : 1.0f};
     list.AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture)), area.min(), area.max(), low,
@@ -56,6 +66,11 @@ void EyePictures::update(const Session<3>& session, std::uint64_t revision) {
         make(image_, {std::max(1, image_side * size.width / longer), std::max(1, image_side * size.height / longer)});
         draw(*image_, image_so_far(session));
     }
+    if (shows_depth(settings)) {
+        const DepthPicture depth = depth_picture(session, settings.inset == Inset::pyramid);
+        upload(depth_, depth.pixels);
+        depth_title_ = depth_title(settings, depth.text);
+    }
     if (!shows_missed(settings) && !shows_exact(settings)) return;
     stale_ = session.flying() && !session.has_reference();
     if (stale_) return;
@@ -65,12 +80,7 @@ void EyePictures::update(const Session<3>& session, std::uint64_t revision) {
     }
     if (shows_missed(settings)) {
         const Pixels pixels = wrong_picture(session.reference(), session.met());
-        glBindTexture(GL_TEXTURE_2D, missed_.name());
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, pixels.width, pixels.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
-                     pixels.colours.data());
-        glBindTexture(GL_TEXTURE_2D, 0);
+        upload(missed_, pixels);
     }
 }
 
@@ -81,6 +91,7 @@ std::vector<EyePictures::Shown> EyePictures::inset_pictures(const Session<3>& se
     if (s.inset == Inset::exact && exact_) pictures.push_back({exact_->texture(), true, title_of_exact, true});
     if (s.inset == Inset::missed || s.inset == Inset::both)
         pictures.push_back({missed_.name(), false, title_of_missed, true});
+    if (shows_depth(s)) pictures.push_back({depth_.name(), false, depth_title_, false});
     return pictures;
 }
 
@@ -107,7 +118,7 @@ void EyePictures::draw_insets(ImDrawList& list, const Ui& ui, const Area& area, 
         add_image(list, shown.texture, shown.upside_down, at);
         if (shown.measured && stale_) list.AddRectFilled(at.min(), at.max(), veil);
         list.AddRect(at.min(), at.max(), colour(theme::ink), 0, 0, 1.5f * ui.unit);
-        const char* const title = shown.measured && stale_ ? "measured when the eye stops" : shown.title;
+        const char* const title = shown.measured && stale_ ? "measured when the eye stops" : shown.title.c_str();
         ImVec2 text = ImGui::CalcTextSize(title);
         const float shrunk = std::min(1.0f, (at.w - 8 * ui.unit) / text.x);  // into a narrow one
         text = {text.x * shrunk, text.y * shrunk};

@@ -35,7 +35,7 @@ private:
     struct Shown {
         GLuint texture = 0;
         bool upside_down = false;  ///< rows from the bottom
-        const char* title = "";
+        std::string title;
         bool measured = false;  ///< needs the reference
     };
     std::vector<Shown> inset_pictures(const Session<3>& session) const;
@@ -44,7 +44,8 @@ private:
     std::uint64_t revision_ = 0;
     SolidRenderer renderer_;
     std::optional<GlTarget> image_, exact_;
-    GlTexture missed_;
+    GlTexture missed_, depth_;
+    std::string depth_title_;
     bool stale_ = false;  ///< what needs the reference is of an earlier frame of the flight
 };
 

@@ -35,6 +35,8 @@ struct Marked {
 
 Marked marked(const Session<2>& session, int width) {
     const View<2>& view = session.problem().view;
+    if (const std::uint32_t one = session.selected_primitive; one != none && session.selected_cell == none)
+        return {seen_polygon(view, width, session.scene().primitives[one]), item_name(primitive_item(one))};
     if (const auto box = last_box(session); box && session.selected_cell == none) {
         const std::array corners{box->corner(0), box->corner(1), box->corner(2), box->corner(3)};
         return {seen_polygon(view, width, corners), item_name(session.timeline().steps[session.position() - 1].item)};
@@ -107,10 +109,11 @@ public:
         return pixels;
     }
 
-    void label(std::string text, const Colours& colours) {
+    /// Line 0 is the lowest.
+    void label(std::string text, int line, const Colours& colours) {
         Label label;
         label.at = {left_, low_ + height_};
-        label.offset_pt = {0, 9};
+        label.offset_pt = {0, 9.0 + 10 * line};
         label.align = TextAlign::left;
         label.text = std::move(text);
         label.scale = 0.8;
@@ -139,18 +142,30 @@ private:
 
 }  // namespace
 
+std::string behind_text(std::string_view one, std::span<const std::uint32_t> hidden_by) {
+    constexpr std::size_t named = 2;
+    if (hidden_by.empty()) return {};
+    std::string text = " behind " + std::string(one) + (hidden_by.size() > 1 ? "s " : " ");
+    for (std::size_t i = 0; i < std::min(named, hidden_by.size()); ++i)
+        text += (i > 0 ? ", " : "") + std::to_string(hidden_by[i]);
+    if (hidden_by.size() > named) text += " and " + std::to_string(hidden_by.size() - named) + " more";
+    return text;
+}
+
 void add_depth_strip(const Session<2>& session, const Colours& colours, DrawList& list) {
     const PixelLine line = line_so_far(session);
     Strip strip(line, list);
     strip.depths(colours);
     const auto covered = line.width() - std::count(line.ids.begin(), line.ids.end(), none);
-    std::string text = "depth from the left of the view to its right: " + std::to_string(covered) + " of " +
-                       std::to_string(line.width()) + " pixels covered";
+    // In two lines: one would be wider than the picture.
+    strip.label("strip: " + std::to_string(covered) + " of " + std::to_string(line.width()) + " pixels covered", 1,
+                colours);
     if (const Marked what = marked(session, line.width()); what.shape) {
         const auto [seen, hidden] = strip.mark(*what.shape, colours);
-        text += "; " + what.name + ": " + std::to_string(seen) + " seen, " + std::to_string(hidden) + " hidden";
+        strip.label(what.name + ": " + std::to_string(seen) + " seen, " + std::to_string(hidden) + " hidden" +
+                        behind_text("segment", look_at(*what.shape, line).hidden_by),
+                    0, colours);
     }
-    strip.label(std::move(text), colours);
 }
 
 }  // namespace sightline

@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
+#include <string>
+#include <string_view>
+
 #include "core/draw/draw_list.h"
 #include "core/draw/palette.h"
 #include "core/session/session.h"
@@ -9,9 +13,12 @@
 namespace sightline {
 
 /// Along the lower border of the list's world, from the left of the view to its right: the nearer what is rendered, the
-/// darker, and empty where nothing is. Above it a bar marks the pixels of the last step's box or cell, or of the
-/// selected cell, as they would be seen or are hidden; a label says how many. Depths are those of a line of pixels as
-/// wide as the reference.
+/// darker, and empty where nothing is. Above it a bar marks the pixels of the selected cell or primitive, else of
+/// the last step's box or cell, as they would be seen or are hidden; a label says how many. Depths are those of a line
+/// of pixels as wide as the reference.
 void add_depth_strip(const Session<2>& session, const Colours& colours, DrawList& list);
+
+/// " behind segments 7, 9": some of them, and how many more. Empty for none.
+std::string behind_text(std::string_view one, std::span<const std::uint32_t> hidden_by);
 
 }  // namespace sightline

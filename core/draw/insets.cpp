@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/draw/insets.h"
 
+#include "core/draw/depth_picture.h"
 #include "core/draw/palette.h"
 #include "core/draw/pixels.h"
 #include "core/draw/solid_palette.h"
@@ -35,6 +36,14 @@ SolidList exact_image(const Session<3>& session) {
     return seen_by_culling_eye(session, std::move(triangles));
 }
 
+bool shows_depth(const Settings& settings) {
+    return settings.inset == Inset::depth || settings.inset == Inset::pyramid;
+}
+
+std::string depth_title(const Settings& settings, const std::string& text) {
+    return (settings.inset == Inset::pyramid ? "blocks: " : "depth: ") + text;
+}
+
 std::vector<Figure::Inset> make_insets(const Session<3>& session) {
     const Settings& set = session.settings();
     const ImageSize size = image_size<3>(set.reference_size);
@@ -48,6 +57,11 @@ std::vector<Figure::Inset> make_insets(const Session<3>& session) {
     if (set.inset == Inset::missed || set.inset == Inset::both)
         insets.push_back({title_of_missed, aspect, nullptr,
                           std::make_shared<const Pixels>(wrong_picture(session.reference(), session.met()))});
+    if (shows_depth(set)) {
+        DepthPicture depth = depth_picture(session, set.inset == Inset::pyramid);
+        insets.push_back(
+            {depth_title(set, depth.text), aspect, nullptr, std::make_shared<const Pixels>(std::move(depth.pixels))});
+    }
     return insets;
 }
 

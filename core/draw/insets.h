@@ -20,6 +20,10 @@ SolidList image_so_far(const Session<3>& session);
 /// What there is to see; asks for the reference.
 SolidList exact_image(const Session<3>& session);
 
+bool shows_depth(const Settings& settings);
+/// Of the inset of depth_picture, with its text.
+std::string depth_title(const Settings& settings, const std::string& text);
+
 /// Those that the setting `inset` asks for, from above, of the aspect of the reference, which is asked for where they
 /// need it (TVCG fig. 14).
 std::vector<Figure::Inset> make_insets(const Session<3>& session);

@@ -29,7 +29,7 @@ enum class DrawnAs : std::uint8_t { off, solid, wireframe, translucent };
 enum class SliceAcross : std::uint8_t { off, x, y, z, view };
 enum class OnlyCells : std::uint8_t { all, front, around };
 enum class Triangles : std::uint8_t { off, rendered, visible, all };
-enum class Inset : std::uint8_t { off, image, missed, both, exact };
+enum class Inset : std::uint8_t { off, image, missed, both, exact, depth, pyramid };
 enum class Split : std::uint8_t { off, exact, missed };
 
 /// Of the kinds but `field`, which is written by its name.
@@ -52,7 +52,8 @@ inline constexpr auto words<OnlyCells> = std::to_array<std::string_view>({"all",
 template <>
 inline constexpr auto words<Triangles> = std::to_array<std::string_view>({"off", "rendered", "visible", "all"});
 template <>
-inline constexpr auto words<Inset> = std::to_array<std::string_view>({"off", "image", "missed", "both", "exact"});
+inline constexpr auto words<Inset> = std::to_array<std::string_view>({"off", "image", "missed", "both", "exact",
+                                                                      "depth", "pyramid"});
 template <>
 inline constexpr auto words<Split> = std::to_array<std::string_view>({"off", "exact", "missed"});
 

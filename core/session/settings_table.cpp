@@ -254,9 +254,11 @@ std::vector<SettingRow> own_rows() {
                                               "with only=around: how many rings of neighbours")),
         only_in(3, choice<&S::triangles>("triangles", Invalidates::picture, "TVCG figs 1, 14",
                                          "which triangles are drawn")),
-        only_in(3, choice<&S::inset>("inset", Invalidates::picture, "TVCG fig. 14",
-                                     "a picture in a corner: what the culling eye sees at this step, the pixels it "
-                                     "misses, both, or the exact image")),
+        only_in(3, choice<&S::inset>(
+                       "inset", Invalidates::picture, "TVCG fig. 14",
+                       "a picture in a corner: what the culling eye sees at this step, the pixels it "
+                       "misses, both, the exact image, the depth of what is rendered, or the pyramid of it: the "
+                       "farthest depth of blocks of pixels")),
         only_in(3, choice<&S::split>("split", Invalidates::picture, "TVCG fig. 13",
                                      "a second picture beside the first: the exact image from the culling eye, or "
                                      "the pixels that it misses")),

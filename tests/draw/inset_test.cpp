@@ -5,12 +5,16 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "core/base/file.h"
 #include "core/draw/compose.h"
+#include "core/draw/depth_picture.h"
+#include "core/draw/depth_strip.h"
 #include "core/draw/solid_list.h"
 #include "core/measure/metrics.h"
+#include "core/raster/query.h"
 #include "shell/figure/cover.h"
 #include "shell/figure/figure.h"
 #include "shell/figure/inset.h"
@@ -54,6 +58,68 @@ TEST(Insets, ShowWhatIsRenderedAndWhatIsMissedAtThisStep) {
         }
     }
     EXPECT_GT(with_missed, 5u);
+}
+
+TEST(Insets, DepthsAreThoseOfWhatIsRenderedAndMarkTheCell) {
+    Random random(73);
+    std::size_t with_hidden = 0, with_seen = 0, darker = 0;
+    for (int i = 0; i < 30; ++i) {
+        Session<3> session = test::random_frozen_session(random, test::random_start_3d(random));
+        Settings settings = session.settings();
+        settings.reference_size = {160, 120};
+        settings.inset = Inset::depth;
+        session.change(settings);
+        session.run();
+        session.selected_cell = session.selected_primitive = none;
+        const std::vector<Figure::Inset> insets = make_insets(session);
+        ASSERT_EQ(insets.size(), 1u);
+        const Pixels& marked = *insets[0].pixels;
+        DepthImage image(image_size<3>(settings.reference_size));
+        draw_depth(image, session.scene(), session.problem().view, rendered_ids(session.met()));
+        const bool is_marked = last_cell(session) != none;
+        EXPECT_EQ(insets[0].title.find("covered") == std::string::npos, is_marked) << insets[0].title;
+
+        // Grey where something is and no mark, the nearer the lighter; never lighter in the pyramid.
+        settings.inset = Inset::pyramid;
+        session.change(settings);
+        const Pixels blocks = *make_insets(session).at(0).pixels;
+        ASSERT_EQ(blocks.colours.size(), marked.colours.size());
+        for (std::size_t at = 0; at < image.ids.size(); ++at) {
+            const Colour& c = marked.colours[at];
+            const bool grey = c.r == c.g && c.g == c.b;
+            if (!grey) continue;
+            ASSERT_NE(image.ids[at], none);
+            ASSERT_LE(blocks.colours[at].r, c.r);
+            darker += blocks.colours[at].r < c.r;
+        }
+        for (int k = 0; k < 5; ++k) {
+            session.selected_cell = static_cast<std::uint32_t>(random.below(session.cells().cell_count()));
+            const ShapeSight sight =
+                look_at(seen_cell(session.problem().view, image.size(), session.cells(), session.selected_cell), image);
+            with_seen += sight.seen > 0;
+            with_hidden += sight.pixels > sight.seen;
+            const DepthPicture picture = depth_picture(session, false);
+            EXPECT_NE(picture.text.find(std::to_string(sight.seen) + " seen, " +
+                                        std::to_string(sight.pixels - sight.seen) + " hidden"),
+                      std::string::npos)
+                << picture.text;
+            std::size_t marks = 0;  // what is marked is neither grey nor the colour of nothing
+            for (const Colour& c : picture.pixels.colours)
+                marks += !(c.r == c.g && c.g == c.b) && !(c == Colour{22, 30, 66});
+            EXPECT_EQ(marks, sight.pixels) << "cell " << session.selected_cell;
+        }
+    }
+    EXPECT_GT(with_hidden, 3u);
+    EXPECT_GT(with_seen, 3u);
+    EXPECT_GT(darker, 0u);
+}
+
+TEST(Insets, NameSomeOfWhatHides) {
+    const std::vector<std::uint32_t> ids{7, 9, 11, 12, 13};
+    EXPECT_EQ(behind_text("segment", {}), "");
+    EXPECT_EQ(behind_text("segment", std::span(ids).first(1)), " behind segment 7");
+    EXPECT_EQ(behind_text("segment", std::span(ids).first(3)), " behind segments 7, 9 and 1 more");
+    EXPECT_EQ(behind_text("segment", ids), " behind segments 7, 9 and 3 more");
 }
 
 TEST(Insets, PixelsResizedAreTheMeansOfThoseUnderThem) {

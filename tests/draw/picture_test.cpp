@@ -312,7 +312,9 @@ TEST(Picture, AStripOfDepthsShowsWhatTheEyeHasBeforeIt) {
     EXPECT_NEAR(bars["depth"], 192 * (1 - (5.0 / 9 - 0.5) / 2), 2);
     const auto label = [&] {
         const DrawList list = make_picture(session);
-        return list.labels.empty() ? std::string() : list.labels.front().text;
+        std::string text;
+        for (const Label& each : list.labels) text += each.text + "\n";
+        return text;
     };
     EXPECT_NE(label().find("747 of 768 pixels covered"), std::string::npos) << label();
     // A cell behind the wall shows nothing of itself; the eye's own cell shows everywhere.
