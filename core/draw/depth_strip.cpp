@@ -112,7 +112,8 @@ public:
     /// Line 0 is the lowest.
     void label(std::string text, int line, const Colours& colours) {
         Label label;
-        label.at = {left_, low_ + height_};
+        // A window keeps its legend in the left corner.
+        label.at = {left_ + 0.3 * width_, low_ + height_};
         label.offset_pt = {0, 9.0 + 10 * line};
         label.align = TextAlign::left;
         label.text = std::move(text);
