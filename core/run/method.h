@@ -33,7 +33,8 @@ struct Method {
     std::function<std::unique_ptr<Run<D>>(const Problem<D>&)> start;
     Kind pops = Kind::cell;
     Needs needs{};
-    Misses promise = Misses::may;  ///< of a run that came to its end
+    Misses promise = Misses::may;  ///< of a run that came to its end, unless the parameters take it back
+    bool (*takes_back)(const Parameters&) = nullptr;
     /// Whether a budget in primitives is a fair question; false: measured without one.
     bool budgeted = true;
     /// A budget selects a prefix of one order, and a larger one goes on where it ended; false: it changes the order.
@@ -42,6 +43,9 @@ struct Method {
     std::vector<const ParameterRow*> parameters{};
     std::vector<std::string_view> aliases{};
 
+    Misses promise_with(const Parameters& parameters) const {
+        return takes_back && takes_back(parameters) ? Misses::may : promise;
+    }
     bool orders_cells() const { return pops == Kind::cell; }
     bool is_called(std::string_view name) const {
         return name == id || std::find(aliases.begin(), aliases.end(), name) != aliases.end();

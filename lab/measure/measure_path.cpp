@@ -252,7 +252,8 @@ private:
                 row.scene = lab_.name;
                 row.path = lab_.path;
                 row.method = methods_[m].choice;
-                row.approximate = methods_[m].variant.method.promise == Misses::may;
+                row.approximate =
+                    methods_[m].variant.method.promise_with(methods_[m].variant.parameters) == Misses::may;
                 row.budget = budget.text;
                 row.error_bound = lab_.settings.error_bound;
                 row.primitives = static_cast<std::uint32_t>(lab_.scene->primitives.size());

@@ -41,6 +41,11 @@ struct WhatIf {
     Counterfactuals all;
 };
 
+/// The budget that `complete` has set, and the one before.
+struct Completing {
+    Budget before, now;
+};
+
 template <int D>
 struct Workbench {
     Session<D> session;           ///< where it stands, and what is noted, marked and selected in it
@@ -65,6 +70,7 @@ struct Workbench {
     std::vector<std::string> recent{};  ///< what `open` took, newest first
     std::vector<Place> places{};        ///< written anew by each frame of the window
     Graphics graphics{};                ///< 3D
+    std::optional<Completing> completing{};
     TradeOff<D> trade_off{};
     std::optional<WhatIf> what_if{};
 

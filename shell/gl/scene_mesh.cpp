@@ -26,14 +26,20 @@ void check_room(std::size_t triangles) {
 template <typename T, typename Add>
 void upload_each(std::size_t triangles, const Add& add) {
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(triangles * 3 * sizeof(T)), nullptr, GL_STATIC_DRAW);
+    // By way of another buffer: a driver takes many updates of static data for a mistake, and says so.
+    const GlBuffer way;
+    glBindBuffer(GL_COPY_READ_BUFFER, way.name());
     std::vector<T> part;
     part.reserve(std::min(triangles, triangles_at_once) * 3);
     for (std::size_t first = 0; first < triangles; first += triangles_at_once) {
         part.clear();
         for (std::size_t t = first; t < std::min(triangles, first + triangles_at_once); ++t) add(t, part);
-        glBufferSubData(GL_ARRAY_BUFFER, static_cast<GLintptr>(first * 3 * sizeof(T)),
-                        static_cast<GLsizeiptr>(part.size() * sizeof(T)), part.data());
+        const auto bytes = static_cast<GLsizeiptr>(part.size() * sizeof(T));
+        glBufferData(GL_COPY_READ_BUFFER, bytes, part.data(), GL_STREAM_DRAW);
+        glCopyBufferSubData(GL_COPY_READ_BUFFER, GL_ARRAY_BUFFER, 0, static_cast<GLintptr>(first * 3 * sizeof(T)),
+                            bytes);
     }
+    glBindBuffer(GL_COPY_READ_BUFFER, 0);
 }
 
 }  // namespace

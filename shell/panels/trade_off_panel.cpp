@@ -50,9 +50,10 @@ std::vector<Row> trade_off_rows(const Workbench<D>& bench) {
         row.tone = now ? Tone::lit : is_best ? Tone::good : Tone::plain;
         if (now) row.text += " (now)";
         row.command = trade_off_command(bench, dot);
-        row.tip = std::string(variant.method.sentence) +
-                  (variant.method.promise == Misses::may ? " [approximate]" : " [conservative]") +
-                  ". Click to set this method and budget.";
+        row.tip =
+            std::string(variant.method.sentence) +
+            (variant.method.promise_with(variant.parameters) == Misses::may ? " [approximate]" : " [conservative]") +
+            ". Click to set this method and budget.";
         rows.push_back(std::move(row));
     }
     const ImageSize reference = image_size<D>(study.task().reference_size);

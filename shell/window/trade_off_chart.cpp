@@ -115,7 +115,7 @@ void chart_mouse(Ui& ui, const Workbench<D>& bench, const TradeOffPlot& plot) {
     const auto share = [&](Measure measure) { return short_number(100 * study.value(dot, measure)) + " %"; };
     ImGui::SetTooltip("%s at %s (%s)\n%s ms, wrong pixels %s, coverage %s\nclick to set this method and budget",
                       variant.text.c_str(), budget_text(dot.budget).c_str(),
-                      variant.method.promise == Misses::may ? "approximate" : "conservative",
+                      variant.method.promise_with(variant.parameters) == Misses::may ? "approximate" : "conservative",
                       short_number(study.value(dot, Measure::total_ms)).c_str(), share(Measure::wrong).c_str(),
                       share(Measure::coverage).c_str());
     if (ImGui::IsItemDeactivated()) ui.act(trade_off_command(bench, dot));

@@ -9,57 +9,15 @@
 #include "core/methods/cells/cell_rules.h"
 #include "core/methods/cells/rounds.h"
 #include "core/session/session.h"
-#include "core/space/builders.h"
-#include "core/truth/software_ids.h"
-#include "tests/run/run_support.h"
-#include "tests/scene/random_scene.h"
+#include "tests/run/cplp_support.h"
 #include "tests/soak.h"
-#include "tests/space/random_cells.h"
 
 namespace sightline {
 namespace {
 
-template <int D>
-struct CplpCase {
-    Scene<D> scene;
-    CellComplex<D> cells;
-    Settings settings;
-    View<D> view;
-    ImageSize size = D == 2 ? ImageSize{512, 0} : ImageSize{80, 60};
-
-    Problem<D> problem(const Method<D>& method) const {
-        Services services;
-        services.image = size;
-        return make_problem(method, settings.parameters, scene, cells, view,
-                            settings.budget.primitives(scene.primitives.size()), services);
-    }
-};
-
-template <int D>
-CplpCase<D> random_cplp_case(Random& random) {
-    CplpCase<D> made;
-    made.settings = test::random_settings(random);
-    made.settings.budget = {Budget::Kind::primitives, static_cast<double>(random.below(40))};
-    if constexpr (D == 2) {
-        made.scene = test::random_scene(random, random.below(100));
-        made.view = make_view(test::random_view(random));
-    } else {
-        made.scene.primitives = test::random_triangles(random, random.below(80));
-        made.settings.jitter = 0.02;
-        made.settings.border = Border::inflated;
-        made.settings.error_bound = random.uniform(0.1, 0.5);
-        const double reach = random.below(3) == 0 ? 1.5 : 0;
-        const auto point = [&](double low, double high) {
-            return Vec<3>(random.uniform(low, high), random.uniform(low, high), random.uniform(low, high));
-        };
-        made.view = make_view(ViewSpec<3>{point(-reach, 1 + reach), point(0.2, 0.8), random.uniform(20, 120)}, 4.0 / 3);
-    }
-    made.cells = build_cells(made.scene, made.settings);
-    return made;
-}
-
-IdImage exact_ids(const CplpCase<2>& c) { return item_row(c.scene, c.view, c.size); }
-IdImage exact_ids(const CplpCase<3>& c) { return draw_ids_in_software(c.scene, c.view, c.size, 1).front(); }
+using test::CplpCase;
+using test::exact_ids;
+using test::random_cplp_case;
 
 template <int D>
 void nothing_is_missed(std::uint64_t seed, int count) {
@@ -68,12 +26,11 @@ void nothing_is_missed(std::uint64_t seed, int count) {
     std::size_t rounds = 0, added = 0, hidden = 0, cut = 0;
     for (int i = 0; i < count; ++i) {
         SCOPED_TRACE(i);
-        CplpCase<D> made = random_cplp_case<D>(random);
-        for (const char* first : {"published", "layers", "formula key=depth", "layers, winners only"}) {
-            const std::string_view words = first;
-            made.settings.parameters.set(cplp_first_row(), words.substr(0, words.find(',')));
-            made.settings.parameters.set(draws_row(), words.find(',') == words.npos ? "own" : "winners");
-            const Problem<D> problem = made.problem(method);
+        const CplpCase<D> made = random_cplp_case<D>(random);
+        for (const char* text :
+             {"cplp", "cplp first=layers", "cplp first='formula key=depth'", "cplp first=layers draws=winners",
+              "cplp first=layers test=item", "cplp test=item tiles=off", "cplp test=item draws=winners"}) {
+            const Problem<D> problem = made.problem(text);
             const std::unique_ptr<Run<D>> run = method.start(problem);
             std::uint32_t before = 0;
             while (!run->finished()) {
@@ -88,7 +45,7 @@ void nothing_is_missed(std::uint64_t seed, int count) {
             const auto rendered = rendered_mask(run->met(), made.scene.primitives.size());
             for (const std::uint32_t id : exact_ids(made).ids)
                 if (id != none) {
-                    ASSERT_TRUE(rendered[id]) << first << ", primitive " << id;
+                    ASSERT_TRUE(rendered[id]) << text << ", primitive " << id;
                 }
             cut += static_cast<std::size_t>(std::count(rendered.begin(), rendered.end(), 0)) > 0;
             // What is still in the front could change nothing; what is projected was seen.
@@ -117,7 +74,7 @@ TEST(Cplp, ARoundSaysWhatItTestedAndStepsThroughIt) {
     std::size_t tests = 0, seen = 0;
     for (int i = 0; i < test::soak_count(40); ++i) {
         const CplpCase<2> made = random_cplp_case<2>(random);
-        const test::Recorded<2> recorded = test::record_all(method, made.problem(method));
+        const test::Recorded<2> recorded = test::record_all(method, made.problem());
         std::size_t here = 0;
         for (std::uint32_t step = 1; step <= recorded.timeline.size(); ++step) {
             const Step& record = recorded.timeline.steps[step - 1];
@@ -172,9 +129,8 @@ TEST(Cplp, NothingIsLostWhereTheBudgetEnds) {
 TEST(Cplp, RefusesAFirstMethodWithoutCells) {
     Random random(84);
     const Method<2>& method = find_method<2>(method_table<2>(), "cplp");
-    CplpCase<2> made = random_cplp_case<2>(random);
-    made.settings.parameters.set(cplp_first_row(), "everything");
-    EXPECT_THROW(method.start(made.problem(method)), InputError);
+    const CplpCase<2> made = random_cplp_case<2>(random);
+    EXPECT_THROW(method.start(made.problem("cplp first=everything")), InputError);
 }
 
 }  // namespace

@@ -135,12 +135,15 @@ void walk(const Method<D>& method, const Problem<D>& problem, OwnRun<D> run, Ran
     }
 }
 
+/// Of a variant of it.
 template <int D>
-void test_method(const Method<D>& method, std::uint64_t seed) {
+void test_method(std::string_view text, std::uint64_t seed) {
     Random random(seed);
     OwnRun<D> reused;
+    const VariantText variant = read_variant(text);
     for (int i = 0; i < test::soak_count(D == 2 ? 60 : 12); ++i) {
-        const Case<D> made = random_case<D>(random);
+        Case<D> made = random_case<D>(random);
+        const Method<D>& method = find_variant<D>(all_methods<D>(), variant, made.settings.parameters);
         const Problem<D> problem = made.problem();
         walk<D>(method, problem, OwnRun<D>(method.start(problem)), random);
         walk<D>(method, problem, OwnRun<D>(std::make_unique<WithoutMarks<D>>(method.start(problem))), random);
@@ -195,22 +198,23 @@ void test_method(const Method<D>& method, std::uint64_t seed) {
 class EveryMethod2d : public testing::TestWithParam<std::string_view> {};
 class EveryMethod3d : public testing::TestWithParam<std::string_view> {};
 
-TEST_P(EveryMethod2d, WalksBackAndForthWithTheHashesOfGoingForward) {
-    test_method<2>(find_method<2>(all_methods<2>(), GetParam()), 13);
-}
-TEST_P(EveryMethod3d, WalksBackAndForthWithTheHashesOfGoingForward) {
-    test_method<3>(find_method<3>(all_methods<3>(), GetParam()), 18);
-}
+TEST_P(EveryMethod2d, WalksBackAndForthWithTheHashesOfGoingForward) { test_method<2>(GetParam(), 13); }
+TEST_P(EveryMethod3d, WalksBackAndForthWithTheHashesOfGoingForward) { test_method<3>(GetParam(), 18); }
 
 template <int D>
 std::vector<std::string_view> ids() {
     std::vector<std::string_view> found;
     for (const Method<D>& method : runnable<D>()) found.push_back(method.id);
+    // Those that do other things than their method does by default.
+    for (const char* variant : {"cplp test=item", "cplp test=item listing=printed", "cplp total=12",
+                                "cplp test=item total=30% draws=winners"})
+        found.push_back(variant);
     return found;
 }
 std::string name_of(const testing::TestParamInfo<std::string_view>& info) {
     std::string name;
-    for (const char c : info.param) name += c == '-' ? '_' : c;
+    for (const char c : info.param)
+        if (c != '%') name += std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
     return name;
 }
 

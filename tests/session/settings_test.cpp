@@ -57,6 +57,7 @@ std::vector<std::string> good_values(const SettingRow& row, Random& random) {
         return ids;
     }
     if (row.name == "first") return {"published", "layers", "published on_reenqueue=min"};
+    if (row.name == "total") return {"500", "0", "5%", "unlimited"};
     if (row.name == "key") return {"content", "content+hops", "min(angle, 1) * handed_on", "2"};
     if (row.name == "budget") return {"500", "0", "5%", "0.125%", "100%", "16ms", "0.5ms", "unlimited"};
     if (row.name == "reference_size") return {"auto", "1", "8192", "16777216", "1x1", "8192x8192", "640x480"};
@@ -232,7 +233,7 @@ TEST(Settings, BadValuesNameFieldValueAndWhatIsAllowedAndChangeNothing) {
             EXPECT_NE(what.find(value), std::string::npos) << what;
             if (row.name == "reference_size") {
                 EXPECT_NE(what.find("auto"), std::string::npos) << what;
-            } else if (row.name == "budget") {
+            } else if (row.name == "budget" || row.name == "total") {
                 EXPECT_NE(what.find("unlimited"), std::string::npos) << what;
             } else if (!ranges.contains(row.name)) {
                 EXPECT_NE(what.find(row.values), std::string::npos) << what;
@@ -255,7 +256,7 @@ TEST(Settings, BadValuesNameFieldValueAndWhatIsAllowedAndChangeNothing) {
                 check(row, value);
         const auto range = ranges.find(row.name);
         if (range == ranges.end()) {
-            if (row.name != "budget" && row.name != "reference_size" &&
+            if (row.name != "budget" && row.name != "total" && row.name != "reference_size" &&
                 !any_number.contains(row.name))  // words are not cut, not joined, not in capitals
                 for (std::string word : words_of(row)) {
                     check(row, word + "x");

@@ -32,6 +32,7 @@ const Front::Entry* CellBase<D>::front_top() {
 template <int D>
 bool CellBase<D>::finished() const {
     if (in_rounds()) {
+        if (cut_short()) return true;
         if (rounds_->done == 0) return false;
         for (std::uint32_t cell = 0; cell < marks_.size(); ++cell)
             if (may_be_seen(cell)) return false;
@@ -56,11 +57,13 @@ void CellBase<D>::set_counters(const Counters& counters) {
 template <int D>
 bool CellBase<D>::move(Direction direction, const Step& step, std::span<Change> changes, const Counters& before) {
     const auto put = [&](Change& change) {
+        const bool forward = direction == Direction::forward;
+        if (Rule{change.rule} == Rule::tile_off) return rounds_->put_tile(change.id, step.item.id, forward);
         exchange(marks_, change);
         if (!rounds_) return;
-        const bool forward = direction == Direction::forward;
         if (Rule{change.rule} == Rule::tested_hidden) rounds_->hidden[change.id] = forward;
         if (Rule{change.rule} == Rule::projected_now) rounds_->round_of[change.id] = forward ? step.item.id : 0;
+        if (Rule{change.rule} == Rule::lost) rounds_->put_lost(change.id, step.item.id, forward);
     };
     const bool round = step.item.kind == Kind::round;
     if (direction == Direction::back) {
@@ -141,7 +144,8 @@ void CellBase<D>::rewind_to(Step& step, std::vector<Change>& changes, const Coun
 
 template <int D>
 std::size_t CellBase<D>::memory_bytes() const {
-    return marks_.memory_bytes() + this->drawn_.memory_bytes() + (rounds_ ? std::size_t{5} * marks_.size() : 0);
+    return marks_.memory_bytes() + this->drawn_.memory_bytes() +
+           (rounds_ ? 5 * std::size_t{marks_.size()} + 4 * rounds_->last_read.size() : 0);
 }
 
 template <int D>
@@ -152,6 +156,7 @@ std::uint64_t CellBase<D>::hash() const {
         hash.add(rounds_->done);
         for (std::uint32_t cell = 0; cell < marks_.size(); ++cell)
             hash.add(std::uint64_t{rounds_->round_of[cell]} << 1 | rounds_->hidden[cell]);
+        for (const std::uint32_t round : rounds_->last_read) hash.add(round);
     }
     add_run(hash, *this);
     return hash.value();

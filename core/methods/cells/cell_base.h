@@ -42,7 +42,9 @@ public:
 
     /// From the end of the budget on the run goes on in rounds until nothing visible is left (cplp/cplp.h). To be
     /// called before the first step.
-    void complete_in_rounds(bool only_winners = false);
+    void complete_in_rounds(const RoundForm& form);
+    /// Of ids, by a round: of the tiles that it reads, or of the whole image. Nothing where it draws no ids.
+    std::optional<double> bytes_read(const Item& round, bool whole_image) const;
     std::vector<CodeLine> code(const CodePlace&) const override;
 
 protected:
@@ -87,6 +89,12 @@ protected:
 
 private:
     bool first_phase_ended() const;
+    /// Both phases together have spent what they may.
+    bool cut_short() const { return rounds_ && this->counters_.spent >= rounds_->form.total; }
+    std::vector<std::uint32_t> test_each(Recorder* recorder);
+    std::vector<std::uint32_t> test_in_one_image(Recorder* recorder);
+    void project_seen(const std::vector<std::uint32_t>& seen, Recorder* recorder);
+    Verdict why_lost(std::uint32_t cell) const;
     bool may_be_seen(std::uint32_t cell) const;
     void begin_rounds(Recorder* recorder);
     void rewind_round(std::vector<Change>& changes, const Counters& before, std::uint32_t substep);

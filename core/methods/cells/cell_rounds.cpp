@@ -1,10 +1,9 @@
-// A run of cells that is completed in rounds: what the gem calls find_visible_front and conservative_finish, each cell
-// of the front tested by itself.
+// A run of cells that is completed in rounds: what the gem calls find_visible_front and conservative_finish.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 
-#include "core/base/text.h"
 #include "core/methods/cells/cell_base.h"
+#include "core/methods/cells/front_image.h"
 #include "core/methods/cells/seed_cells.h"
 
 namespace sightline {
@@ -13,17 +12,13 @@ namespace {
 
 constexpr auto as_rule = [](const Change& change) { return Rule{change.rule}; };
 
-bool is_test(const Change& change) {
-    return as_rule(change) == Rule::tested_seen || as_rule(change) == Rule::tested_hidden;
-}
-
 }  // namespace
 
 template <int D>
-void CellBase<D>::complete_in_rounds(bool only_winners) {
+void CellBase<D>::complete_in_rounds(const RoundForm& form) {
+    this->problem_.budget = std::min(this->problem_.budget, form.total);
     rounds_.emplace();
-    rounds_->only_winners = only_winners;
-    rounds_->begin(marks_.size());
+    rounds_->begin(form, marks_.size(), screen_tiles(this->problem_));
 }
 
 template <int D>
@@ -61,18 +56,26 @@ void CellBase<D>::begin_rounds(Recorder* recorder) {
 
 template <int D>
 Stop CellBase<D>::make_round(Recorder* recorder) {
-    if (finished()) return Stop::complete;
-    const std::uint32_t budget = std::exchange(this->problem_.budget, none);
+    if (finished()) return cut_short() ? Stop::budget : Stop::complete;
+    const std::uint32_t budget = std::exchange(this->problem_.budget, rounds_->form.total);
     ++this->steps_;
     const std::uint32_t number = ++rounds_->done;
     if (recorder) recorder->popped({number, Kind::round}, {});
     if (number == 1) begin_rounds(recorder);
-    Screen<D>& screen = rounds_->screen;
-    screen.show(this->problem_, this->met(), this->counters_.touched_count);
+    rounds_->screen.show(this->problem_, this->met(), this->counters_.touched_count);
+    project_seen(rounds_->form.test == FrontTest::item ? test_in_one_image(recorder) : test_each(recorder), recorder);
+    this->problem_.budget = budget;
+    if (recorder) recorder->finished(this->counters_);
+    return Stop::none;
+}
+
+/// Those that can be seen.
+template <int D>
+std::vector<std::uint32_t> CellBase<D>::test_each(Recorder* recorder) {
     std::vector<std::uint32_t> seen;
     for (const auto& [item, mark] : front()) {
         if (rounds_->hidden[item.id]) continue;
-        const auto pixel = screen.seen_at(this->problem_, item.id);
+        const auto pixel = rounds_->screen.seen_at(this->problem_, item.id);
         if (pixel)
             seen.push_back(item.id);
         else
@@ -81,29 +84,35 @@ Stop CellBase<D>::make_round(Recorder* recorder) {
             recorder->changed(item, mark, static_cast<std::uint8_t>(pixel ? Rule::tested_seen : Rule::tested_hidden),
                               pixel.value_or(none));
     }
+    return seen;
+}
+
+template <int D>
+void CellBase<D>::project_seen(const std::vector<std::uint32_t>& seen, Recorder* recorder) {
     // All at once, since threads help where there is much to draw.
+    const bool only_winners = rounds_->form.only_winners;
     std::vector<std::uint32_t> candidates, ends;
     std::span<const std::uint8_t> won;
-    if (rounds_->only_winners) {
+    if (only_winners) {
         for (const std::uint32_t cell : seen) {
             for (const std::uint32_t primitive : this->problem_.cells->primitives_of(cell))
                 if (!this->drawn_.has(primitive)) candidates.push_back(primitive);
             ends.push_back(static_cast<std::uint32_t>(candidates.size()));
         }
-        won = screen.draw(candidates);
+        won = rounds_->screen.draw(candidates);
     }
     std::uint32_t next = 0;
-    for (std::size_t i = 0; i < seen.size(); ++i) {
-        rounds_->round_of[seen[i]] = number;
+    for (std::size_t i = 0; i < seen.size() && !cut_short(); ++i) {
+        rounds_->round_of[seen[i]] = rounds_->done;
         rounds_->winners.clear();
-        for (; rounds_->only_winners && next < ends[i]; ++next)
+        for (; only_winners && next < ends[i]; ++next)
             if (won[next]) rounds_->winners.push_back(candidates[next]);
         project_now(seen[i], recorder);
     }
-    if (rounds_->only_winners) screen.met(this->counters_.touched_count);
-    this->problem_.budget = budget;
-    if (recorder) recorder->finished(this->counters_);
-    return Stop::none;
+    if (cut_short())
+        rounds_->screen.forget();  // it may show what was not met any more
+    else if (only_winners)
+        rounds_->screen.met(this->counters_.touched_count);
 }
 
 /// Back to before the projections, with the tests up to the substep.
@@ -115,18 +124,24 @@ void CellBase<D>::rewind_round(std::vector<Change>& changes, const Counters& bef
         if (is_test(changes[kept]) && met++ == tests) break;
     for (; changes.size() > kept; changes.pop_back()) {
         const Change& last = changes.back();
+        if (as_rule(last) == Rule::tile_off) {
+            rounds_->put_tile(last.id, rounds_->done, false);
+            continue;
+        }
         marks_.set(last.id, last.mark());
+        if (as_rule(last) == Rule::lost) rounds_->put_lost(last.id, rounds_->done, false);
         if (as_rule(last) == Rule::tested_hidden) rounds_->hidden[last.id] = 0;
         if (as_rule(last) == Rule::projected_now) rounds_->round_of[last.id] = 0;
     }
     const std::uint32_t met = this->counters_.touched_count;
-    std::uint32_t added = 0, stamps = 0;
+    std::uint32_t added = 0, taken = 0, stamps = 0;
     for (const Change& change : changes) {
         added += as_rule(change) == Rule::enqueued;
+        taken += as_rule(change) == Rule::lost;
         stamps += as_rule(change) == Rule::enqueued || as_rule(change) == Rule::reenqueued;
     }
     this->counters_ = before;
-    this->counters_.front_size += added;
+    this->counters_.front_size += added - taken;
     this->counters_.next_stamp += stamps;
     this->drawn_.take_back(before.touched_count, met);
     front_is_stale_ = true;
@@ -141,44 +156,17 @@ std::vector<Considered> CellBase<D>::tests_of(std::span<const Change> changes) c
         test.item = change.item();
         test.rule = change.rule;
         test.words = rule_words(change.rule);
-        test.effect = as_rule(change) == Rule::tested_seen ? Effect::changed : Effect::kept;
+        const bool stays = as_rule(change) == Rule::tested_hidden || as_rule(change) == Rule::tested_without;
+        test.effect = stays ? Effect::kept : Effect::changed;
         test.before = change.mark();
     }
     return tests;
 }
 
-/// The second phase, under the lines of the first.
-template <int D>
-void CellBase<D>::add_round_lines(std::vector<CodeLine>& lines, const CodePlace& at, bool in_round) const {
-    const bool here = in_round || (!at.in_step() && in_rounds());
-    if (here)
-        for (CodeLine& line : lines) line.lit = false;
-    const auto tests = in_round ? tests_of(at.changes) : std::vector<Considered>{};
-    const std::uint32_t substep = in_round ? *at.substep : 0;
-    const std::size_t test = substep - first_test_substep;
-    const auto add = [&](std::string text, int indent, bool lit, std::string_view source) -> CodeLine& {
-        lines.push_back({std::move(text), indent, lit, {}, std::string(source)});
-        return lines.back();
-    };
-    CodeLine& loop =
-        add("then, until no cell of the front can be seen:", 0, here && !in_round, "gem, conservative_finish");
-    if (loop.lit)
-        loop.values = finished() ? "none can: nothing visible is left"
-                                 : "round " + std::to_string(rounds_->done + 1) + " is next";
-    add("draw what is rendered into a depth image", 1, in_round && substep < first_test_substep,
-        "gem, find_visible_front");
-    CodeLine& line = add("for each cell of the front: does a pixel of it lie before that image?", 1,
-                         in_round && substep >= first_test_substep && test < tests.size(), "gem, find_visible_front");
-    if (line.lit)
-        line.values = item_name(tests[test].item) +
-                      (Rule{tests[test].rule} == Rule::tested_seen ? ": yes" : ": no, it stays hidden");
-    add("project those that can be seen, and add their neighbours", 1,
-        in_round && substep >= first_test_substep && test >= tests.size(), "gem, conservative_finish");
-}
-
 template <int D>
 Misses CellBase<D>::misses() const {
-    return rounds_ && finished() ? Misses::none_at_this_resolution : Misses::may;
+    const bool complete = rounds_ && !rounds_->form.printed() && !cut_short() && finished();
+    return complete ? Misses::none_at_this_resolution : Misses::may;
 }
 
 /// A cell that is seen is projected in the same round, and one that is hidden is never asked again.
@@ -191,35 +179,18 @@ std::uint64_t CellBase<D>::tests() const {
     return count;
 }
 
-template <int D>
-std::string CellBase<D>::popped_words(const Step& step) const {
-    return step.item.kind == Kind::round ? "round " + std::to_string(step.item.id) : Run<D>::popped_words(step);
-}
-
-template <int D>
-Verdict CellBase<D>::why_waiting(const Item& item) const {
-    if (!rounds_ || item.kind != Kind::cell || !rounds_->hidden[item.id]) return {};
-    Screen<D> screen;
-    screen.show(this->problem_, this->met(), this->counters_.touched_count);
-    const SeenPart sight = screen.part_of(this->problem_, item.id);
-    return {"hidden", "it is hidden: its " + std::to_string(sight.pixels) +
-                          (sight.pixels == 1 ? " pixel lies" : " pixels lie") + " behind " +
-                          some_of(D == 2 ? "segment" : "triangle", sight.hidden_by, most_hiders)};
-}
-
-#define SIGHTLINE_INSTANTIATE(D)                                                                      \
-    template void CellBase<D>::complete_in_rounds(bool);                                              \
-    template bool CellBase<D>::first_phase_ended() const;                                             \
-    template bool CellBase<D>::may_be_seen(std::uint32_t) const;                                      \
-    template void CellBase<D>::begin_rounds(Recorder*);                                               \
-    template Stop CellBase<D>::make_round(Recorder*);                                                 \
-    template void CellBase<D>::rewind_round(std::vector<Change>&, const Counters&, std::uint32_t);    \
-    template void CellBase<D>::add_round_lines(std::vector<CodeLine>&, const CodePlace&, bool) const; \
-    template std::vector<Considered> CellBase<D>::tests_of(std::span<const Change>) const;            \
-    template Misses CellBase<D>::misses() const;                                                      \
-    template std::uint64_t CellBase<D>::tests() const;                                                \
-    template std::string CellBase<D>::popped_words(const Step&) const;                                \
-    template Verdict CellBase<D>::why_waiting(const Item&) const;
+#define SIGHTLINE_INSTANTIATE(D)                                                                   \
+    template void CellBase<D>::complete_in_rounds(const RoundForm&);                               \
+    template bool CellBase<D>::first_phase_ended() const;                                          \
+    template bool CellBase<D>::may_be_seen(std::uint32_t) const;                                   \
+    template void CellBase<D>::begin_rounds(Recorder*);                                            \
+    template std::vector<std::uint32_t> CellBase<D>::test_each(Recorder*);                         \
+    template void CellBase<D>::project_seen(const std::vector<std::uint32_t>&, Recorder*);         \
+    template Stop CellBase<D>::make_round(Recorder*);                                              \
+    template void CellBase<D>::rewind_round(std::vector<Change>&, const Counters&, std::uint32_t); \
+    template std::vector<Considered> CellBase<D>::tests_of(std::span<const Change>) const;         \
+    template Misses CellBase<D>::misses() const;                                                   \
+    template std::uint64_t CellBase<D>::tests() const;
 SIGHTLINE_INSTANTIATE(2)
 SIGHTLINE_INSTANTIATE(3)
 #undef SIGHTLINE_INSTANTIATE

@@ -90,8 +90,17 @@ public:
               [](const Run<D>& run, const Item& item) -> std::optional<double> {
                   if (run.mark(item).state != CellState::enqueued) return std::nullopt;
                   return static_cast<const CellRun&>(run).rounds_->hidden[item.id];
+              }},
+             {"bytes_read", "bytes read", "of a round of cPLP: ids read in tiles that still show one",
+              [](const Run<D>& run, const Item& item) -> std::optional<double> {
+                  return static_cast<const CellRun&>(run).bytes_read(item, false);
+              }},
+             {"bytes_whole", "bytes of the image", "of a round of cPLP: ids read without tiles",
+              [](const Run<D>& run, const Item& item) -> std::optional<double> {
+                  return static_cast<const CellRun&>(run).bytes_read(item, true);
               }}});
-        return std::span<const Field<D>>(table).first(this->rounds_ ? 4 : 2);
+        const bool ids = this->rounds_ && this->rounds_->form.test == FrontTest::item;
+        return std::span<const Field<D>>(table).first(ids ? 6 : this->rounds_ ? 4 : 2);
     }
 
 private:
@@ -166,12 +175,15 @@ private:
         this->marks_.set(cell, mark);
         --this->counters_.front_size;
         this->counters_.offset = 0;
-        if (this->rounds_->only_winners)
-            for (const std::uint32_t primitive : this->rounds_->winners) this->meet(primitive, false);
+        bool done = true;  // or the total is spent
+        if (this->rounds_->form.only_winners)
+            for (const std::uint32_t primitive : this->rounds_->winners) done = done && this->meet(primitive, false);
         else
-            project(cell);
-        this->counters_.offset = 0;
-        with_sink(recorder, [&](auto sink) { add_neighbours(cell, sink); });
+            done = project(cell);
+        if (done) this->counters_.offset = 0;
+        if (!done) this->counters_.partial_cell = cell;
+        if (done || this->parameters_.neighbours_before_break == YesNo::yes)
+            with_sink(recorder, [&](auto sink) { add_neighbours(cell, sink); });
     }
     void finish_partial(Recorder* recorder) override {
         with_sink(recorder, [&](auto sink) { go_on_with(this->counters_.partial_cell, sink); });

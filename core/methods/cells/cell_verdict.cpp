@@ -13,6 +13,7 @@ Verdict CellBase<D>::why_not(const Item& item) const {
         case CellState::unseen:
             return {"outside-view", "it lies outside the view"};
         case CellState::clean:
+            if (const Verdict lost = why_lost(item.id)) return lost;
             return why_clean(item.id);
         default:
             return {};

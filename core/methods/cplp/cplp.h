@@ -9,6 +9,11 @@ namespace sightline {
 
 /// "first": the method of the first phase, as a variant.
 const ParameterRow& cplp_first_row();
+/// "test", "listing", "tiles", "total": RoundForm (cells/rounds.h).
+const ParameterRow& cplp_test_row();
+const ParameterRow& cplp_listing_row();
+const ParameterRow& cplp_tiles_row();
+const ParameterRow& cplp_total_row();
 
 /// `firsts`: the methods that may come first, those of cells. Conservative at Services::image once it is finished: each
 /// pixel's nearest primitive is rendered. A round is a step (cells/rounds.h).

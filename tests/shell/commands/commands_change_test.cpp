@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/methods/cplp/cplp.h"
 #include "core/methods/plp/plp_parameters.h"
 #include "core/session/settings_table.h"
 #include "tests/shell/commands/commands_support.h"
@@ -52,6 +54,32 @@ TEST_F(OldCommands, StillRun) {
     EXPECT_EQ(session().settings(), expected) << "what the preset letter came to";
     ASSERT_TRUE(bench->other);
     EXPECT_EQ(bench->other->session.settings(), expected);
+}
+
+TEST_F(EachCommand, complete) {
+    run("method layers; budget 10%; run; seek 12");
+    const std::uint64_t hash = session().hash();
+    const std::uint32_t rendered = session().counters().rendered_count, steps = session().recorded();
+    run("complete");
+    EXPECT_EQ(session().method().id, "cplp");
+    EXPECT_EQ(session().settings().parameters.text(cplp_first_row()), "layers");
+    EXPECT_EQ(session().counters().rendered_count, rendered) << "it stands where it stood";
+    run("step");
+    EXPECT_EQ(session().timeline().steps[session().position() - 1].item.kind, Kind::round);
+    run("run");
+    EXPECT_EQ(session().guarantee(), "conservative at this resolution");
+    run("complete");
+    EXPECT_EQ(session().method().id, "layers");
+    EXPECT_EQ(session().settings().budget, parse_budget("10%"));
+    EXPECT_EQ(session().counters().rendered_count, rendered);
+    run("seek 12");
+    EXPECT_EQ(session().hash(), hash);
+    EXPECT_EQ(session().recorded(), steps);
+    run("seek end; complete");
+    EXPECT_EQ(session().settings().budget, parse_budget("10%")) << "it had come to its budget";
+    run("undo");
+    EXPECT_EQ(session().method().id, "layers");
+    EXPECT_THROW(run("method everything; complete"), InputError);
 }
 
 TEST_F(EachCommand, method) {
