@@ -41,12 +41,12 @@ void Pane3d::make_solid_list(const Session<3>& session, const PictureOptions3& o
     solid_.camera = picture_camera(session, options.aspect);
 }
 
-void Pane3d::update(const Ui& ui, const Session<3>& session, const PictureOptions3& options, std::uint64_t revision,
+bool Pane3d::update(const Ui& ui, const Session<3>& session, const PictureOptions3& options, std::uint64_t revision,
                     std::uint64_t run, const Area& area, bool projector, bool with_legend, bool moving,
                     std::span<const Area> insets) {
     const PaneSize size = pane_size(ui, area, projector);
     area_ = area;
-    if (revision == revision_ && size == size_) return;
+    if (revision == revision_ && size == size_) return false;
     revision_ = revision;
     size_ = size;
 
@@ -59,6 +59,7 @@ void Pane3d::update(const Ui& ui, const Session<3>& session, const PictureOption
         ui, over_.labels, [this](const Vec<2>& p) { return to_window(p); }, insets);
     render(moving);
     draw_ms_ = drawing.milliseconds();
+    return true;
 }
 
 void Pane3d::add_legend(const Ui& ui, const Session<3>& session, const PictureOptions3& options,

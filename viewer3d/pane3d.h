@@ -15,8 +15,8 @@ class Pane3d {
 public:
     /// Brings everything up to date. A new `revision` says that the session or the options may have changed; `run`
     /// counts its traversals (Workbench::run). `moving`: fast rather than smooth. Draws off screen; leaves the default
-    /// framebuffer bound. Labels and legend keep off the insets.
-    void update(const Ui& ui, const Session<3>& session, const PictureOptions3& options, std::uint64_t revision,
+    /// framebuffer bound. Labels and legend keep off the insets. False: there was nothing to draw again.
+    bool update(const Ui& ui, const Session<3>& session, const PictureOptions3& options, std::uint64_t revision,
                 std::uint64_t run, const Area& area, bool projector, bool with_legend, bool moving,
                 std::span<const Area> insets);
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/stopwatch.h"
 #include "core/draw/projection.h"
 #include "core/draw/shown_cells.h"
 #include "core/session/settings_table.h"
@@ -134,11 +135,19 @@ void Picture3d::update(const Ui& ui) {
         const Area& picture = parts_[i].picture;
         auto options = sessions_.options<PictureOptions3>(i);
         options.aspect = picture.w / picture.h;
+        const Stopwatch drawing;
         eyes_[i].update(session, ui.revision);
-        panes_[i].update(ui, session, options, ui.revision, bench_.run, picture, bench_.desk.projector,
-                         i == 0 && bench_.desk.legend, mouse_.dragging() || lively(),
-                         eyes_[i].insets(ui, picture, session));
+        const bool drawn = panes_[i].update(ui, session, options, ui.revision, bench_.run, picture,
+                                            bench_.desk.projector, i == 0 && bench_.desk.legend,
+                                            mouse_.dragging() || lively(), eyes_[i].insets(ui, picture, session));
+        // A new frame of a flight: what it was drawn for says what the next one will leave for its traversal.
+        if (drawn && session.flying() && bench_.run != drawn_run_)
+            note_frame(drawn_frames_[i], session.counters().rendered_count, drawing.milliseconds());
+        if (const Budget& budget = session.settings().budget; budget.kind == Budget::Kind::milliseconds)
+            (i == 0 ? bench_.session : bench_.other->session)
+                .set_frame_cost(predict_cost(drawn_frames_[i], budget.value));
     }
+    drawn_run_ = bench_.run;
 }
 
 void Picture3d::draw_part(ImDrawList& list, const Ui& ui, std::size_t pane) {

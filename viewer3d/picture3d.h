@@ -52,6 +52,8 @@ private:
     std::array<Pane3d, 2> panes_;
     std::array<Part, 2> parts_;
     std::array<EyePictures, 2> eyes_;
+    std::array<DrawnFrames, 2> drawn_frames_;  ///< of flights
+    std::uint64_t drawn_run_ = 0;
     std::uint64_t flown_ = 0;  ///< the run of the last frame
     float unmeasured_ = 0;     ///< seconds since the last exact image
     float rested_ = 0;         ///< seconds since the eye last flew

@@ -11,7 +11,7 @@ namespace sightline {
 struct Budget {
     enum class Kind : std::uint8_t { unlimited, primitives, share, milliseconds };
     Kind kind = Kind::unlimited;
-    double value = 0;  ///< primitives: a whole number; share: a fraction of 1; milliseconds
+    double value = 0;  ///< primitives: a whole number; share: a fraction of 1; milliseconds of a whole frame
 
     bool operator==(const Budget&) const = default;
 

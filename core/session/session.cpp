@@ -110,8 +110,11 @@ template <int D>
 template <typename Holds>
 Stop Session<D>::advance(std::uint32_t steps, Holds holds) {
     // A budget in milliseconds ends a run once; from then on the step at which it did is the end.
+    const Stopwatch running;
     const Stop stop = drive(
-        time_stop_ == none ? settings_.budget : Budget{}, steps, [&] { return step(); }, [&] { return holds(*this); });
+        time_stop_ == none ? settings_.budget : Budget{}, frame_cost_, steps, [&] { return step(); },
+        [&] { return holds(*this); }, [&] { return run_->counters().rendered_count; },
+        [&] { return running.milliseconds(); });
     if (stop == Stop::budget && time_stop_ == none && settings_.budget.kind == Budget::Kind::milliseconds)
         time_stop_ = run_->steps();
     return stop;

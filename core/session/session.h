@@ -16,6 +16,7 @@
 #include "core/measure/inversion.h"
 #include "core/measure/metrics.h"
 #include "core/methods/method_table.h"
+#include "core/run/frame_cost.h"
 #include "core/run/timeline.h"
 #include "core/scene/scene_view.h"
 #include "core/session/note.h"
@@ -106,6 +107,10 @@ public:
     /// at the same step.
     std::uint32_t time_stop() const { return time_stop_; }
     void set_time_stop(std::uint32_t step) { time_stop_ = step; }
+    /// What upload and drawing will cost: a budget in milliseconds leaves so much for them. Who draws says it; nothing
+    /// where nobody does.
+    const FrameCost& frame_cost() const { return frame_cost_; }
+    void set_frame_cost(const FrameCost& cost) { frame_cost_ = cost; }
 
     /// A copy, for pictures and words only, that shows the last step done up to and including one of its substeps
     /// (substep.h): nothing further is in its marks, its counters or its record of the step. The session itself from
@@ -198,6 +203,7 @@ private:
     std::vector<ViewSpec<D>> lane_;
     std::shared_ptr<const FrameHistory> history_;
     std::uint32_t time_stop_ = none;
+    FrameCost frame_cost_;
     mutable std::shared_ptr<const Reference> reference_;
     mutable std::shared_ptr<const std::vector<std::uint32_t>> layering_;
     mutable std::optional<Inversions> inversions_;

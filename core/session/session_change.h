@@ -112,11 +112,11 @@ Stop Session<D>::fly(const ViewSpec<D>& view) {
         lane_.push_back(culling_view_);
         history_ = run_->next_history();
     }
+    const Stopwatch flight;
     aim(view);
     restart();
     flying_ = true;
-    const Stopwatch flight;
-    const Stop stop = drive(settings_.budget, *run_);
+    const Stop stop = drive(settings_.budget, *run_, frame_cost_, flight);
     if (stop == Stop::budget && settings_.budget.kind == Budget::Kind::milliseconds) time_stop_ = run_->steps();
     times_.traverse = flight.milliseconds();
     return stop;
@@ -148,7 +148,7 @@ void Session<D>::start_again(std::uint32_t step) {
         for (const ViewSpec<D>& view : lane_) {
             aim(view);
             restart();
-            drive(settings_.budget, *run_);
+            drive(settings_.budget, *run_, frame_cost_);
             history_ = run_->next_history();
         }
         if (!lane_.empty()) aim(here);

@@ -12,6 +12,7 @@
 #include "lab/command.h"
 #include "lab/measure/run_study.h"
 #include "lab/measure/study_options.h"
+#include "lab/measure/time_budget.h"
 #include "lab/report/markdown.h"
 #include "lab/report/page.h"
 #include "lab/report/report.h"
@@ -63,6 +64,10 @@ void print_table(const Results& results) {
         for (const auto& [measure, width] : columns) std::cout << padded(number(summary(row, measure)), width);
         std::cout << "\n";
     }
+    for (const TimedFlight& flight : results.flights)
+        std::cout << one_line(flight.scene + ", " + flight.path + ", " + method_text(flight.method)) << ": "
+                  << per_cent(share_kept(flight)) << " % of " << flight.frames.size() << " frames within "
+                  << flight.budget << " + 10 %, the worst " << number(longest_ms(flight)) << " ms\n";
 }
 
 void say_written(const std::string& out) {

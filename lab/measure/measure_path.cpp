@@ -7,7 +7,6 @@
 #include <limits>
 #include <numeric>
 
-#include "core/base/error.h"
 #include "core/measure/distance.h"
 #include "core/measure/frame_change.h"
 #include "core/measure/frame_numbers.h"
@@ -46,10 +45,6 @@ public:
     PathStudy(const LabScene<D>& lab, const Study& study, const Instruments& instruments)
         : lab_(lab), study_(study), instruments_(instruments) {
         const auto all = static_cast<std::uint32_t>(lab.scene->primitives.size());
-        for (const Budget& budget : study.budgets)
-            if (budget.kind == Budget::Kind::milliseconds)
-                throw InputError("budget " + budget_text(budget) +
-                                 ": a study takes primitives or shares; times are what it measures");
         for (const MethodChoice& choice : study.methods) {
             if (!method_of<D>(lab.tables, choice)) continue;
             Choice c{lab.variant_for(choice), choice, {}, {}};
@@ -57,7 +52,8 @@ public:
                 c.budgets.push_back({"unlimited", all});
             else
                 for (const Budget& budget : study.budgets)
-                    c.budgets.push_back({budget_text(budget), std::min(all, budget.primitives(all))});
+                    if (budget.kind != Budget::Kind::milliseconds)  // those are flown: time_budget.h
+                        c.budgets.push_back({budget_text(budget), std::min(all, budget.primitives(all))});
             methods_.push_back(std::move(c));
         }
     }

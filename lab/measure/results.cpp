@@ -243,6 +243,7 @@ std::string results_json(const Results& results, const std::string& claims) {
               {"rows", Json::array()}};
     if (!claims.empty()) json["claims"] = Json::parse(claims);
     for (const Row& row : results.rows) json["rows"].push_back(to_json(row));
+    if (!results.flights.empty()) json["time_budgets"] = Json::parse(flights_json(results.flights));
     return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -256,6 +257,8 @@ Results read_results(std::string_view text, const std::string& name) {
         results.conditions = {c.at("study").dump(), c.at("build"),    c.value("program", ""),
                               c.at("machine"),      c.at("renderer"), c.at("date")};
         for (const Json& row : json.at("rows")) results.rows.push_back(read_row(row));
+        if (const auto flights = json.find("time_budgets"); flights != json.end())
+            results.flights = read_flights(flights->dump());
     } catch (const Json::exception& error) {
         throw InputError(name + ": not the results of a study: " + error.what());
     }
@@ -323,6 +326,7 @@ Results merge(const std::vector<Results>& parts) {
                                  method_text(row.method) + ", " + row.budget);
             all.rows.push_back(row);
         }
+        all.flights.insert(all.flights.end(), part.flights.begin(), part.flights.end());
     }
     if (all.conditions.study.empty()) return all;
     all.conditions.machine.clear();

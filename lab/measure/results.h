@@ -42,10 +42,29 @@ struct Row {
     std::vector<Values> values;         ///< one per frame
 };
 
+/// A frame with a budget in time: what the method rendered in it, and milliseconds. The total is the whole frame's.
+struct TimedFrame {
+    std::uint32_t rendered = 0;
+    double traverse_ms = 0, upload_ms = 0, draw_ms = 0, total_ms = 0;
+};
+/// One scene, path, method and budget in time: frames one after the other, all repeats.
+struct TimedFlight {
+    std::string scene, path;
+    MethodChoice method;
+    std::string budget;
+    double budget_ms = 0;
+    std::vector<TimedFrame> frames;
+};
+
 struct Results {
     Conditions conditions;
     std::vector<Row> rows;
+    std::vector<TimedFlight> flights{};  ///< whether budgets in time were kept
 };
+
+/// Flights as JSON of one line, and back.
+std::string flights_json(const std::vector<TimedFlight>& flights);
+std::vector<TimedFlight> read_flights(std::string_view json);
 
 /// sightline::summary of the frames.
 double summary(const Row& row, Measure measure);

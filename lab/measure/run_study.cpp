@@ -10,6 +10,7 @@
 #include "core/base/number.h"
 #include "lab/measure/checkpoint.h"
 #include "lab/measure/measure_path.h"
+#include "lab/measure/time_budget.h"
 #include "lab/report/remaining.h"
 
 namespace sightline::lab {
@@ -105,6 +106,19 @@ bool measure(const Unit& unit, LabGraphics& graphics, const StudyRun& run, Check
     const std::vector<Row> rows = measure_path<D>(lab, unit.study, instruments);
     if (!complete) return false;
     results.rows.insert(results.rows.end(), rows.begin(), rows.end());
+    if constexpr (D == 3) {
+        if (const std::string* kept = checkpoint.find(key + ", time budgets")) {
+            for (TimedFlight& flight : read_flights(*kept)) results.flights.push_back(std::move(flight));
+        } else {
+            if (run.say) run.say(what + ": flying with budgets in time" + remaining.text());
+            bool stopped = false;
+            const auto flights =
+                fly_in_time(lab, unit.study, instruments, [&] { return !(stopped = run.stopped && run.stopped()); });
+            if (stopped) return false;
+            if (!flights.empty()) checkpoint.add(key + ", time budgets", flights_json(flights));
+            results.flights.insert(results.flights.end(), flights.begin(), flights.end());
+        }
+    }
     return !run.stopped || !run.stopped();
 }
 

@@ -62,7 +62,9 @@ void add_study_options(CLI::App& app, StudyOptions& o) {
                    "ids with commas between; @tree puts one on octree cells, @kd on those of a kd-tree: "
                    "published@tree; with parameters and "
                    "semicolons between: \"published; published on_reenqueue=min\"");
-    app.add_option("--budgets", o.budgets, "comma-separated, such as 1%,2%,5%,10% or 500,5000")->delimiter(',');
+    app.add_option("--budgets", o.budgets,
+                   "comma-separated, such as 1%,2%,5%,10% or 500,5000; 8ms: is a budget in time kept?")
+        ->delimiter(',');
     app.add_option("--size", o.size, "size of the reference in pixels: such as 1024x768 in 3D, 8192 in 2D");
     app.add_option("--set", o.settings, "FIELD=VALUE as in the viewers; may be given several times")
         ->allow_extra_args(false);

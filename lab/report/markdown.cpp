@@ -61,6 +61,8 @@ void write_markdown(const Results& results, const std::string& command, const st
         text += "\n## The gem's power plant\n\n" + std::string(gem_caption) + "\n\n" + markdown(table);
     if (const std::vector<PreprocessingRow> table = preprocessing(results); !table.empty())
         text += "\n## Preprocessing\n\n" + std::string(preprocessing_caption) + "\n\n" + markdown(text_table(table));
+    if (!results.flights.empty())
+        text += "\n## Budgets in time\n\n" + std::string(budget_caption) + "\n\n" + markdown(budget_table(results));
     const std::filesystem::path images = file.parent_path() / "images";
     std::filesystem::create_directories(images);
     for (const Group& group : groups(results)) {

@@ -158,6 +158,8 @@ void write_report(const Results& results, const std::vector<Claim>& judged, cons
     const std::vector<Group> all = groups(results);
     const std::vector<NamedChart> charts = study_charts(results);
     std::string html = conditions(results) + answers(all) + claims(judged, pictures.claims) + tables_of_papers(results);
+    if (!results.flights.empty())
+        html += "<h2>Budgets in time</h2>" + sightline::lab::html(budget_table(results), budget_caption);
     for (const Group& group : all) {
         html += "<h2>" + escaped(group.scene) + ", path " + escaped(group.path) + "</h2>";
         for (const NamedChart& chart : charts) {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/report/time_table.h"
 
+#include <cmath>
+
+#include "lab/measure/time_budget.h"
 #include "lab/report/page.h"
 
 namespace sightline::lab {
@@ -19,6 +22,31 @@ TextTable time_table(const Group& group) {
         const Spread rate = hz(*row);
         for (const double value : {rate.mean, rate.lower_quartile, rate.median, rate.upper_quartile})
             cells.push_back(number(value));
+    }
+    return table;
+}
+
+TextTable budget_table(const Results& results) {
+    TextTable table{{"scene", "method", "budget", "frames", "kept %", "worst ms", "total", "traversal", "upload",
+                     "drawing", "drawn", "view, least ms", "view, most ms"},
+                    {}};
+    for (const TimedFlight& flight : results.flights) {
+        const auto middle = [&](auto TimedFrame::*member) {
+            std::vector<double> values;
+            for (const TimedFrame& frame : flight.frames) values.push_back(static_cast<double>(frame.*member));
+            return number(median(std::move(values)));
+        };
+        std::vector<double> all_in_view;
+        for (const Row& row : results.rows)
+            if (row.scene == flight.scene && row.path == flight.path && row.method.variant == view_culling)
+                for (const Values& values : row.values)
+                    if (!std::isnan(values[Measure::total_ms])) all_in_view.push_back(values[Measure::total_ms]);
+        table.rows.push_back({flight.scene + ", " + flight.path, method_text(flight.method), flight.budget,
+                              std::to_string(flight.frames.size()), per_cent(share_kept(flight)),
+                              number(longest_ms(flight)), middle(&TimedFrame::total_ms),
+                              middle(&TimedFrame::traverse_ms), middle(&TimedFrame::upload_ms),
+                              middle(&TimedFrame::draw_ms), middle(&TimedFrame::rendered),
+                              number(quantile(all_in_view, 0)), number(quantile(all_in_view, 1))});
     }
     return table;
 }

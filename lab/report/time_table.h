@@ -15,4 +15,13 @@ inline constexpr const char* time_caption =
     "visible primitives; it is told which they are, so its total is upload and drawing alone, and the total over that "
     "is how far a method is from the best. Hz is 1000 over the total of a frame: mean and quartiles over frames.";
 
+/// How well budgets in time were kept: a row per flight.
+TextTable budget_table(const Results& results);
+
+inline constexpr const char* budget_caption =
+    "A budget in time is one for the whole frame: traversal, upload and drawing. Frames follow one another along the "
+    "path, and what the last ones cost to draw says when to stop. Kept are frames within the budget + 10 %, in % of "
+    "all frames of all repeats; then milliseconds of the worst frame and medians. How far the cost of a frame varies "
+    "is seen from drawing all in view (view): its least and most expensive frame.";
+
 }  // namespace sightline::lab
