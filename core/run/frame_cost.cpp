@@ -48,11 +48,13 @@ FrameCost predict_cost(const DrawnFrames& frames, double budget_ms) {
         cost.per_primitive_ms = std::max(0.0, middle(slopes));
     else if (count > 0)
         cost.per_primitive_ms = time / (2 * count);
-    std::vector<double> rest;
-    for (std::size_t i = 0; i < n; ++i)
-        rest.push_back(frames.last[i].ms - cost.per_primitive_ms * frames.last[i].rendered);
-    std::sort(rest.begin(), rest.end());
-    cost.fixed_ms = std::max(0.0, rest[n >= 4 ? n - 2 : n - 1]);
+    double most = 0, next = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+        const double rest = frames.last[i].ms - cost.per_primitive_ms * frames.last[i].rendered;
+        next = std::max(next, std::min(rest, most));
+        most = std::max(most, rest);
+    }
+    cost.fixed_ms = n > 1 && most - next > budget_ms / 4 ? next : most;
     return cost;
 }
 

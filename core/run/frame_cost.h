@@ -35,8 +35,8 @@ struct DrawnFrames {
 /// A time that is negative or no number is not noted.
 void note_frame(DrawnFrames& frames, std::uint32_t rendered, double ms);
 
-/// The line below which all but one of the last frames stay (all, while there are fewer than four): its slope is the
-/// median of the slopes between two of them. Before the first frame a guess on the safe side, for a slow software
+/// The line above which none of the last frames lies, so that 19 of 20 stay within a budget; one that lies a quarter of
+/// the budget above all others was interrupted, and does not count. The slope is the median of those between two frames. Before the first frame a guess on the safe side, for a slow software
 /// rasteriser: 1 µs a primitive and a quarter of the budget. A function of its arguments alone; never negative.
 FrameCost predict_cost(const DrawnFrames& frames, double budget_ms);
 

@@ -35,6 +35,7 @@ TEST(FrameCost, LearnsALineWithNoise) {
             EXPECT_GE(cost.ms(n), exact) << "on the safe side";
             EXPECT_LE(cost.ms(n), exact + 0.6);
         }
+        for (const DrawnFrames::Frame& frame : frames.last) EXPECT_LE(frame.ms, cost.ms(frame.rendered) + 1e-9);
     }
 }
 
