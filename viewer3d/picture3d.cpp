@@ -12,6 +12,7 @@
 #include "core/session/settings_table.h"
 #include "shell/desk/camera.h"
 #include "shell/desk/compare.h"
+#include "shell/desk/complete.h"
 #include "shell/desk/fly.h"
 #include "shell/desk/into.h"
 #include "shell/pane/cell_words.h"
@@ -76,6 +77,7 @@ void Picture3d::fly(Ui& ui, float seconds) {
 void Picture3d::measure(Ui& ui) {
     rested_ = flown_ == bench_.run ? rested_ + ImGui::GetIO().DeltaTime : 0;
     flown_ = bench_.run;
+    if (rested_ >= rest_seconds && complete_at_rest(bench_)) ++ui.revision;
     unmeasured_ += ImGui::GetIO().DeltaTime;
     if (measure_ms_ > measured_in_flight_ms && rested_ < rest_seconds && unmeasured_ < measured_again_seconds) return;
     double ms = 0;

@@ -14,7 +14,8 @@ namespace sightline {
 namespace {
 
 /// As the red of wrong pixels they are not the palette's: the depths are grey.
-constexpr Colour nothing_there{22, 30, 66}, seen_there{30, 200, 80}, hidden_there{60, 110, 255};
+constexpr Colour nothing_there{22, 30, 66}, seen_there{30, 200, 80}, hidden_there{60, 110, 255},
+    tile_border{255, 170, 60};
 constexpr int widest_level = 64;
 
 SeenShape shape_of(const Session<3>& session, const Item& item, const ImageSize& size) {
@@ -54,6 +55,22 @@ void tint(const SeenShape& shape, const DepthImage& image, Pixels& pixels) {
     });
 }
 
+/// The border of each tile, and a shade over those that are not read. How many are read.
+std::size_t show_tiles(std::span<const ReadTile> tiles, Pixels& pixels) {
+    std::size_t read = 0;
+    for (const auto& [tile, is_read] : tiles) {
+        read += is_read;
+        for (int y = tile.top; y < tile.bottom; ++y)
+            for (int x = tile.left; x < tile.right; ++x) {
+                Colour& colour = pixels.colours[static_cast<std::size_t>(y) * static_cast<std::size_t>(pixels.width) +
+                                                static_cast<std::size_t>(x)];
+                if (!is_read) colour = between({colour, nothing_there}, 0.7);
+                if (x == tile.left || y == tile.top) colour = between({colour, tile_border}, 0.6);
+            }
+    }
+    return read;
+}
+
 }  // namespace
 
 DepthPicture depth_picture(const Session<3>& session, bool blocks) {
@@ -67,6 +84,10 @@ DepthPicture depth_picture(const Session<3>& session, bool blocks) {
     const auto free = static_cast<std::size_t>(std::count(image.ids.begin(), image.ids.end(), none));
     picture.text =
         std::to_string(image.ids.size() - free) + " of " + std::to_string(image.ids.size()) + " pixels covered";
+    if (const auto tiles = session.traversal().tiles(); !tiles.empty()) {
+        const std::size_t read = show_tiles(tiles, picture.pixels);
+        picture.text = std::to_string(read) + " of " + std::to_string(tiles.size()) + " tiles read";
+    }
     if (const Item what = marked_item(session)) {
         const SeenShape shape = shape_of(session, what, image.size());
         tint(shape, image, picture.pixels);

@@ -86,6 +86,19 @@ public:
         return pixels;
     }
 
+    /// A bar under the pixels of each tile that is read.
+    void tiles(std::span<const ReadTile> tiles, const Colours& colours) {
+        const auto style = add_fill("tile_read", colours.ink, list_);
+        const double gap = 0.1 * width_ / static_cast<double>(tiles.size());
+        for (const auto& [tile, is_read] : tiles) {
+            if (!is_read) continue;
+            const double end_x = left_ + width_ * (1 - static_cast<double>(tile.left) / line_.width()) - gap,
+                         x = left_ + width_ * (1 - static_cast<double>(tile.right) / line_.width()) + gap,
+                         top = low_ - 0.1 * height_, low = low_ - 0.22 * height_;
+            list_.add(ShapeKind::polygon, style, {{x, low}, {end_x, low}, {end_x, top}, {x, top}});
+        }
+    }
+
     /// Line 0 is the lowest.
     void label(std::string text, int line, const Colours& colours) {
         Label label;
@@ -131,8 +144,13 @@ void add_depth_strip(const Session<2>& session, const Colours& colours, DrawList
     strip.depths(colours);
     const auto covered = line.width() - std::count(line.ids.begin(), line.ids.end(), none);
     // In two lines: one would be wider than the picture.
-    strip.label("strip: " + std::to_string(covered) + " of " + std::to_string(line.width()) + " pixels covered", 1,
-                colours);
+    std::string told = "strip: " + std::to_string(covered) + " of " + std::to_string(line.width()) + " pixels covered";
+    if (const auto tiles = session.traversal().tiles(); !tiles.empty()) {
+        strip.tiles(tiles, colours);
+        const auto read = std::count_if(tiles.begin(), tiles.end(), [](const ReadTile& tile) { return tile.read; });
+        told += ", " + std::to_string(read) + " of " + std::to_string(tiles.size()) + " tiles read";
+    }
+    strip.label(std::move(told), 1, colours);
     if (const Item what = marked_item(session)) {
         const LineShape shape = line_shape_of(session, what, line.width());
         const auto [seen, hidden] = strip.mark(shape, colours);

@@ -69,6 +69,7 @@ constexpr std::array solid_entries{
     SolidEntry{SolidLook::only_right, text_of(Look::only_right)},
     SolidEntry{SolidLook::clean, text_of(Look::clean)},
     SolidEntry{SolidLook::fresh, "rendered in the last step"},
+    SolidEntry{SolidLook::added, "rendered to complete the picture"},
     SolidEntry{SolidLook::rendered, text_of(Look::rendered)},
     SolidEntry{SolidLook::missed, text_of(Look::missed)},
     SolidEntry{SolidLook::wasted, text_of(Look::wasted)},

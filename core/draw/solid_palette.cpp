@@ -19,7 +19,7 @@ std::vector<SolidStyle> standard_solids() {
         solid("only_right", {110, 80, 0}),    edge("border", {90, 110, 130}, 0.5), solid("plain", {205, 200, 190}),
         solid("rest", {228, 230, 234}),       solid("rendered", {205, 200, 190}),  solid("missed", {200, 70, 0}),
         solid("wasted", {185, 135, 175}),     solid("other", {228, 230, 234}),     solid("fresh", {240, 175, 20}),
-        solid("completed", {95, 160, 140}),   solid("hidden", {120, 150, 190}),
+        solid("completed", {95, 160, 140}),   solid("hidden", {120, 150, 190}),    solid("added", {95, 160, 140}),
     };
 }
 
@@ -45,6 +45,7 @@ std::vector<SolidStyle> paper_solids() {
         solid("fresh", {255, 220, 0}),
         solid("completed", {255, 160, 60}),
         solid("hidden", {50, 80, 160}),
+        solid("added", {255, 160, 60}),
     };
 }
 
@@ -57,7 +58,7 @@ std::vector<SolidStyle> print_solids() {
         solid("only_right", grey(86)),  edge("border", grey(110), 0.5), solid("plain", grey(190)),
         solid("rest", grey(235)),       solid("rendered", grey(190)),   solid("missed", grey(30)),
         solid("wasted", grey(130)),     solid("other", grey(235)),      solid("fresh", grey(80)),
-        solid("completed", grey(175)),  solid("hidden", grey(100)),
+        solid("completed", grey(175)),  solid("hidden", grey(100)),     solid("added", grey(175)),
     };
 }
 

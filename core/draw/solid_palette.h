@@ -27,6 +27,7 @@ enum class SolidLook : std::uint8_t {
     fresh,       ///< rendered in the last step
     completed,   ///< cells projected by a round that completes the picture
     hidden,      ///< cells in the front, tested by a round and hidden
+    added,       ///< triangles rendered by rounds
     count,
 };
 

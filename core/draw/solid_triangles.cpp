@@ -18,6 +18,8 @@ void add_triangles(const Session<3>& session, bool tell_visible, SolidList& list
     const std::uint32_t before_last =
         recorded ? session.timeline().before(session.position()).touched_count : session.counters().touched_count;
 
+    const std::uint32_t before_completing = session.traversal().met_before_completing();
+
     std::array<std::vector<std::uint32_t>, static_cast<std::size_t>(SolidLook::count)> by_look;
     const auto add = [&](std::uint32_t triangle, SolidLook look) {
         by_look[static_cast<std::size_t>(look)].push_back(triangle);
@@ -31,6 +33,7 @@ void add_triangles(const Session<3>& session, bool tell_visible, SolidList& list
         if (wanted == Triangles::visible && !visible[triangle]) continue;
         SolidLook look = SolidLook::plain;
         if (tell_visible) look = visible[triangle] ? SolidLook::rendered : SolidLook::wasted;
+        if (i >= before_completing && look != SolidLook::wasted) look = SolidLook::added;
         add(triangle, i < before_last ? look : SolidLook::fresh);
     }
     for (std::uint32_t triangle = 0; triangle < is_rendered.size(); ++triangle) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/geometry/vec.h"
+#include "core/raster/tile_grid.h"
 #include "core/run/step.h"
 
 namespace sightline {
@@ -78,6 +79,12 @@ struct CodePlace {
     std::optional<std::uint32_t> substep{};  ///< none: between two steps
 
     bool in_step() const { return step && substep; }
+};
+
+/// A part of the reference's image, of a method that reads images by tiles.
+struct ReadTile {
+    Tile tile;
+    bool read = false;  ///< by the last step that reads; not, where a tile shows nothing any more
 };
 
 /// A shape over the picture, in the scene's coordinates.

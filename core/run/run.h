@@ -78,6 +78,9 @@ public:
     /// Those in the front at the start, first to last.
     virtual std::span<const Item> seeds() const { return {}; }
     virtual Misses misses() const { return Misses::may; }
+    /// Of a run that completes its picture after a first phase: how many were met in that; none: it is not complete so
+    /// far, or never does.
+    virtual std::uint32_t met_before_completing() const { return none; }
     /// How many times it asked an image, or occluders, whether something can be seen; not what the view alone decides.
     virtual std::uint64_t tests() const { return 0; }
     /// What this frame leaves to the next; nullptr: nothing.
@@ -99,6 +102,8 @@ public:
     virtual Verdict why_waiting(const Item&) const { return {}; }
     virtual std::vector<CodeLine> code(const CodePlace&) const { return {}; }
     virtual std::span<const Field<D>> fields() const { return {}; }
+    /// All tiles of the image, row by row; empty where none was read so far.
+    virtual std::vector<ReadTile> tiles() const { return {}; }
     virtual std::vector<Overlay<D>> overlays(const Step*) const { return {}; }
 
     const Problem<D>& problem() const { return problem_; }

@@ -51,9 +51,11 @@ std::span<const Command<D>> change_commands() {
         Command<D>{"preset", "Preset", "ID", "apply a named set of settings", "", preset<D>},
         Command<D>{"method", "Method", "ID", "change the method", "",
                    [](Workbench<D>& bench, Text text) { set(bench, "method=" + text); }},
-        Command<D>{"complete", "Complete or not", "",
-                   "go on from here in the rounds of cPLP, which complete the picture; again: without them", "Shift+C",
-                   [](Workbench<D>& bench, Text) { complete(bench); }},
+        Command<D>{
+            "complete", "Complete or not", "",
+            "go on from here in the rounds of cPLP, which complete the picture; in flight they do so wherever the "
+            "eye rests; again: without them",
+            "Shift+C", [](Workbench<D>& bench, Text) { complete(bench); }},
         Command<D>{"budget", "Budget", "B", "change the budget: 500, 5%, 16ms or unlimited", "",
                    [](Workbench<D>& bench, Text text) { set(bench, "budget=" + text); }},
         Command<D>{"undo", "Undo", "", "undo a change of view, settings, scene or notes; never a step", "Ctrl+Z",

@@ -58,7 +58,7 @@ void fly(Workbench<3>& bench, Text text) {
     bench.flight.on = text.empty() ? !bench.flight.on : word_argument(text, words) == 1;
     land_unless_moving(bench);
     bench.say(bench.flight.on ? "flying: W A S D Q E move, Shift faster, dragging turns, { } change the speed, F "
-                                "freezes the view, G lands"
+                                "freezes the view, Shift+C completes the picture where the eye rests, G lands"
                               : "landed: the frame is recorded and can be stepped through");
 }
 

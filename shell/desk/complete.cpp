@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shell/desk/complete.h"
 
+#include <utility>
+
 #include "core/base/error.h"
 #include "core/methods/cplp/cplp.h"
 #include "shell/desk/change.h"
@@ -21,7 +23,7 @@ Budget budget_up_to_here(const Session<D>& session) {
 }
 
 template <int D>
-void begin_completing(Workbench<D>& bench) {
+void begin_completing(Workbench<D>& bench, const std::string& gesture = "") {
     const Session<D>& session = bench.session;
     const Method<D>& method = session.method();
     if (!method.orders_cells())
@@ -31,17 +33,23 @@ void begin_completing(Workbench<D>& bench) {
     settings.method = "cplp";
     settings.budget = budget_up_to_here(session);
     const Completing completing{session.settings().budget, settings.budget};
-    change_settings(bench, settings);
+    change_settings(bench, settings, gesture);
     bench.completing = completing;
 }
 
+/// With the first method alone.
 template <int D>
-void end_completing(Workbench<D>& bench) {
+Settings settings_before(Workbench<D>& bench) {
     Settings settings = bench.session.settings();
     settings.method = settings.parameters.text(cplp_first_row());
     settings.parameters.set(cplp_first_row(), cplp_first_row().otherwise);
     if (bench.completing && bench.completing->now == settings.budget) settings.budget = bench.completing->before;
-    change_settings(bench, settings);
+    return settings;
+}
+
+template <int D>
+void end_completing(Workbench<D>& bench) {
+    change_settings(bench, settings_before(bench));
     bench.completing.reset();
 }
 
@@ -59,6 +67,15 @@ void leave_rounds(Session<D>& session) {
 
 template <int D>
 void complete(Workbench<D>& bench) {
+    Flight<D>& flight = bench.flight;
+    const bool in_flight = flight.on || flight.replaying || bench.session.flying();
+    if (in_flight && (bench.session.method().id != "cplp" || flight.completed)) {
+        flight.completes = !flight.completes;
+        if (std::exchange(flight.completed, false)) end_completing(bench);
+        bench.say(flight.completes ? "where the eye rests, rounds of cPLP complete the picture"
+                                   : "the picture stays as the budget leaves it");
+        return;
+    }
     const bool back = bench.session.method().id == "cplp";
     if (back) {
         leave_rounds(bench.session);
@@ -72,7 +89,30 @@ void complete(Workbench<D>& bench) {
                    : "cPLP: the steps from here on are rounds, until nothing visible is missing");
 }
 
+template <int D>
+bool complete_at_rest(Workbench<D>& bench) {
+    Flight<D>& flight = bench.flight;
+    const Session<D>& session = bench.session;
+    if (!session.flying() || !flight.completes || flight.completed || session.method().id == "cplp" ||
+        !session.method().orders_cells())
+        return false;
+    begin_completing(bench, bench.history.gesture);
+    flight.completed = true;
+    return true;
+}
+
+template <int D>
+void fly_alone(Workbench<D>& bench) {
+    if (!std::exchange(bench.flight.completed, false) || bench.session.method().id != "cplp") return;
+    bench.session.change(settings_before(bench));
+    bench.completing.reset();
+}
+
 template void complete<2>(Workbench<2>&);
 template void complete<3>(Workbench<3>&);
+template bool complete_at_rest<2>(Workbench<2>&);
+template bool complete_at_rest<3>(Workbench<3>&);
+template void fly_alone<2>(Workbench<2>&);
+template void fly_alone<3>(Workbench<3>&);
 
 }  // namespace sightline

@@ -10,9 +10,11 @@ namespace sightline {
 
 template <int D>
 struct Flight {
-    bool on = false;       ///< keys move the eye
-    double speed = 0;      ///< scene units a second; 0: not yet chosen, a share of the scene's size
-    FlightPath<D> path{};  ///< being recorded or replayed; empty: none
+    bool on = false;         ///< keys move the eye
+    double speed = 0;        ///< scene units a second; 0: not yet chosen, a share of the scene's size
+    bool completes = false;  ///< where the eye rests, the picture is completed (complete.h)
+    bool completed = false;  ///< it is
+    FlightPath<D> path{};    ///< being recorded or replayed; empty: none
     bool recording = false, replaying = false;
     bool loop = false;        ///< replaying begins again where it ends
     bool bar = false;         ///< the window shows what the path can do

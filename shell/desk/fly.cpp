@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "shell/desk/change.h"
+#include "shell/desk/complete.h"
 #include "shell/desk/moved.h"
 #include "shell/desk/undo.h"
 
@@ -23,6 +24,7 @@ void fly_to(Workbench<D>& bench, const ViewSpec<D>& view, const std::string& ges
     if (bench.session.frozen()) return change_view(bench, view, gesture);
     bench.session.check(view);
     remember(bench, gesture);
+    fly_alone(bench);
     fly_on(bench, view);
 }
 
@@ -30,6 +32,7 @@ template <int D>
 void land(Workbench<D>& bench) {
     if (!bench.session.flying()) return;
     bench.session.land();
+    bench.flight.completed = false;
     if (bench.other) bench.other->session.land();
     traversal_changed(bench);
 }

@@ -16,7 +16,8 @@ namespace sightline {
 template <int D>
 void fly_to(Workbench<D>& bench, const ViewSpec<D>& view, const std::string& gesture);
 
-/// Ends an unrecorded frame: the same frame is there to step through, at its end. Does nothing when nothing flies.
+/// Ends an unrecorded frame: the same frame is there to step through, at its end, with the rounds that completed it.
+/// Does nothing when nothing flies.
 template <int D>
 void land(Workbench<D>& bench);
 

@@ -114,6 +114,41 @@ TEST(Insets, DepthsAreThoseOfWhatIsRenderedAndMarkTheCell) {
     EXPECT_GT(darker, 0u);
 }
 
+TEST(Insets, TilesThatTheLastRoundDidNotReadAreDimmed) {
+    Random random(74);
+    std::size_t dimmed_tiles = 0;
+    for (int i = 0; i < 10; ++i) {
+        test::Start3 start = test::random_start_3d(random);
+        start.settings.method = "cplp";
+        start.settings.budget = {Budget::Kind::share, 0.05};
+        apply_setting(start.settings, "test=item");
+        Session<3> session = test::random_frozen_session(random, start);
+        Settings settings = session.settings();
+        settings.reference_size = {320, 200};
+        session.change(settings);
+        session.seek(0);
+        EXPECT_TRUE(session.traversal().tiles().empty()) << "no round was made";
+        session.run();
+        session.selected_cell = session.selected_primitive = none;
+        const auto tiles = session.traversal().tiles();
+        ASSERT_EQ(tiles.size(), 20u);
+        const DepthPicture picture = depth_picture(session, false);
+        std::size_t read = 0;
+        for (const auto& [tile, is_read] : tiles) {
+            read += is_read;
+            dimmed_tiles += !is_read;
+            for (int y = tile.top + 1; y < tile.bottom; ++y)
+                for (int x = tile.left + 1; x < tile.right; ++x) {
+                    const Colour& c = picture.pixels.colours[static_cast<std::size_t>(y * 320 + x)];
+                    const bool whole = (c.r == c.g && c.g == c.b) || c == Colour{22, 30, 66};
+                    ASSERT_TRUE(is_read ? whole : c.b > c.r) << x << ", " << y;
+                }
+        }
+        EXPECT_NE(picture.text.find(std::to_string(read) + " of 20 tiles read"), std::string::npos) << picture.text;
+    }
+    EXPECT_GT(dimmed_tiles, 10u);
+}
+
 TEST(Insets, NameSomeOfWhatHides) {
     const std::vector<std::uint32_t> ids{7, 9, 11, 12, 13};
     EXPECT_EQ(behind_text("segment", {}), "");

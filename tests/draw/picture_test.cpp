@@ -285,8 +285,29 @@ std::map<std::string, int> strip_of(const Session<2>& session) {
     const DrawList list = make_picture(session);
     std::map<std::string, int> bars;
     for (const Shape& shape : list.shapes)
-        if (const std::string& name = list.styles[shape.style].name; name.starts_with("depth")) ++bars[name];
+        if (const std::string& name = list.styles[shape.style].name; name.starts_with("depth") || name == "tile_read")
+            ++bars[name];
     return bars;
+}
+
+TEST(Picture, AStripOfDepthsShowsWhichTilesARoundReads) {
+    Random random(75);
+    bool fewer = false;
+    for (int i = 0; i < 10; ++i) {
+        test::Start start = test::random_start(random);
+        start.settings.method = "cplp";
+        start.settings.budget = {Budget::Kind::share, 0.1};
+        for (const char* const assignment : {"test=item", "show_depth=on", "reference_size=640"})
+            apply_setting(start.settings, assignment);
+        Session<2> session = start.session();
+        EXPECT_EQ(strip_of(session)["tile_read"], 0);
+        session.run();
+        const auto tiles = session.traversal().tiles();
+        const auto read = std::count_if(tiles.begin(), tiles.end(), [](const ReadTile& tile) { return tile.read; });
+        EXPECT_EQ(strip_of(session)["tile_read"], read);
+        fewer |= read < static_cast<std::ptrdiff_t>(tiles.size());
+    }
+    EXPECT_TRUE(fewer);
 }
 
 TEST(Picture, AStripOfDepthsShowsWhatTheEyeHasBeforeIt) {

@@ -133,7 +133,7 @@ std::map<std::string, std::size_t> losing_lines(const test::Recorded<D>& all) {
         const Step& record = all.timeline.steps[step - 1];
         if (record.item.kind != Kind::round) continue;
         const auto changes = all.timeline.changes_of(step);
-        std::uint32_t substep = first_test_substep;
+        std::uint32_t substep = 3;
         for (const Change& change : changes) {
             if (!is_test(change)) continue;
             CodePlace place{&record, step, changes, 0, substep++};

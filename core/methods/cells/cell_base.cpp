@@ -101,7 +101,8 @@ std::size_t CellBase<D>::facets_looked_across(const Step& step) const {
 
 template <int D>
 std::uint32_t CellBase<D>::substeps(const Step& step, std::span<const Change> changes) const {
-    if (step.item.kind == Kind::round) return first_test_substep + static_cast<std::uint32_t>(tests_of(changes).size());
+    if (step.item.kind == Kind::round)
+        return rounds_->form.first_test_substep() + static_cast<std::uint32_t>(tests_of(changes).size());
     return first_facet_substep + static_cast<std::uint32_t>(facets_looked_across(step));
 }
 

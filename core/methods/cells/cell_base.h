@@ -22,6 +22,10 @@ public:
 
     bool finished() const override;
     bool undoes_by_marks() const override { return true; }
+    std::uint32_t met_before_completing() const override {
+        return rounds_ && rounds_->done > 0 ? rounds_->met_before : none;
+    }
+    std::vector<ReadTile> tiles() const override;
     std::uint64_t tests() const override;
     bool move(Direction, const Step&, std::span<Change>, const Counters& before) override;
     std::uint32_t substeps(const Step&, std::span<const Change>) const override;

@@ -61,7 +61,10 @@ Stop CellBase<D>::make_round(Recorder* recorder) {
     ++this->steps_;
     const std::uint32_t number = ++rounds_->done;
     if (recorder) recorder->popped({number, Kind::round}, {});
-    if (number == 1) begin_rounds(recorder);
+    if (number == 1) {
+        rounds_->met_before = this->counters_.touched_count;
+        begin_rounds(recorder);
+    }
     rounds_->screen.show(this->problem_, this->met(), this->counters_.touched_count);
     project_seen(rounds_->form.test == FrontTest::item ? test_in_one_image(recorder) : test_each(recorder), recorder);
     this->problem_.budget = budget;
@@ -118,7 +121,7 @@ void CellBase<D>::project_seen(const std::vector<std::uint32_t>& seen, Recorder*
 /// Back to before the projections, with the tests up to the substep.
 template <int D>
 void CellBase<D>::rewind_round(std::vector<Change>& changes, const Counters& before, std::uint32_t substep) {
-    const std::uint32_t tests = substep < first_test_substep ? 0 : substep - first_test_substep + 1;
+    const std::uint32_t first = rounds_->form.first_test_substep(), tests = substep < first ? 0 : substep - first + 1;
     std::size_t kept = 0;
     for (std::uint32_t met = 0; kept < changes.size() && as_rule(changes[kept]) != Rule::projected_now; ++kept)
         if (is_test(changes[kept]) && met++ == tests) break;

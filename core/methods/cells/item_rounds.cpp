@@ -94,8 +94,19 @@ std::optional<double> CellBase<D>::bytes_read(const Item& round, bool whole_imag
     return bytes_per_id * pixels;
 }
 
+template <int D>
+std::vector<ReadTile> CellBase<D>::tiles() const {
+    std::vector<ReadTile> tiles;
+    if (!rounds_ || rounds_->done == 0 || rounds_->form.test != FrontTest::item) return tiles;
+    const TileGrid grid = screen_tiles(this->problem_);
+    for (std::uint32_t t = 0; t < grid.count(); ++t) tiles.push_back({grid.tile(t), rounds_->reads(t, rounds_->done)});
+    return tiles;
+}
+
 template std::vector<std::uint32_t> CellBase<2>::test_in_one_image(Recorder*);
 template std::vector<std::uint32_t> CellBase<3>::test_in_one_image(Recorder*);
+template std::vector<ReadTile> CellBase<2>::tiles() const;
+template std::vector<ReadTile> CellBase<3>::tiles() const;
 template std::optional<double> CellBase<2>::bytes_read(const Item&, bool) const;
 template std::optional<double> CellBase<3>::bytes_read(const Item&, bool) const;
 

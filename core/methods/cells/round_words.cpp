@@ -41,6 +41,12 @@ Decision decision_of(const Change& change, std::uint32_t place, bool image_of_id
                                    (read == none ? "background" : "number " + std::to_string(read + 1))};
 }
 
+/// "37 of 192 tiles"
+std::string tiles_words(const std::vector<ReadTile>& tiles) {
+    const auto read = std::count_if(tiles.begin(), tiles.end(), [](const ReadTile& tile) { return tile.read; });
+    return std::to_string(read) + " of " + std::to_string(tiles.size()) + " tiles";
+}
+
 }  // namespace
 
 /// The second phase, under the lines of the first.
@@ -50,12 +56,12 @@ void CellBase<D>::add_round_lines(std::vector<CodeLine>& lines, const CodePlace&
     const bool here = in_round || (!at.in_step() && in_rounds()), ids = form.test == FrontTest::item;
     if (here)
         for (CodeLine& line : lines) line.lit = false;
-    const std::uint32_t substep = in_round ? *at.substep : 0;
+    const std::uint32_t substep = in_round ? *at.substep : 0, first_test = form.first_test_substep();
     std::optional<Decision> decision;
     std::uint32_t tests = 0;
     for (const Change& change : in_round ? at.changes : std::span<const Change>{})
-        if (is_test(change) && tests++ + first_test_substep == substep) decision = decision_of(change, tests - 1, ids);
-    if (in_round && substep >= first_test_substep && !decision) decision = Decision{RoundLine::project, {}};
+        if (is_test(change) && first_test + tests++ == substep) decision = decision_of(change, tests - 1, ids);
+    if (in_round && substep >= first_test && !decision) decision = Decision{RoundLine::project, {}};
     const auto add = [&](RoundLine which, std::string text, std::string_view source, bool also = false) {
         lines.push_back({std::move(text), 1, also || (decision && decision->line == which), {}, std::string(source)});
         if (lines.back().lit && decision) lines.back().values = decision->words;
@@ -90,8 +96,10 @@ void CellBase<D>::add_round_lines(std::vector<CodeLine>& lines, const CodePlace&
         if (form.printed())
             add(RoundLine::colour, "a cell's id is its number in the front, cut to one byte",
                 "gem, find_visible_front: GLubyte g = j & 0x0000FF00");
+        const bool reads = in_round && substep == 2;
         add(RoundLine::read, "read the ids, but for tiles that showed none before",
-            "gem, find_visible_front: read_active");
+            "gem, find_visible_front: read_active", reads);
+        if (reads) lines.back().values = tiles_words(tiles());
         add(RoundLine::test, "a cell whose id is read can be seen", "gem, find_visible_front: front_push");
         add(RoundLine::drop,
             form.printed() ? "a cell whose id is not read leaves the front, and is clean again"

@@ -26,6 +26,10 @@ struct RoundForm {
     bool only_winners = false;   ///< of a cell's primitives those that win a pixel are rendered
     std::uint32_t total = none;  ///< primitives that both phases together may spend
 
+    /// Substeps of a round: 0 draws the depth image, 1 has the front before it is tested, or drawn into the image of
+    /// ids, which 2 then reads; from here on substep i tests cell i of the front; the last one also projects those that
+    /// are seen.
+    std::uint32_t first_test_substep() const { return test == FrontTest::item ? 3 : 2; }
     bool printed() const { return test == FrontTest::item && listing == Listing::printed; }
 };
 
@@ -33,6 +37,7 @@ template <int D>
 struct Rounds {
     RoundForm form{};
     std::uint32_t done = 0;
+    std::uint32_t met_before = 0;        ///< the first of them
     std::vector<std::uint8_t> hidden{};  ///< per cell: tested and hidden; what is drawn only comes nearer, so it stays
     std::vector<std::uint32_t> round_of{};   ///< per cell: the round that projected it; 0: none
     std::vector<std::uint32_t> winners{};    ///< of the cell that is being projected
@@ -42,7 +47,7 @@ struct Rounds {
 
     void begin(const RoundForm& how, std::size_t cell_count, const TileGrid& grid) {
         form = how;
-        done = 0;
+        done = met_before = 0;
         hidden.assign(cell_count, 0);
         round_of.assign(cell_count, 0);
         last_read.assign(form.test == FrontTest::item ? grid.count() : 0, 0);
@@ -71,9 +76,5 @@ constexpr std::uint32_t as_printed_colour(std::uint32_t place) {
     const std::uint32_t read = (place + 1) & 0xff;
     return read == 0 ? none : read - 1;
 }
-
-/// Substeps of a round: 0 draws the depth image, 1 has the front before it is tested, or drawn into the image of ids;
-/// 2 + i tests its cell i; the last one also projects those that are seen.
-inline constexpr std::uint32_t first_test_substep = 2;
 
 }  // namespace sightline

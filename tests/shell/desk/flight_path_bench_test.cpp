@@ -5,6 +5,7 @@
 #include "core/base/error.h"
 #include "core/session/pops.h"
 #include "shell/commands/command_table.h"
+#include "shell/desk/complete.h"
 #include "shell/desk/fly.h"
 #include "tests/session/session_3d_support.h"
 
@@ -41,6 +42,44 @@ protected:
     }
     std::unique_ptr<Workbench<3>> bench;
 };
+
+TEST_F(FlightPaths, WhereTheEyeRestsThePictureIsCompletedUntilItMovesOn) {
+    run("method layers; path round; fly on; path frame 1");
+    EXPECT_FALSE(complete_at_rest(*bench)) << "nobody asked for it";
+    const std::size_t undos = bench->history.past.size();
+    run("complete");
+    for (const std::uint32_t frame : {1u, 4u, 2u}) {
+        go_to_frame(*bench, frame);
+        const std::uint64_t alone = bench->session.hash();
+        EXPECT_EQ(bench->session.method().id, "layers");
+        EXPECT_EQ(bench->session.settings().budget, parse_budget("12"));
+        EXPECT_EQ(bench->session.hash(), expected(bench->session, frame));
+        const std::uint32_t met = bench->session.counters().touched_count;
+        ASSERT_TRUE(complete_at_rest(*bench));
+        EXPECT_FALSE(complete_at_rest(*bench)) << "once";
+        EXPECT_TRUE(bench->session.flying());
+        EXPECT_EQ(bench->session.guarantee(), "conservative at this resolution");
+        const Session<3>& session = bench->session;
+        EXPECT_GE(session.traversal().met_before_completing(), met);
+        for (std::uint32_t triangle = 0; triangle < session.scene().primitives.size(); ++triangle)
+            EXPECT_TRUE(!session.reference().visible[triangle] || session.traversal().drawn().has(triangle))
+                << triangle;
+        EXPECT_NE(session.hash(), alone);
+    }
+    EXPECT_LE(bench->history.past.size(), undos + 1) << "one flight, one entry";
+    run("complete");
+    EXPECT_EQ(bench->session.method().id, "layers") << "and now stays alone";
+    EXPECT_FALSE(complete_at_rest(*bench));
+    run("complete");
+    ASSERT_TRUE(complete_at_rest(*bench));
+    run("fly off");
+    EXPECT_EQ(bench->session.method().id, "cplp") << "what was seen can be stepped through";
+    EXPECT_EQ(bench->session.guarantee(), "conservative at this resolution");
+    run("complete");
+    EXPECT_EQ(bench->session.method().id, "layers");
+    EXPECT_EQ(bench->session.settings().budget, parse_budget("12"));
+    EXPECT_EQ(bench->session.hash(), expected(bench->session, 2));
+}
 
 TEST_F(FlightPaths, ReplayingGoesThroughEveryFrameInBothSessionsWhileSettingsChange) {
     run("path round; compare centroid; path play");
