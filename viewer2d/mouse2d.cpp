@@ -48,6 +48,8 @@ void Mouse2d::look_under(Ui& ui, std::span<const MousePane> panes) {
     pane_.reset();
     pick_ = {};
     note_ = none;
+    on_paper_ = false;
+    strip_.reset();
     handles_.clear();
     for (const MousePane& pane : panes)
         if (pane.camera.area.contains(mouse)) pane_ = pane;
@@ -66,6 +68,15 @@ void Mouse2d::look_under(Ui& ui, std::span<const MousePane> panes) {
             pick_.handle = Handle::note_text;
             note_ = shown.note;
         }
+    if (pick_.handle == Handle::none && pane_->strip) look_at_strip(pane_->camera.to_scene(mouse));
+}
+
+void Mouse2d::look_at_strip(const Vec<2>& mouse) {
+    const EyeStripPlace place = pane_->strip_place();
+    on_paper_ = mouse.y < place.top;
+    if (!on_paper_) return;
+    pick_ = {};
+    strip_ = pick_strip(*pane_->strip, place, mouse);
 }
 
 void Mouse2d::wheel(Ui& ui) {
@@ -112,12 +123,21 @@ void Mouse2d::click(Ui& ui) {
         return ui.act("select note:" + std::to_string(note_ + 1));
     }
     if (is_note_tool(bench_.desk.tool) && pane_->lead) return place_note(ui);
+    if (on_paper_) return click_strip(ui);
     // A handle is there to be dragged; only a segment lies on what can be selected.
     if (pick_.handle != Handle::none && pick_.handle < Handle::segment_start) return;
     Pick under = pick_;
     if (!pane_->same_cells) under.cell = none;
     if (!pane_->lead) under.primitive = none;
     ui.act("select " + cycle_.next(choices(under), ImGui::GetIO().MousePos, drag_threshold * ui.unit));
+}
+
+/// The segment that the band shows, where the bench has the same ones.
+void Mouse2d::click_strip(Ui& ui) {
+    cycle_.forget();
+    const bool same_scene = pane_->session->shared_scene() == bench_.session.shared_scene();
+    if (strip_ && strip_->primitive() != none && same_scene)
+        ui.act("select primitive:" + std::to_string(strip_->primitive()));
 }
 
 void Mouse2d::double_click(Ui& ui) {
@@ -215,9 +235,22 @@ void Mouse2d::draw_handles(Ui& ui, const MousePane& pane) {
     }
 }
 
+void Mouse2d::draw_strip(const MousePane& pane) {
+    if (!pane.strip) return;
+    const EyeStripPlace place = pane.strip_place();
+    const auto note = [&](const char* name, double low, double high) {
+        const ImVec2 a = pane.camera.to_window({place.left, high}), b = pane.camera.to_window({place.right, low});
+        bench_.places.push_back({name, a.x, a.y, b.x - a.x, b.y - a.y});
+    };
+    if (!pane.lead) return;
+    note("strip exact", place.exact_low, place.exact_high);
+    note("strip drawn", place.drawn_low, place.drawn_high);
+}
+
 void Mouse2d::tooltip(Ui& ui) {
     if (!hovered_ || !ui.mouse_awake || drag_ || !pane_ || field_.is_open()) return;
     std::string text = handle_tip(pick_.handle);
+    if (strip_) text = strip_words(*pane_->strip, *strip_);
     if (text.empty() && pick_.cell != none) text = cell_words(*pane_->session, pick_.cell);
     if (text.empty()) return;
     // Beside the pointer, not on the cell that it speaks of.
@@ -230,7 +263,10 @@ void Mouse2d::tooltip(Ui& ui) {
 }
 
 void Mouse2d::draw(Ui& ui, std::span<const MousePane> panes, const Area& area) {
-    for (const MousePane& pane : panes) draw_handles(ui, pane);
+    for (const MousePane& pane : panes) {
+        draw_strip(pane);
+        draw_handles(ui, pane);
+    }
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     if (drag_) {

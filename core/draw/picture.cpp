@@ -8,6 +8,7 @@
 #include "core/base/number.h"
 #include "core/draw/cell_number.h"
 #include "core/draw/depth_strip.h"
+#include "core/draw/eye_strip.h"
 #include "core/draw/notes.h"
 #include "core/draw/palette.h"
 #include "core/draw/round_fields.h"
@@ -50,6 +51,8 @@ public:
         if (set_.show_chain == Switch::on && session.selected_cell != none) chain();
         draw_notes<2>(
             session, [](const Vec<2>& p) { return p; }, colours_, index(Look::note), list_);
+        if (set_.show_eye == Switch::on)
+            add_eye_strip(session, options.eye ? *options.eye : eye_strip(session), colours_, list_);
         if (set_.show_depth == Switch::on) add_depth_strip(session, colours_, list_);
         labels();
     }
