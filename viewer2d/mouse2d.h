@@ -56,10 +56,11 @@ private:
     void click(Ui& ui);
     void look_at_strip(const Vec<2>& mouse);
     void click_strip(Ui& ui);
-    void draw_strip(const MousePane& pane);
+    void draw_strip(Ui& ui, const MousePane& pane);
     void place_note(Ui& ui);
     void edit_note(std::uint32_t note, const ImVec2& at);
     std::vector<ShownNote> shown_notes(const MousePane& pane) const;
+    std::vector<HandlePoint> shown_handles(const MousePane& pane, float unit) const;
     void draw_handles(Ui& ui, const MousePane& pane);
     void tooltip(Ui& ui);
 

@@ -24,6 +24,19 @@ std::optional<StripPick> pick_strip(const EyeStrip& strip, const EyeStripPlace& 
     return pick;
 }
 
+std::array<Vec<2>, 2> line_of_sight(const Session<2>& session, const EyeStrip& strip, const StripPick& pick,
+                                    double far) {
+    const View<2>& view = session.problem().view;
+    const Vec<2> towards = through_pixel(view, strip.pixels, pick.pixel);
+    double length = far / glm::length(towards);
+    if (pick.primitive() != none) {
+        const Primitive<2>& segment = session.scene().primitives[pick.primitive()];
+        const Vec<2> along = segment[1] - segment[0];
+        length = cross(segment[0] - view.eye, along) / cross(towards, along);
+    }
+    return {view.eye, view.eye + towards * length};
+}
+
 std::string strip_words(const EyeStrip& strip, const StripPick& pick) {
     const auto segment = [](std::uint32_t id) { return "segment " + std::to_string(id); };
     const std::string start = "pixel " + std::to_string(pick.pixel + 1) + ": ";

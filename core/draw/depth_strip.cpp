@@ -37,11 +37,13 @@ public:
         left_ = list.world.min.x + 0.02 * extent.x;
         width_ = 0.96 * extent.x;
         top_ = low_ + height_;
+        label_left_ = left_ + 0.3 * width_;  // a window keeps its legend in the left corner
         if (!under_eye_strip) return;
         const EyeStripPlace above = eye_strip_place(list.world, true);
         left_ = above.left;
         width_ = above.right - above.left;
         top_ = above.top;
+        label_left_ = left_;
     }
 
     void depths(const Colours& colours) {
@@ -101,8 +103,7 @@ public:
     /// Line 0 is the lowest.
     void label(std::string text, int line, const Colours& colours) {
         Label label;
-        // A window keeps its legend in the left corner.
-        label.at = {left_ + 0.3 * width_, top_};
+        label.at = {label_left_, top_};
         label.offset_pt = {0, 9.0 + 10 * line};
         label.align = TextAlign::left;
         label.text = std::move(text);
@@ -127,7 +128,7 @@ private:
 
     const PixelLine& line_;
     DrawList& list_;
-    double low_, height_, left_, width_, top_;
+    double low_, height_, left_, width_, top_, label_left_;
 };
 
 }  // namespace

@@ -199,6 +199,19 @@ EyeStrip eye_strip(const Session<2>& session) {
     return strip;
 }
 
+Vec<2> through_pixel(const View<2>& view, int pixels, int pixel) {
+    const int from_right = pixels - 1 - pixel;
+    const auto between_ends = [](const Vec<2>& right, const Vec<2>& left, int at, int width) {
+        return right + (left - right) * ((at + 0.5) / width);
+    };
+    if (!view.all_round)
+        return between_ends(view.corners[0] - view.eye, view.corners[1] - view.eye, from_right, pixels);
+    constexpr std::array<Vec<2>, 4> corners{{{1, -1}, {1, 1}, {-1, 1}, {-1, -1}}};
+    const int side = pixels / 4;
+    const auto i = static_cast<std::size_t>(from_right / side);
+    return between_ends(corners[i], corners[(i + 1) % 4], from_right % side, side);
+}
+
 std::vector<std::array<int, 2>> wrong_stretches(const EyeStrip& strip) {
     std::vector<std::array<int, 2>> stretches;
     for (const EyeStrip::Piece& piece : strip.pieces) {

@@ -30,6 +30,9 @@ struct EyeStrip {
 
 EyeStrip eye_strip(const Session<2>& session);
 
+/// From the eye towards the middle of a pixel of the strip.
+Vec<2> through_pixel(const View<2>& view, int pixels, int pixel);
+
 /// [begin, end) of the wrong pixels that lie beside each other, from left to right.
 std::vector<std::array<int, 2>> wrong_stretches(const EyeStrip& strip);
 

@@ -247,6 +247,12 @@ private:
         return room;
     }
 
+    /// What lies lower is under the strip of what the eye sees.
+    double paper_top() const {
+        if (set_.show_eye == Switch::off) return list_.world.min.y;
+        return eye_strip_place(list_.world, set_.show_depth == Switch::on).top;
+    }
+
     void labels() {
         if (set_.label == CellNumber::none) return;
         const auto numbers = cell_numbers(session_, set_.label);
@@ -256,7 +262,7 @@ private:
             const bool in_front = session_.mark(cell).state == CellState::enqueued;
             const bool wanted = set_.label_where == LabelWhere::all || cell == session_.selected_cell ||
                                 (set_.label_where == LabelWhere::front && (in_front || cell == last));
-            if (!wanted || !list_.world.contains(cells_.centre(cell))) continue;
+            if (!wanted || !list_.world.contains(cells_.centre(cell)) || cells_.centre(cell).y < paper_top()) continue;
             Label label;
             label.at = cells_.centre(cell);
             label.text = short_number(*numbers[cell]);

@@ -247,6 +247,28 @@ TEST(EyeStrip, LiesInThePictureAndOverTheStripOfDepths) {
     }
 }
 
+TEST(EyeStrip, NumbersOfCellsUnderItsPaperAreLeftOut) {
+    Random random(207);
+    std::size_t above = 0, under = 0;
+    for (int i = 0; i < 40; ++i) {
+        Session<2> session = random_strip_session(random);
+        Settings settings = session.settings();
+        for (const char* assignment : {"label=id", "label_where=all", "zoom=2"}) apply_setting(settings, assignment);
+        session.change(settings);
+        const double top = eye_strip_place(figure_world(session), false).top;
+        const DrawList list = make_picture(session);
+        for (const Label& label : list.labels) {
+            if (label.room == 0) continue;  // not a cell's
+            EXPECT_GE(label.at.y, top);
+            ++above;
+        }
+        for (std::uint32_t cell = 0; cell < session.cells().cell_count(); ++cell)
+            under += list.world.contains(session.cells().centre(cell)) && session.cells().centre(cell).y < top;
+    }
+    EXPECT_GT(above, 20u);
+    EXPECT_GT(under, 20u);
+}
+
 TEST(EyeStrip, APlaceOnABandIsThePixelThatIsDrawnThere) {
     Random random(206);
     for (int i = 0; i < 30; ++i) {
@@ -263,6 +285,17 @@ TEST(EyeStrip, APlaceOnABandIsThePixelThatIsDrawnThere) {
             EXPECT_EQ(lower->pixel, pixel);
             EXPECT_EQ(upper->primitive(), strip.at(pixel).exact);
             EXPECT_EQ(lower->primitive(), strip.at(pixel).drawn);
+        }
+        for (const EyeStrip::Piece& piece : strip.pieces) {
+            const StripPick pick{(piece.begin + piece.end) / 2, false, piece};
+            const auto [eye, end] = line_of_sight(session, strip, pick, 1);
+            EXPECT_EQ(eye, session.culling_view().eye);
+            if (piece.exact == none) {
+                EXPECT_NEAR(glm::length(end - eye), 1, 1e-9);
+                continue;
+            }
+            const auto& [a, b] = session.scene().primitives[piece.exact];
+            EXPECT_NEAR(glm::length(end - a) + glm::length(end - b), glm::length(b - a), 1e-6) << "not on the segment";
         }
         for (const auto& stretch : wrong_stretches(strip)) {
             const auto [from, to] = place.mark_of(stretch, strip.pixels);
