@@ -48,17 +48,19 @@ void Mouse2d::look_under(Ui& ui, std::span<const MousePane> panes) {
     pane_.reset();
     pick_ = {};
     note_ = none;
+    on_paper_ = false;
+    strip_.reset();
     handles_.clear();
     for (const MousePane& pane : panes)
         if (pane.camera.area.contains(mouse)) pane_ = pane;
     if (!pane_) return;
-    if (pane_->session->culling_view() == bench_.session.culling_view() || pane_->lead)
-        handles_ = handle_points(bench_.session, pane_->camera, ui.unit);
-    if (!pane_->lead) std::erase_if(handles_, [](const HandlePoint& h) { return h.handle >= Handle::segment_start; });
+    if (pane_->strip) look_at_strip(pane_->camera.to_scene(mouse));
+    handles_ = shown_handles(*pane_, ui.unit);
     const std::vector<ShownNote> notes = shown_notes(*pane_);
     for (const ShownNote& shown : notes)
         if (shown.note == bench_.selected_note) handles_.push_back({Handle::note_anchor, shown.spot->anchor});
     pick_ = pick(*pane_->session, pane_->camera, handles_, mouse, ui.unit);
+    if (on_paper_) pick_ = {pick_.handle == Handle::note_anchor ? Handle::note_anchor : Handle::none};
     if (pick_.handle == Handle::note_anchor) note_ = bench_.selected_note;
     if (pick_.handle != Handle::none) return;
     for (const ShownNote& shown : notes)
@@ -66,6 +68,24 @@ void Mouse2d::look_under(Ui& ui, std::span<const MousePane> panes) {
             pick_.handle = Handle::note_text;
             note_ = shown.note;
         }
+}
+
+void Mouse2d::look_at_strip(const Vec<2>& mouse) {
+    const EyeStripPlace place = pane_->strip_place();
+    on_paper_ = mouse.y < place.top;
+    if (on_paper_) strip_ = pick_strip(*pane_->strip, place, mouse);
+}
+
+/// Those that can be seen: the bench's own, or those of the same view, and none under the strip's paper.
+std::vector<HandlePoint> Mouse2d::shown_handles(const MousePane& pane, float unit) const {
+    std::vector<HandlePoint> points;
+    if (pane.lead || pane.session->culling_view() == bench_.session.culling_view())
+        points = handle_points(bench_.session, pane.camera, unit);
+    std::erase_if(points, [&](const HandlePoint& point) {
+        const bool covered = pane.strip && pane.camera.to_scene(point.at).y < pane.strip_place().top;
+        return covered || (!pane.lead && point.handle >= Handle::segment_start);
+    });
+    return points;
 }
 
 void Mouse2d::wheel(Ui& ui) {
@@ -112,12 +132,21 @@ void Mouse2d::click(Ui& ui) {
         return ui.act("select note:" + std::to_string(note_ + 1));
     }
     if (is_note_tool(bench_.desk.tool) && pane_->lead) return place_note(ui);
+    if (on_paper_ && pick_.handle == Handle::none) return click_strip(ui);
     // A handle is there to be dragged; only a segment lies on what can be selected.
     if (pick_.handle != Handle::none && pick_.handle < Handle::segment_start) return;
     Pick under = pick_;
     if (!pane_->same_cells) under.cell = none;
     if (!pane_->lead) under.primitive = none;
     ui.act("select " + cycle_.next(choices(under), ImGui::GetIO().MousePos, drag_threshold * ui.unit));
+}
+
+/// The segment that the band shows, where the bench has the same ones.
+void Mouse2d::click_strip(Ui& ui) {
+    cycle_.forget();
+    const bool same_scene = pane_->session->shared_scene() == bench_.session.shared_scene();
+    if (strip_ && strip_->primitive() != none && same_scene)
+        ui.act("select primitive:" + std::to_string(strip_->primitive()));
 }
 
 void Mouse2d::double_click(Ui& ui) {
@@ -183,11 +212,7 @@ std::optional<Box<2>> Mouse2d::held_world() const {
 void Mouse2d::draw_handles(Ui& ui, const MousePane& pane) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float size = (bench_.desk.projector ? 1.6f : 1.0f) * ui.unit;
-    std::vector<HandlePoint> points;
-    if (pane.lead || pane.session->culling_view() == bench_.session.culling_view())
-        points = handle_points(bench_.session, pane.camera, ui.unit);
-    for (const HandlePoint& point : points) {
-        if (!pane.lead && point.handle >= Handle::segment_start) continue;
+    for (const HandlePoint& point : shown_handles(pane, ui.unit)) {
         const bool lit = drag_ ? drag_->handle == point.handle : hovered_ && pick_.handle == point.handle;
         if (pane.lead) bench_.places.push_back({handle_name(point.handle), point.at.x, point.at.y, 0, 0});
         const bool eye = point.handle == Handle::eye || point.handle == Handle::frozen_eye;
@@ -215,9 +240,34 @@ void Mouse2d::draw_handles(Ui& ui, const MousePane& pane) {
     }
 }
 
+/// The line of sight of the pixel under the mouse, and where the bands stand, for scripts.
+void Mouse2d::draw_strip(Ui& ui, const MousePane& pane) {
+    if (!pane.strip) return;
+    const EyeStripPlace place = pane.strip_place();
+    if (strip_ && hovered_ && ui.mouse_awake && !drag_ && pane_->session == pane.session) {
+        const auto sight = line_of_sight(*pane.session, *pane.strip, *strip_, 4 * pane.camera.world.longest_side());
+        ImDrawList& list = *ImGui::GetWindowDrawList();
+        const ImVec2 from = pane.camera.to_window(sight[0]), to = pane.camera.to_window(sight[1]);
+        const Area& area = pane.camera.area;
+        list.PushClipRect(area.min(), {area.x + area.w, pane.camera.to_window({0, place.top}).y}, true);
+        list.AddLine(from, to, IM_COL32_WHITE, 4 * ui.unit);
+        list.AddLine(from, to, colour(theme::accent), 2 * ui.unit);
+        if (strip_->primitive() != none) list.AddCircleFilled(to, 5 * ui.unit, colour(theme::accent));
+        list.PopClipRect();
+    }
+    const auto note = [&](const char* name, double low, double high) {
+        const ImVec2 a = pane.camera.to_window({place.left, high}), b = pane.camera.to_window({place.right, low});
+        bench_.places.push_back({name, a.x, a.y, b.x - a.x, b.y - a.y});
+    };
+    if (!pane.lead) return;
+    note("strip exact", place.exact_low, place.exact_high);
+    note("strip drawn", place.drawn_low, place.drawn_high);
+}
+
 void Mouse2d::tooltip(Ui& ui) {
     if (!hovered_ || !ui.mouse_awake || drag_ || !pane_ || field_.is_open()) return;
     std::string text = handle_tip(pick_.handle);
+    if (text.empty() && strip_) text = strip_words(*pane_->strip, *strip_);
     if (text.empty() && pick_.cell != none) text = cell_words(*pane_->session, pick_.cell);
     if (text.empty()) return;
     // Beside the pointer, not on the cell that it speaks of.
@@ -230,7 +280,10 @@ void Mouse2d::tooltip(Ui& ui) {
 }
 
 void Mouse2d::draw(Ui& ui, std::span<const MousePane> panes, const Area& area) {
-    for (const MousePane& pane : panes) draw_handles(ui, pane);
+    for (const MousePane& pane : panes) {
+        draw_strip(ui, pane);
+        draw_handles(ui, pane);
+    }
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     if (drag_) {

@@ -9,6 +9,7 @@
 #include "shell/pane/labels.h"
 #include "shell/pane/note_field.h"
 #include "viewer2d/drag2d.h"
+#include "viewer2d/strip_picking.h"
 
 namespace sightline {
 
@@ -19,6 +20,11 @@ struct MousePane {
     bool lead = true;                       ///< it is the bench's own session: with handles and notes
     bool same_cells = true;                 ///< cells have the numbers of the bench's session
     std::span<const LabelSpot> note_spots;  ///< of the current notes
+    const EyeStrip* strip = nullptr;        ///< nullptr: not shown
+
+    EyeStripPlace strip_place() const {
+        return eye_strip_place(camera.world, session->settings().show_depth == Switch::on);
+    }
 };
 
 class Mouse2d {
@@ -48,9 +54,13 @@ private:
     void release(Ui& ui, bool clicked);
     void double_click(Ui& ui);
     void click(Ui& ui);
+    void look_at_strip(const Vec<2>& mouse);
+    void click_strip(Ui& ui);
+    void draw_strip(Ui& ui, const MousePane& pane);
     void place_note(Ui& ui);
     void edit_note(std::uint32_t note, const ImVec2& at);
     std::vector<ShownNote> shown_notes(const MousePane& pane) const;
+    std::vector<HandlePoint> shown_handles(const MousePane& pane, float unit) const;
     void draw_handles(Ui& ui, const MousePane& pane);
     void tooltip(Ui& ui);
 
@@ -66,6 +76,8 @@ private:
     std::optional<MousePane> pane_;
     std::vector<HandlePoint> handles_;
     Pick pick_;
+    bool on_paper_ = false;  ///< of the strip, which hides what lies under it
+    std::optional<StripPick> strip_;
     std::uint32_t note_ = none;
 };
 

@@ -49,6 +49,9 @@ void Pane2d::update(const Ui& ui, const Session<2>& session, const PictureOption
     part.part = PicturePart::below;
     below_ = make_picture(session, part);
     part.part = PicturePart::above;
+    strip_.reset();
+    if (session.settings().show_eye == Switch::on) strip_ = eye_strip(session);
+    part.eye = strip();
     above_ = make_picture(session, part);
     texts_.begin(area, size);
     if (with_legend) add_legend(ui, session, options);
@@ -61,10 +64,16 @@ void Pane2d::add_legend(const Ui& ui, const Session<2>& session, const PictureOp
     auto rows = legend_rows(lists, session.settings(), key_title(session), current_notes(session));
     // Half a window has room for what is new about two sides only.
     if (!options.sides.empty()) std::erase_if(rows, [](const LegendRow& row) { return !tells_sides(row); });
-    const std::array<ImVec2, 2> eyes{camera_.to_window(session.display_view().eye),
-                                     camera_.to_window(session.culling_view().eye)};
+    std::vector<ImVec2> busy{camera_.to_window(session.display_view().eye),
+                             camera_.to_window(session.culling_view().eye)};
+    if (strip_)  // the lower corners
+        for (const double x : {camera_.world.min.x, camera_.world.max.x}) {
+            const float in = x == camera_.world.min.x ? 1.0f : -1.0f;
+            const ImVec2 corner = camera_.to_window({x, camera_.world.min.y});
+            busy.push_back({corner.x + in * 20 * ui.unit, corner.y - 20 * ui.unit});
+        }
     const Settings& settings = session.settings();
-    texts_.add_legend(ui, rows, colour_bar(session, options.heat_range), colours(settings.palette), eyes);
+    texts_.add_legend(ui, rows, colour_bar(session, options.heat_range), colours(settings.palette), busy);
 }
 
 void Pane2d::draw_borders(const Session<2>& session, const PictureOptions& options, const ListView& view) {

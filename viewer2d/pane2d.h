@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/draw/eye_strip.h"
 #include "core/draw/picture.h"
 #include "shell/gl/list_renderer.h"
 #include "shell/gl/target.h"
@@ -26,6 +27,8 @@ public:
     const Camera& camera() const { return camera_; }
     /// Where the labels stand; those of notes have the numbers of the current notes (core/draw/notes.h).
     const std::vector<LabelSpot>& spots() const { return texts_.spots(); }
+    /// What the eye sees in this picture; nullptr where that is not shown.
+    const EyeStrip* strip() const { return strip_ ? &*strip_ : nullptr; }
 
 private:
     /// What the layer of borders was drawn from.
@@ -45,6 +48,7 @@ private:
     Camera camera_;
     PaneSize size_;
     std::uint64_t revision_ = 0;
+    std::optional<EyeStrip> strip_;
     DrawList below_, above_;
     ListRenderer below_renderer_, border_renderer_, above_renderer_;
     TextureQuad quad_;

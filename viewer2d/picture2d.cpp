@@ -24,6 +24,7 @@ std::vector<MousePane> Picture2d::mouse_panes(const Area& area) {
         pane.lead = i == 0;
         pane.same_cells = i == 0 || !sessions_.sides().empty();
         pane.note_spots = panes_[i].spots();
+        pane.strip = panes_[i].strip();
         panes.push_back(pane);
     }
     return panes;

@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "core/base/text.h"
+#include "core/draw/eye_strip.h"
 #include "core/draw/shown_boxes.h"
-#include "core/raster/pixel_line.h"
 #include "core/space/box_tree.h"
 
 namespace sightline {
@@ -21,13 +21,6 @@ std::uint16_t add_fill(const char* name, Colour fill, DrawList& list) {
     return static_cast<std::uint16_t>(list.styles.size() - 1);
 }
 
-PixelLine line_so_far(const Session<2>& session) {
-    const View<2> view = session.problem().view;
-    PixelLine line(view, pixels_of_line(view, image_size<2>(session.settings().reference_size).width));
-    draw_line(line, session.scene().primitives, view, rendered_ids(session.met()));
-    return line;
-}
-
 LineShape line_shape_of(const Session<2>& session, const Item& item, int width) {
     const View<2>& view = session.problem().view;
     if (item.kind == Kind::primitive) return seen_polygon(view, width, session.scene().primitives[item.id]);
@@ -37,12 +30,20 @@ LineShape line_shape_of(const Session<2>& session, const Item& item, int width) 
 
 class Strip {
 public:
-    Strip(const PixelLine& line, DrawList& list) : line_(line), list_(list) {
+    Strip(const PixelLine& line, bool under_eye_strip, DrawList& list) : line_(line), list_(list) {
         const Vec<2> extent = list.world.extent();
         low_ = list.world.min.y + 0.012 * extent.y;
         height_ = 0.035 * extent.y;
         left_ = list.world.min.x + 0.02 * extent.x;
         width_ = 0.96 * extent.x;
+        top_ = low_ + height_;
+        label_left_ = left_ + 0.3 * width_;  // a window keeps its legend in the left corner
+        if (!under_eye_strip) return;
+        const EyeStripPlace above = eye_strip_place(list.world, true);
+        left_ = above.left;
+        width_ = above.right - above.left;
+        top_ = above.top;
+        label_left_ = left_;
     }
 
     void depths(const Colours& colours) {
@@ -102,8 +103,7 @@ public:
     /// Line 0 is the lowest.
     void label(std::string text, int line, const Colours& colours) {
         Label label;
-        // A window keeps its legend in the left corner.
-        label.at = {left_ + 0.3 * width_, low_ + height_};
+        label.at = {label_left_, top_};
         label.offset_pt = {0, 9.0 + 10 * line};
         label.align = TextAlign::left;
         label.text = std::move(text);
@@ -128,10 +128,17 @@ private:
 
     const PixelLine& line_;
     DrawList& list_;
-    double low_, height_, left_, width_;
+    double low_, height_, left_, width_, top_, label_left_;
 };
 
 }  // namespace
+
+PixelLine line_so_far(const Session<2>& session) {
+    const View<2>& view = session.problem().view;
+    PixelLine line(view, pixels_of_line(view, image_size<2>(session.settings().reference_size).width));
+    draw_line(line, session.scene().primitives, view, rendered_ids(session.met()));
+    return line;
+}
 
 std::string behind_text(std::string_view one, std::span<const std::uint32_t> hidden_by) {
     constexpr std::size_t named = 2;
@@ -140,11 +147,11 @@ std::string behind_text(std::string_view one, std::span<const std::uint32_t> hid
 
 void add_depth_strip(const Session<2>& session, const Colours& colours, DrawList& list) {
     const PixelLine line = line_so_far(session);
-    Strip strip(line, list);
+    Strip strip(line, session.settings().show_eye == Switch::on, list);
     strip.depths(colours);
     const auto covered = line.width() - std::count(line.ids.begin(), line.ids.end(), none);
     // In two lines: one would be wider than the picture.
-    std::string told = "strip: " + std::to_string(covered) + " of " + std::to_string(line.width()) + " pixels covered";
+    std::string told = "depths: " + std::to_string(covered) + " of " + std::to_string(line.width()) + " pixels covered";
     if (const auto tiles = session.traversal().tiles(); !tiles.empty()) {
         strip.tiles(tiles, colours);
         const auto read = std::count_if(tiles.begin(), tiles.end(), [](const ReadTile& tile) { return tile.read; });

@@ -8,14 +8,21 @@
 
 #include "core/draw/draw_list.h"
 #include "core/draw/palette.h"
+#include "core/raster/pixel_line.h"
 #include "core/session/session.h"
 
 namespace sightline {
 
+/// What is drawn at the session's position: a line of pixels as wide as the reference.
+PixelLine line_so_far(const Session<2>& session);
+
+/// How far up from the lower border of a picture the strip and its marks reach, as a share of the height.
+inline constexpr double depth_strip_top = 0.065;
+
 /// Along the lower border of the list's world, from the left of the view to its right: the nearer what is rendered, the
 /// darker, and empty where nothing is. Above it a bar marks the pixels of the selected cell or primitive, else of
-/// the last step's box or cell, as they would be seen or are hidden; a label says how many. Depths are those of a line
-/// of pixels as wide as the reference.
+/// the last step's box or cell, as they would be seen or are hidden; a label says how many. Depths are those of
+/// line_so_far(). Where the strip of what the eye sees is shown too, it stands over this one, pixel over pixel.
 void add_depth_strip(const Session<2>& session, const Colours& colours, DrawList& list);
 
 /// " behind segments 7, 9": some of them, and how many more. Empty for none.

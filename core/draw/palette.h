@@ -42,8 +42,10 @@ enum class Look : std::uint16_t {
 
 struct Colours {
     Colour background, ink, halo, accent;
-    std::vector<Style> looks;  ///< one per Look
-    std::vector<Colour> heat;  ///< from low to high
+    std::vector<Style> looks;   ///< one per Look
+    std::vector<Colour> heat;   ///< from low to high
+    std::vector<Colour> walls;  ///< muted, to tell segments apart in what the eye sees
+    Colour wrong;               ///< pixels that show something else than they should
 };
 
 const Colours& colours(Palette palette);

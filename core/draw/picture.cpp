@@ -8,6 +8,7 @@
 #include "core/base/number.h"
 #include "core/draw/cell_number.h"
 #include "core/draw/depth_strip.h"
+#include "core/draw/eye_strip.h"
 #include "core/draw/notes.h"
 #include "core/draw/palette.h"
 #include "core/draw/round_fields.h"
@@ -50,6 +51,8 @@ public:
         if (set_.show_chain == Switch::on && session.selected_cell != none) chain();
         draw_notes<2>(
             session, [](const Vec<2>& p) { return p; }, colours_, index(Look::note), list_);
+        if (set_.show_eye == Switch::on)
+            add_eye_strip(session, options.eye ? *options.eye : eye_strip(session), colours_, list_);
         if (set_.show_depth == Switch::on) add_depth_strip(session, colours_, list_);
         labels();
     }
@@ -244,6 +247,12 @@ private:
         return room;
     }
 
+    /// What lies lower is under the strip of what the eye sees.
+    double paper_top() const {
+        if (set_.show_eye == Switch::off) return list_.world.min.y;
+        return eye_strip_place(list_.world, set_.show_depth == Switch::on).top;
+    }
+
     void labels() {
         if (set_.label == CellNumber::none) return;
         const auto numbers = cell_numbers(session_, set_.label);
@@ -253,7 +262,7 @@ private:
             const bool in_front = session_.mark(cell).state == CellState::enqueued;
             const bool wanted = set_.label_where == LabelWhere::all || cell == session_.selected_cell ||
                                 (set_.label_where == LabelWhere::front && (in_front || cell == last));
-            if (!wanted || !list_.world.contains(cells_.centre(cell))) continue;
+            if (!wanted || !list_.world.contains(cells_.centre(cell)) || cells_.centre(cell).y < paper_top()) continue;
             Label label;
             label.at = cells_.centre(cell);
             label.text = short_number(*numbers[cell]);

@@ -12,6 +12,8 @@
 
 namespace sightline {
 
+struct EyeStrip;  // core/draw/eye_strip.h
+
 /// A picture as three lists that lie on one another: a window draws the middle one, which no step changes, only once.
 enum class PicturePart : std::uint8_t {
     all,
@@ -32,6 +34,8 @@ struct PictureOptions {
     PicturePart part = PicturePart::all;
     /// A facet to point out, by its place among those of the last cell: where a substep looks across.
     std::optional<std::uint32_t> facet{};
+    /// What the eye sees of this session, where it is at hand already; else it is made when a setting asks for it.
+    const EyeStrip* eye = nullptr;
 };
 
 /// The picture that the session's picture settings ask for.

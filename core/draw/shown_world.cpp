@@ -5,13 +5,14 @@
 #include <cmath>
 #include <glm/common.hpp>
 
+#include "core/draw/eye_strip.h"
 #include "core/draw/notes.h"
 
 namespace sightline {
 
 namespace {
 
-/// The whole scene with the eye, and a margin.
+/// The whole scene with the eye, a margin, and room for the strip of what the eye sees.
 Box<2> whole_world(const Session<2>& session) {
     Box<2> box = bounds<2>(session.scene().primitives);
     const Vec<2>& eye = session.display_view().eye;
@@ -20,7 +21,10 @@ Box<2> whole_world(const Session<2>& session) {
     // Nothing but the eye: room to draw in, which does not vanish beside its coordinates.
     const double room = 10 * glm::length(session.display_view().look_at - eye);
     const Vec<2> margin(side > 0 ? side * 0.05 : std::max({room, std::abs(eye.x) * 0.05, std::abs(eye.y) * 0.05}));
-    return {box.min - margin, box.max + margin};
+    Box<2> world{box.min - margin, box.max + margin};
+    const Settings& settings = session.settings();
+    if (settings.show_eye == Switch::on) world.min.y -= eye_strip_room(world, settings.show_depth == Switch::on);
+    return world;
 }
 
 }  // namespace

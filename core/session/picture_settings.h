@@ -68,6 +68,7 @@ struct PictureSettings {
     Switch show_penalties = Switch::off;
     Switch show_chain = Switch::off;
     Switch show_depth = Switch::off;
+    Switch show_eye = Switch::off;
     CellNumber label = CellNumber::none;
     LabelWhere label_where = LabelWhere::front;
     CellNumber heat = CellNumber::none;

@@ -212,6 +212,10 @@ std::vector<SettingRow> own_rows() {
         only_in(2, choice<&S::show_depth>("show_depth", Invalidates::picture, "docs/methods.md",
                                           "draw a strip of what the eye has before it so far, and which pixels of the "
                                           "selected or last cell or box are seen")),
+        only_in(2,
+                choice<&S::show_eye>("show_eye", Invalidates::picture, "docs/figures.md",
+                                     "draw a strip under the plan: what the eye sees, exact above, drawn so far below, "
+                                     "red where they differ")),
         cell_number<&S::label>("label", "the number written on cells; also any field of the method, such as round"),
         choice<&S::label_where>("label_where", Invalidates::picture, "docs/figures.md",
                                 "which cells carry numbers: the front and the last cell, all touched, or the selected"),

@@ -57,6 +57,13 @@ void pan_by(Workbench<D>& bench, Text text) {
     pan(bench, *shares);
 }
 
+template <int D>
+void eye_strip(Workbench<D>& bench, Text) {
+    Settings settings = bench.session.settings();
+    settings.show_eye = settings.show_eye == Switch::on ? Switch::off : Switch::on;
+    change_settings(bench, settings);
+}
+
 }  // namespace
 
 template <int D>
@@ -78,8 +85,12 @@ std::span<const Command<D>> view_commands() {
                    freeze<D>},
         Command<D>{"unfreeze", "Unfreeze", "", "end the freeze: one view for culling and display", "Shift+F",
                    unfreeze<D>},
+        Command<D>{"eye-strip", "What the eye sees", "",
+                   "show or hide a strip under the plan: exact above, drawn so far below, red where they differ", "Z",
+                   eye_strip<D>},
     };
-    return table;
+    // In 3D an inset shows what the eye sees.
+    return std::span(table).first(D == 2 ? table.size() : table.size() - 1);
 }
 
 template std::span<const Command<2>> view_commands<2>();

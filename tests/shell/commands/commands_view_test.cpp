@@ -66,5 +66,14 @@ TEST_F(EachCommand, unfreeze) {
     EXPECT_EQ(session().display_view(), session().culling_view());
 }
 
+TEST_F(EachCommand, eye_strip) {
+    run("eye-strip");
+    EXPECT_EQ(session().settings().show_eye, Switch::on);
+    run("eye-strip");
+    EXPECT_EQ(session().settings().show_eye, Switch::off);
+    run("eye-strip; undo");
+    EXPECT_EQ(session().settings().show_eye, Switch::off);
+}
+
 }  // namespace
 }  // namespace sightline

@@ -1,5 +1,5 @@
-// A lesson given on a projector, with the keys of a clicker: what it speaks of stands on the screen, whole and
-// readable. SPDX-License-Identifier: GPL-3.0-or-later
+// A lesson given on a projector, with the keys of a clicker: what it speaks of stands on the screen.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "shell/lesson/lesson.h"
 #include "tests/shell/window/window_session_support.h"
 
