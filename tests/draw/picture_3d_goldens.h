@@ -10,14 +10,14 @@ namespace sightline::test {
 using Goldens = std::vector<std::array<const char*, 6>>;
 
 inline const Goldens picture_3d_goldens{
-    {"3608b7ff043d0374", "096bc162111d58ae", "ca092bdc87f1bf6e", "fc1971cc74f83599", "56bc0c95731984bf",
-     "6b204e1e6e25e760"},
-    {"dbdd5350b0198f85", "131997982fff6b56", "a072f419b4295dc5", "d580b9d73dd44692", "5cfe495b213e709c",
-     "bfda124836ff1bbe"},
-    {"5235933bac01e937", "e23542b8c2bfc331", "931ddbe04345ebf7", "866826df0f27c471", "353c03c00c964822",
-     "b36e49719253fcea"},
-    {"1a48845930c7fd4a", "1f375cf236415f49", "4ba3098e188f64f6", "7cd2a2b80b0b1134", "355da625f3e5a294",
-     "9fc89ca00a529e6e"},
+    {"891bdea332b9fab3", "6ccfc050f2ab912a", "d8d269ecc5f72eb5", "a9b80f3fa4013a92", "6a8172a74325e01a",
+     "e715dad17103b2e8"},
+    {"5c35003f5f189014", "d7772c05cea9e12a", "7f06ee513fd64125", "59bd23e970d70bcf", "60f117204cfd7e5c",
+     "3780ead92be3ed0c"},
+    {"0339fc769e40848a", "3878422fd94d800d", "e76acd758b43ceab", "db3fa7e8a178210d", "3e33267097ae7be2",
+     "8654701cd911c499"},
+    {"571aa1b8951e5c20", "e5c8377c08f00040", "631994ef94f34a7d", "0feebe868db36c2c", "2d9359dd01adab99",
+     "fd08087d25afa6f0"},
 };
 
 }  // namespace sightline::test
