@@ -117,11 +117,10 @@ void add_differences(const Session<3>& session, std::span<const Differs> differe
     const std::vector<std::uint8_t> shown = shown_cells(session, list.slice);
     for (const auto& [differs, look] :
          {std::pair(Differs::only_there, SolidLook::only_there), std::pair(Differs::only_here, SolidLook::only_here)}) {
-        std::vector<CellPaint> paint(differences.size());
-        for (std::uint32_t cell = 0; cell < paint.size(); ++cell)
-            if (shown[cell] && differences[cell] == differs)
-                paint[cell] = {DrawnAs::wireframe, look_index(look), look_index(look)};
-        add_cells(session.cells(), paint, session.settings().shrink, list);
+        std::vector<std::uint8_t> marked(differences.size());
+        for (std::uint32_t cell = 0; cell < marked.size(); ++cell)
+            marked[cell] = shown[cell] && differences[cell] == differs;
+        add_outline(session.cells(), marked, look_index(look), session.settings().shrink, list);
     }
 }
 

@@ -16,7 +16,7 @@ std::vector<SolidStyle> standard_solids() {
     return {
         solid("clean", {150, 165, 180}, 0.5),  solid("enqueued", {36, 86, 150}),
         solid("projected", {166, 203, 187}),   solid("unseen", {140, 140, 140}),
-        edge("only_here", {215, 0, 130}, 1.4), edge("only_there", {235, 110, 185}, 0.9),
+        edge("only_here", {215, 0, 130}, 1.4), edge("only_there", {240, 165, 210}, 0.6),
         edge("border", {90, 110, 130}, 0.5),   solid("plain", {205, 200, 190}),
         solid("rest", {228, 230, 234}),        solid("rendered", {205, 200, 190}),
         solid("missed", {200, 70, 0}),         solid("wasted", {185, 135, 175}),
@@ -36,7 +36,7 @@ std::vector<SolidStyle> paper_solids() {
         solid("projected", red),
         solid("unseen", {110, 110, 110}),
         edge("only_here", {0, 220, 220}, 1.4),
-        edge("only_there", {0, 150, 150}, 0.9),
+        edge("only_there", {0, 130, 130}, 0.6),
         edge("border", {120, 20, 20}, 0.5),
         solid("plain", {215, 215, 215}),
         solid("rest", {90, 90, 100}),
@@ -56,7 +56,7 @@ std::vector<SolidStyle> print_solids() {
     const auto grey = [](std::uint8_t v) { return Colour{v, v, v}; };
     return {
         solid("clean", grey(165), 0.5), solid("enqueued", grey(60)),     solid("projected", grey(205)),
-        solid("unseen", grey(125)),     edge("only_here", grey(0), 1.6), edge("only_there", grey(50), 0.9),
+        solid("unseen", grey(125)),     edge("only_here", grey(0), 1.6), edge("only_there", grey(90), 0.6),
         edge("border", grey(110), 0.5), solid("plain", grey(190)),       solid("rest", grey(235)),
         solid("rendered", grey(190)),   solid("missed", grey(30)),       solid("wasted", grey(130)),
         solid("other", grey(235)),      solid("fresh", grey(80)),        solid("completed", grey(175)),
