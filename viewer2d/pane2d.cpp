@@ -40,7 +40,8 @@ ListView Pane2d::view(const Box<2>& world) const {
 void Pane2d::update(const Ui& ui, const Session<2>& session, const PictureOptions& options, std::uint64_t revision,
                     const Area& area, bool projector, bool with_legend) {
     const PaneSize size = pane_size(ui, area, projector);
-    const bool as_before = revision == revision_ && size == size_ && same(*options.world, camera_.world);
+    const bool as_before =
+        revision == revision_ && size == size_ && same(*options.world, camera_.world) && !texts_.legend_turned(ui);
     camera_ = {*options.world, area};
     if (as_before) return;
     revision_ = revision;

@@ -46,7 +46,7 @@ bool Pane3d::update(const Ui& ui, const Session<3>& session, const PictureOption
                     std::span<const Area> insets) {
     const PaneSize size = pane_size(ui, area, projector);
     area_ = area;
-    if (revision == revision_ && size == size_) return false;
+    if (revision == revision_ && size == size_ && !texts_.legend_turned(ui)) return false;
     revision_ = revision;
     size_ = size;
 

@@ -84,10 +84,11 @@ template <int D>
 std::span<const Command<D>> desk_commands() {
     static constexpr std::array table{
         Command<D>{"scenes", "Scenes", "", "choose a scene", "O", flip<&Desk::chooser, D>},
-        Command<D>{
-            "show", "Show panel", "PANEL", "show or hide a panel, the timeline or the legend",
-            "1=why 2=code 3=front 4=inversions 5=breakpoints 6=notes 7=settings 8=trade-off Tab=timeline E=legend",
-            show<D>},
+        Command<D>{"show", "Show panel", "PANEL", "show or hide a panel, the timeline or the legend",
+                   "1=why 2=code 3=run 4=inversions 5=compare 6=trade-off 7=notes 8=words 9=front Shift+S=settings "
+                   "Tab=timeline "
+                   "E=legend",
+                   show<D>},
         Command<D>{
             "tool", "Tool",
             D == 2 ? "select | segment | text | arrow | ring | callout" : "select | text | arrow | ring | callout",

@@ -11,6 +11,8 @@ namespace sightline {
 template <int D>
 std::span<const Command<D>> move_commands();
 template <int D>
+std::span<const Command<D>> lesson_commands();
+template <int D>
 std::span<const Command<D>> view_commands();
 template <int D>
 std::span<const Command<D>> flight_commands();

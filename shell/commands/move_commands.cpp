@@ -85,8 +85,8 @@ void speed(Workbench<D>& bench, Text text) {
 template <int D>
 std::span<const Command<D>> move_commands() {
     static constexpr std::array table{
-        Command<D>{"step", "Step", "[N]", "go one step forward, or N steps", "Right PageDown Shift+Right=10", step<D>},
-        Command<D>{"back", "Step back", "[N]", "go one step back, or N steps", "Left PageUp Shift+Left=10", back<D>},
+        Command<D>{"step", "Step", "[N]", "go one step forward, or N steps", "Right Shift+Right=10", step<D>},
+        Command<D>{"back", "Step back", "[N]", "go one step back, or N steps", "Left Shift+Left=10", back<D>},
         Command<D>{"into", "Step into", "", "into the step: one substep forward", "Down",
                    [](Workbench<D>& bench, Text) { step_into(bench); }},
         Command<D>{"out", "Step out", "", "one substep back; before the first one the step is undone", "Up",

@@ -26,15 +26,18 @@ struct Desk {
     bool projector = false;  ///< panels hidden, the formula as a banner, large text
     double scale = 1;        ///< of everything, on top of what the screen asks for
     bool fullscreen = false;
-    bool chooser = false;  ///< the scenes, over the picture
-    bool help = false;     ///< all keys, over the picture
-    bool console = false;  ///< a line to type commands into
+    std::string projector_panel;  ///< the one that stays in projector mode; empty: none
+    bool blank = false;           ///< nothing but a dark window: the class looks at the lecturer
+    bool chooser = false;         ///< the scenes, over the picture
+    bool lessons = false;         ///< the lessons, over the picture
+    bool help = false;            ///< all keys, over the picture
+    bool console = false;         ///< a line to type commands into
     std::string console_text;
     Tool tool = Tool::select;
 
     // Panels by id (shell/panels). A column shows one of its panels; empty: the column is hidden.
     std::string left, right = "why";
-    bool timeline = true, legend = true;
+    bool timeline = false, legend = true;
     double left_width = 320, right_width = 380, timeline_height = 215;  ///< pixels at scale 1
 
     TimelineAxis axis = TimelineAxis::steps;

@@ -20,6 +20,7 @@
 #include "shell/desk/history.h"
 #include "shell/desk/trade_off.h"
 #include "shell/desk/transport.h"
+#include "shell/lesson/teaching.h"
 
 namespace sightline {
 
@@ -73,6 +74,8 @@ struct Workbench {
     std::optional<Completing> completing{};
     TradeOff<D> trade_off{};
     std::optional<WhatIf> what_if{};
+    std::optional<Teaching> teaching{};  ///< the lesson that is being given
+    std::vector<Lesson> lessons{};       ///< those that the desk lists
 
     /// Counts the traversals: what was derived from the recording is made again when this has changed.
     std::uint64_t run = 0;

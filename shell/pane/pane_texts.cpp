@@ -9,14 +9,21 @@ void PaneTexts::begin(const Area& area, const PaneSize& size) {
     area_ = area;
     size_ = size;
     legend_ = {};
-    legend_area_ = {};
+}
+
+bool PaneTexts::points_at_legend(const Ui& ui) const {
+    return ui.mouse_awake && legend_area_.contains(ImGui::GetIO().MousePos);
 }
 
 void PaneTexts::add_legend(const Ui& ui, std::span<const LegendRow> rows, const std::optional<ColourBar>& bar,
                            const Colours& colours, std::span<const ImVec2> busy) {
     LabelPaper paper = label_paper(ui, area_, {});
-    legend_ = make_legend(rows, bar, colours, paper.measure, ui.unit, size_.line_scale);
+    whole_ = points_at_legend(ui);
+    const std::vector<LegendRow> shown =
+        whole_ ? std::vector<LegendRow>(rows.begin(), rows.end()) : short_legend({rows.begin(), rows.end()});
+    legend_ = make_legend(shown, bar, colours, paper.measure, ui.unit, size_.line_scale);
     if (legend_.h > area_.h - 20 * ui.unit || legend_.w > area_.w * 0.6f) legend_ = {};
+    legend_area_ = {};
     if (legend_.w == 0) return;
     legend_area_ = legend_place(legend_, area_, 10 * ui.unit, busy);
     paper.area = legend_area_;

@@ -16,6 +16,8 @@ class PaneTexts {
 public:
     /// The pane that the next calls are for. No legend yet.
     void begin(const Area& area, const PaneSize& size);
+    /// Whether the mouse has come to the legend, which then has all its rows, or has left it, since it was added.
+    bool legend_turned(const Ui& ui) const { return legend_.w > 0 && points_at_legend(ui) != whole_; }
     /// Not where it would take most of the picture, which helps nobody; in a corner where it hides none of the points.
     void add_legend(const Ui& ui, std::span<const LegendRow> rows, const std::optional<ColourBar>& bar,
                     const Colours& colours, std::span<const ImVec2> busy);
@@ -31,6 +33,9 @@ public:
     const std::vector<LabelSpot>& spots() const { return spots_; }
 
 private:
+    bool points_at_legend(const Ui& ui) const;
+
+    bool whole_ = false;  ///< the legend has all rows
     Area area_;
     PaneSize size_;
     LegendBox legend_;

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <span>
 #include <string>
 #include <vector>
@@ -26,6 +27,10 @@ struct Row {
 /// The column of the window that a panel stands in.
 enum class Column : std::uint8_t { left, right };
 
+/// The tabs of a column are in groups, each with what belongs to one question.
+enum class PanelGroup : std::uint8_t { step, run, notes, lab };
+inline constexpr auto panel_group_titles = std::to_array<std::string_view>({"This step", "This run", "Notes", "Lab"});
+
 /// What the window makes of a panel.
 enum class Body : std::uint8_t {
     rows,     ///< its rows
@@ -39,6 +44,7 @@ struct Panel {
     std::string_view title;
     std::string_view text;  ///< what it is for, one line
     Column column = Column::right;
+    PanelGroup group = PanelGroup::lab;
     std::vector<Row> (*rows)(const Workbench<D>&);
     Body body = Body::rows;
     bool fixed = false;  ///< says the same whatever is on the bench

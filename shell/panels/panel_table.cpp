@@ -10,22 +10,24 @@ namespace sightline {
 
 template <int D>
 std::span<const Panel<D>> panel_table() {
+    using enum PanelGroup;
+    constexpr Column right = Column::right;
     static constexpr std::array table{
-        Panel<D>{"run", "Run", "the state of the run, and its conditions", Column::left, run_rows<D>},
-        Panel<D>{"settings", "Settings", "every setting with its source", Column::left, settings_rows<D>,
-                 Body::widgets},
-        Panel<D>{"why", "Why", "why this cell now, and why the selected cell not yet", Column::right, why_rows<D>},
-        Panel<D>{"code", "Code", "the algorithm, with the current line and its values", Column::right, code_rows<D>},
-        Panel<D>{"front", "Front", "the cells in the front, first to last", Column::right, front_rows<D>},
-        Panel<D>{"inversions", "Inversions", "hidden cells projected before visible ones", Column::right,
+        Panel<D>{"why", "Why", "why this cell now, and why the selected cell not yet", right, step, why_rows<D>},
+        Panel<D>{"code", "Code", "the algorithm, with the current line and its values", right, step, code_rows<D>},
+        Panel<D>{"run", "Run", "the state of the run, and its conditions", right, run, run_rows<D>},
+        Panel<D>{"inversions", "Inversions", "hidden cells projected before visible ones", right, run,
                  inversion_rows<D>},
-        Panel<D>{"compare", "Compare", "two sessions beside each other", Column::right, compare_rows<D>},
-        Panel<D>{"trade-off", "Trade-off", "speed against accuracy for every method in this scene", Column::right,
+        Panel<D>{"compare", "Compare", "two sessions beside each other", right, run, compare_rows<D>},
+        Panel<D>{"trade-off", "Trade-off", "speed against accuracy for every method in this scene", right, run,
                  trade_off_rows<D>, Body::chart},
-        Panel<D>{"breakpoints", "Breakpoints", "breakpoints and marked steps", Column::right, breakpoint_rows<D>},
-        Panel<D>{"notes", "Notes", "notes and bookmarks", Column::right, note_rows<D>},
-        Panel<D>{"words", "Glossary", "what each term means and where it is defined", Column::right, glossary_rows<D>,
+        Panel<D>{"notes", "Notes", "notes and bookmarks", right, notes, note_rows<D>},
+        Panel<D>{"words", "Glossary", "what each term means and where it is defined", right, notes, glossary_rows<D>,
                  Body::rows, true},
+        Panel<D>{"front", "Front", "the cells in the front, first to last", right, lab, front_rows<D>},
+        Panel<D>{"breakpoints", "Breakpoints", "breakpoints and marked steps", right, lab, breakpoint_rows<D>},
+        Panel<D>{"settings", "Settings", "every setting with its source", Column::left, lab, settings_rows<D>,
+                 Body::widgets},
     };
     return table;
 }

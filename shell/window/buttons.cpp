@@ -21,9 +21,6 @@ void draw_icon(ImDrawList& list, Icon icon, const ImVec2& at, float s, ImU32 c) 
         case Icon::start:
             bar(list, at, s, 0.1f, 0.24f, c);
             return triangle(list, at, s, 0.9f, 0.28f, c);
-        case Icon::back10:
-            triangle(list, at, s, 0.5f, 0.02f, c);
-            return triangle(list, at, s, 0.98f, 0.5f, c);
         case Icon::back:
             bar(list, at, s, 0.78f, 0.9f, c);
             return triangle(list, at, s, 0.7f, 0.1f, c);
@@ -35,14 +32,9 @@ void draw_icon(ImDrawList& list, Icon icon, const ImVec2& at, float s, ImU32 c) 
         case Icon::step:
             bar(list, at, s, 0.1f, 0.22f, c);
             return triangle(list, at, s, 0.3f, 0.9f, c);
-        case Icon::step10:
-            triangle(list, at, s, 0.02f, 0.5f, c);
-            return triangle(list, at, s, 0.5f, 0.98f, c);
         case Icon::end:
             triangle(list, at, s, 0.1f, 0.72f, c);
             return bar(list, at, s, 0.76f, 0.9f, c);
-        case Icon::record:
-            return list.AddCircleFilled({at.x + 0.5f * s, at.y + 0.5f * s}, 0.36f * s, c);
     }
 }
 
@@ -58,19 +50,6 @@ bool icon_button(const char* id, Icon icon, bool enabled, const char* tip) {
               colour(enabled ? theme::ink : theme::line));
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) ImGui::SetTooltip("%s", tip);
     return pressed;
-}
-
-void badge(const Ui& ui, std::string_view word, const Colour& fill) {
-    const std::string text(word);
-    const float h = ImGui::GetFrameHeight(), w = 6.4f * ImGui::GetFontSize();
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    ImGui::Dummy({w, h});
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled(at, {at.x + w, at.y + h}, colour(fill), 3 * ui.unit);
-    ImGui::PushFont(ui.fonts.bold);
-    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-    list.AddText({at.x + (w - size.x) / 2, at.y + (h - size.y) / 2}, IM_COL32_WHITE, text.c_str());
-    ImGui::PopFont();
 }
 
 }  // namespace sightline

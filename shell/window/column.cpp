@@ -1,5 +1,7 @@
-// A column of the window: the tabs of its panels, and the panel that is chosen.
+// A column of the window: its panels in groups, and the panel that is chosen.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
 #include "shell/window/parts.h"
 #include "shell/window/theme.h"
 
@@ -7,23 +9,53 @@ namespace sightline {
 
 namespace {
 
-/// Tabs that wrap; a click on the open one closes the column.
-template <int D>
-void tabs(Ui& ui, Workbench<D>& bench, Column side, const std::string& shown) {
-    const float right = ImGui::GetWindowPos().x + ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x;
-    bool first = true;
-    for (const Panel<D>& panel : panel_table<D>()) {
-        if (panel.column != side) continue;
-        const std::string title(panel.title);
+/// Buttons in a row that wraps.
+class ButtonRow {
+public:
+    explicit ButtonRow(float gap) : gap_(gap) {}
+    bool add(const std::string& title, bool open) {
         const float w = ImGui::CalcTextSize(title.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
-        if (!first && ImGui::GetItemRectMax().x + 3 * ui.unit + w < right) ImGui::SameLine(0, 3 * ui.unit);
-        first = false;
-        const bool open = panel.id == shown;
+        if (!first_ && ImGui::GetItemRectMax().x + gap_ + w < right_) ImGui::SameLine(0, gap_);
+        first_ = false;
         if (open) ImGui::PushStyleColor(ImGuiCol_Button, colour(theme::hover));
-        if (ImGui::Button(title.c_str())) ui.act("show " + std::string(panel.id));
+        const bool pressed = ImGui::Button(title.c_str());
         if (open) ImGui::PopStyleColor();
+        return pressed;
+    }
+
+private:
+    float gap_;
+    float right_ = ImGui::GetWindowPos().x + ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x;
+    bool first_ = true;
+};
+
+/// The groups, and the panels of the one that is open; a click on the open one closes the column.
+template <int D>
+void tabs(Ui& ui, Workbench<D>& bench, Column side, const Panel<D>& shown) {
+    const auto click = [&](const Panel<D>& panel) { ui.act("show " + std::string(panel.id)); };
+    if (side == Column::right) {
+        ImGui::PushFont(ui.fonts.bold);
+        ButtonRow groups(3 * ui.unit);
+        for (std::size_t g = 0; g < panel_group_titles.size(); ++g) {
+            const std::string title(panel_group_titles[g]);
+            const bool open = static_cast<std::size_t>(shown.group) == g;
+            const bool pressed = groups.add(title, open);
+            note_place(bench, "group " + title);
+            if (!pressed) continue;
+            const auto table = panel_table<D>();
+            click(open ? shown : *std::find_if(table.begin(), table.end(), [&](const Panel<D>& panel) {
+                return static_cast<std::size_t>(panel.group) == g;
+            }));
+        }
+        ImGui::PopFont();
+    }
+    ButtonRow row(3 * ui.unit);
+    for (const Panel<D>& panel : panel_table<D>()) {
+        const bool here = panel.group == shown.group && (side == Column::right || panel.column == side);
+        if (!here) continue;
+        if (row.add(std::string(panel.title), panel.id == shown.id)) click(panel);
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", std::string(panel.text).c_str());
-        note_place(bench, "tab " + std::string(panel.id));
+        if (panel.column == side) note_place(bench, "tab " + std::string(panel.id));
     }
 }
 
@@ -39,11 +71,14 @@ const std::vector<Row>& rows_of(Ui& ui, const Workbench<D>& bench, Column side, 
 
 template <int D>
 void panel_column(Ui& ui, Workbench<D>& bench, Column side, const Area& area) {
-    const std::string shown = side == Column::left ? bench.desk.left : bench.desk.right;
+    const Desk& desk = bench.desk;
+    const std::string shown = desk.projector ? desk.projector_panel : side == Column::left ? desk.left : desk.right;
     begin_part(side == Column::left ? "left" : "right", area);
-    tabs(ui, bench, side, shown);
-    ImGui::Separator();
     if (const Panel<D>* panel = find_panel<D>(shown)) {
+        if (!desk.projector) {
+            tabs(ui, bench, side, *panel);
+            ImGui::Separator();
+        }
         if (panel->body == Body::chart) trade_off_chart(ui, bench);
         ImGui::BeginChild(shown.c_str());
         if (panel->body == Body::widgets)

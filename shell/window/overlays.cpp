@@ -120,6 +120,7 @@ void console(Ui& ui, Workbench<D>& bench, const Area& area) {
 template <int D>
 void overlays(Ui& ui, Workbench<D>& bench, const Stage& stage, const Area& area) {
     if (bench.desk.chooser) chooser(ui, bench, stage, area);
+    if (bench.desk.lessons) lesson_sheet(ui, bench, area);
     if (bench.desk.help) help_sheet<D>(ui, area);
     if (bench.desk.console) console(ui, bench, area);
 }

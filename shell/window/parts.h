@@ -13,9 +13,13 @@ namespace sightline {
 template <int D>
 float menu_bar(Ui& ui, Workbench<D>& bench);
 
-/// State, buttons, speed and position of the run.
+/// What is shown, and buttons for what a person may want next.
 template <int D>
-void transport_bar(Ui& ui, Workbench<D>& bench, const Area& area);
+void title_line(Ui& ui, Workbench<D>& bench, const Area& area);
+
+/// Play, step, and a slim curve of what is found, with the place in the run.
+template <int D>
+void scrubber(Ui& ui, Workbench<D>& bench, const Area& area);
 
 /// The flight path: which, where in it, replay, record and save.
 template <int D>
@@ -52,10 +56,18 @@ void overlays(Ui& ui, Workbench<D>& bench, const Stage& stage, const Area& area)
 template <int D>
 void help_sheet(Ui& ui, const Area& area);
 
-/// The line under the picture in projector mode.
+/// What the banner says in projector mode: the result so far, the step, and how its key came about.
 template <int D>
-void projector_banner(Ui& ui, Workbench<D>& bench, const Area& area);
-float banner_height(const Ui& ui);
+std::vector<Row> banner_lines(const Workbench<D>& bench);
+
+/// Lines of text for a class, wrapped to the width; where they are higher than `most` they are written smaller.
+float block_height(ImFont* font, const std::vector<Row>& lines, float width, float most);
+template <int D>
+void text_block(Workbench<D>& bench, const char* name, ImFont* font, const std::vector<Row>& lines, const Area& area);
+
+/// The lessons with their parts, to choose from.
+template <int D>
+void lesson_sheet(Ui& ui, Workbench<D>& bench, const Area& area);
 
 /// Begins an ImGui window without decoration that covers the area; end it with ImGui::End.
 void begin_part(const char* name, const Area& area, ImGuiWindowFlags flags = 0);

@@ -72,7 +72,7 @@ Fonts load_theme(float text_size, float label_size, float unit, float framebuffe
     fonts.bold = load(bold, text_size);
     fonts.mono = load(mono, text_size * 0.93f);
     fonts.label = load(bold, label_size, 1);
-    fonts.banner = load(sans, text_size * 1.25f);
+    fonts.banner = load(sans, text_size * 4 / 3);
     io.FontGlobalScale = 1 / framebuffer;
     if (again) ImGui_ImplOpenGL3_DestroyFontsTexture();
     io.Fonts->Build();

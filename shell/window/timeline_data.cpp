@@ -14,8 +14,7 @@ namespace sightline {
 namespace {
 
 template <int D>
-void update_run(TimelineData& data, const Workbench<D>& bench) {
-    if (data.run == bench.run) return;
+void read_run(TimelineData& data, const Workbench<D>& bench) {
     const Session<D>& session = bench.session;
     Lanes lanes = make_lanes(session);
     const std::size_t steps = lanes.cell.size();
@@ -35,6 +34,8 @@ void update_run(TimelineData& data, const Workbench<D>& bench) {
     set(Curve::front, lanes.front);
     set(Curve::coverage, lanes.coverage);
     set(Curve::oracle, lanes.oracle);
+    data.other_coverage.clear();
+    if (bench.other) data.other_coverage = make_lanes(bench.other->session).coverage;
     data.step_of_cell.assign(session.cells().cell_count(), 0);
     for (std::size_t i = 0; i < steps; ++i)
         if (lanes.cell[i] != none) data.step_of_cell[lanes.cell[i]] = static_cast<std::uint32_t>(i) + 1;
@@ -73,13 +74,17 @@ void update_marks(TimelineData& data, const Workbench<D>& bench) {
 }  // namespace
 
 template <int D>
-bool update(TimelineData& data, const Workbench<D>& bench, float x, float w, float unit) {
+bool update_run(TimelineData& data, const Workbench<D>& bench) {
     // Frames of a flight are not recorded: what was there stays.
-    if (!bench.session.flying()) {
-        update_run(data, bench);
-        update_marks(data, bench);
-    }
-    if (data.cell.empty()) return false;
+    if (!bench.session.flying() && data.run != bench.run) read_run(data, bench);
+    return !data.cell.empty();
+}
+
+template <int D>
+bool update(TimelineData& data, const Workbench<D>& bench, float x, float w, float unit) {
+    const bool any = update_run(data, bench);
+    if (!bench.session.flying()) update_marks(data, bench);
+    if (!any) return false;
     data.counts = bench.desk.axis;
     const auto& ends = data.counts == TimelineAxis::steps ? data.by_steps : data.by_primitives;
     const StepAxis axis = make_axis(ends, {bench.desk.timeline_from, bench.desk.timeline_to}, x, w);
@@ -94,6 +99,8 @@ bool update(TimelineData& data, const Workbench<D>& bench, float x, float w, flo
     return true;
 }
 
+template bool update_run<2>(TimelineData&, const Workbench<2>&);
+template bool update_run<3>(TimelineData&, const Workbench<3>&);
 template bool update<2>(TimelineData&, const Workbench<2>&, float, float, float);
 template bool update<3>(TimelineData&, const Workbench<3>&, float, float, float);
 

@@ -25,6 +25,7 @@ struct TimelineData {
     std::vector<std::uint32_t> cell;                     ///< that each step projects; none for orders of primitives
     std::vector<std::uint32_t> step_of_cell;             ///< 0 where no step does
     std::vector<std::uint32_t> by_steps, by_primitives;  ///< StepAxis::ends
+    std::vector<double> other_coverage;                  ///< per step of the run beside it; empty without one
     std::vector<Marker> found;
     std::vector<BudgetTick> budgets;
 
@@ -49,6 +50,10 @@ struct TimelineData {
 
 /// Most spans per curve: the screen shows no more, and a frame stays cheap.
 inline constexpr std::uint32_t most_columns = 800;
+
+/// What belongs to the run alone, if it is out of date. False when there are no steps.
+template <int D>
+bool update_run(TimelineData& data, const Workbench<D>& bench);
 
 /// Whatever is out of date. False when there is nothing to draw: no steps.
 template <int D>

@@ -29,8 +29,12 @@ constexpr float least_side = 32;
 /// Of a frame, for the trade-off.
 constexpr double measuring_ms = 8;
 constexpr float text_pixels = 15, label_pixels = 12;
-/// Of the projector mode, in a window 1080 pixels high.
-constexpr float projector_text_pixels = 24, projector_label_pixels = 22;
+/// Of the projector mode, in a window 1080 pixels high: 3 % of its height, so that the back row can read them; the
+/// banner has 4 % (load_theme).
+constexpr float projector_text_pixels = 32.4f, projector_label_pixels = 32.4f;
+
+/// What clickers send beside PageDown and PageUp: a blank screen, and the start of a show, which does nothing here.
+bool is_presenter_key(const std::string& key) { return key == "B" || key == "." || key == "F5"; }
 
 std::string clipboard_text() {
     char* const text = SDL_GetClipboardText();
@@ -162,8 +166,8 @@ void Window<D>::act(const std::string& commands) {
 template <int D>
 void Window<D>::escape() {
     Desk& desk = bench_.desk;
-    if (desk.help || desk.chooser || desk.console) {
-        desk.help = desk.chooser = desk.console = false;
+    if (desk.help || desk.chooser || desk.console || desk.lessons || desk.blank) {
+        desk.help = desk.chooser = desk.console = desk.lessons = desk.blank = false;
         desk.console_text.clear();
         return;
     }
@@ -186,6 +190,10 @@ void Window<D>::escape() {
 template <int D>
 void Window<D>::press(const std::string& key) {
     if (key == "Escape") return escape();
+    if (bench_.desk.projector && is_presenter_key(key)) {
+        bench_.desk.blank = key != "F5" && !bench_.desk.blank;
+        return;
+    }
     for (const Command<D>& command : command_table<D>())
         for (const KeyBinding& binding : key_bindings(command.id, command.keys)) {
             if (binding.key != key) continue;
@@ -259,7 +267,7 @@ void Window<D>::fit_theme() {
     ui_.framebuffer = pixels_per_unit(context_.window());
     const float density = ui_.framebuffer > 1 ? 1 : static_cast<float>(options_.scale);
     ui_.unit = density * static_cast<float>(bench_.desk.scale);
-    const float height = std::max(1.0f, static_cast<float>(h) / (1080 * density));
+    const float height = static_cast<float>(h) / (1080 * density);
     const float text = bench_.desk.projector ? projector_text_pixels * height : text_pixels;
     const float label = bench_.desk.projector ? projector_label_pixels * height : label_pixels;
     if (ui_.unit == theme_unit_ && text == theme_text_ && ui_.framebuffer == theme_framebuffer_) return;

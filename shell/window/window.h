@@ -60,6 +60,7 @@ private:
     void escape();
     void fit_theme();
     Area parts_around(const ImVec2& size);
+    void projector_parts(Area& middle);
     void columns_and_timeline(Area& middle, float whole);
     void picture_part(const Area& area);
     void lay_out();

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "shell/commands/teach.h"
 #include "shell/window/parts.h"
 #include "shell/window/splitter.h"
+#include "shell/window/theme.h"
 #include "shell/window/window.h"
 
 namespace sightline {
@@ -13,6 +15,11 @@ namespace {
 
 /// Pixels at scale 1, and times the size of the text.
 constexpr float least_timeline = 150, least_column = 180, least_timeline_em = 36;
+/// In projector mode: from this shape on words stand beside the picture, and take these shares of the width.
+constexpr float least_wide = 1.35f, words_share = 0.36f, words_and_panel_share = 0.45f;
+
+/// Nothing distracts a class from the lecturer.
+void draw_blank(const ImVec2& size) { ImGui::GetBackgroundDrawList()->AddRectFilled({0, 0}, size, colour(theme::ink)); }
 
 }  // namespace
 
@@ -22,17 +29,23 @@ Area Window<D>::parts_around(const ImVec2& size) {
     const float line = ImGui::GetTextLineHeightWithSpacing();
     Area middle{0, 0, size.x, size.y};
     if (bench_.desk.projector) {
-        const float banner = banner_height(ui_);
-        middle.h -= banner;
-        projector_banner(ui_, bench_, {0, middle.h, size.x, banner});
+        projector_parts(middle);
     } else {
         middle.y = menu_bar(ui_, bench_);
-        const float bar = line + 22 * ui_.unit, status = line + 6 * ui_.unit;
-        transport_bar(ui_, bench_, {0, middle.y, size.x, bar});
+        const float bar = line + 18 * ui_.unit, status = line + 6 * ui_.unit;
+        title_line(ui_, bench_, {0, middle.y, size.x, bar});
         middle.y += bar;
         middle.h = size.y - middle.y - status;
+        if (const std::vector<Row> lesson = lesson_lines(bench_); !lesson.empty()) {
+            const float h = block_height(ui_.fonts.text, lesson, size.x, middle.h * 0.3f);
+            text_block(bench_, "lesson", ui_.fonts.text, lesson, {0, middle.y, size.x, h});
+            middle.y += h;
+            middle.h -= h;
+        }
         status_line(ui_, bench_, {0, size.y - status, size.x, status});
         columns_and_timeline(middle, size.x);
+        middle.h -= bar;
+        scrubber(ui_, bench_, {middle.x, middle.y + middle.h, middle.w, bar});
     }
     if (bench_.flight.bar) {
         const float h = line + 18 * ui_.unit;
@@ -40,6 +53,30 @@ Area Window<D>::parts_around(const ImVec2& size) {
         path_bar(ui_, bench_, {middle.x, middle.y + middle.h, middle.w, h});
     }
     return middle;
+}
+
+/// The words for the class: beside the picture where the window is wide, else above and below it.
+template <int D>
+void Window<D>::projector_parts(Area& middle) {
+    const std::vector<Row> lesson = lesson_lines(bench_), banner = banner_lines(bench_);
+    ImFont* const font = ui_.fonts.banner;
+    const bool panel = find_panel<D>(bench_.desk.projector_panel) != nullptr;
+    const bool beside = middle.w > least_wide * middle.h;
+    const float w = beside ? middle.w * (panel ? words_and_panel_share : words_share) : middle.w;
+    const float most = middle.h * (beside ? (panel ? 0.35f : 0.5f) : 0.3f);
+    const float above = lesson.empty() ? 0 : block_height(font, lesson, w, most);
+    const float below = block_height(font, banner, w, most);
+    const float x = middle.x + middle.w - w, bottom = middle.y + middle.h;
+    if (!lesson.empty()) text_block(bench_, "lesson", font, lesson, {x, middle.y, w, above});
+    text_block(bench_, "banner", font, banner, {x, bottom - below, w, below});
+    if (beside && panel)
+        panel_column(ui_, bench_, Column::right, {x, middle.y + above, w, bottom - below - middle.y - above});
+    if (beside) {
+        middle.w -= w;
+    } else {
+        middle.y += above;
+        middle.h -= above + below;
+    }
 }
 
 /// Takes their place from the area, which is as wide as the window.
@@ -99,6 +136,7 @@ template <int D>
 void Window<D>::lay_out() {
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     bench_.places.clear();
+    if (bench_.desk.blank) return draw_blank(size);
     bench_.hovered_cell = std::exchange(ui_.hovering, none);
     if (bench_.hovered_cell != none && bench_.hovered_cell >= bench_.session.cells().cell_count())
         bench_.hovered_cell = none;
@@ -111,6 +149,8 @@ void Window<D>::lay_out() {
 
 template Area Window<2>::parts_around(const ImVec2&);
 template Area Window<3>::parts_around(const ImVec2&);
+template void Window<2>::projector_parts(Area&);
+template void Window<3>::projector_parts(Area&);
 template void Window<2>::columns_and_timeline(Area&, float);
 template void Window<3>::columns_and_timeline(Area&, float);
 template void Window<2>::picture_part(const Area&);

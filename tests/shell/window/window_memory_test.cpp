@@ -145,13 +145,15 @@ TEST_F(WindowMemory, WrongTypesAndAbsurdNumbersAreDamage) {
                                          {"/desk/timeline_height", Json(-1)},
                                          {"/desk/scale", Json(0)},
                                          {"/desk/scale", Json(100)},
-                                         {"/desk/left", Json("why")},
-                                         {"/desk/right", Json("settings")},
+                                         {"/desk/left", Json("nowhere")},
                                          {"/desk/axis", Json("metres")},
                                          {"/format", Json("sightline-state")},
                                          {"/recent/0", Json("")},
                                          {"/recent", Json(std::vector<std::string>(most_recent + 1, "rooms"))}})
         EXPECT_THROW(read_memory<2>(with(pointer, value), "m"), InputError) << pointer << " " << value;
+    // A panel that stood on the other side in an earlier version is hidden, and nothing is lost.
+    EXPECT_EQ(read_memory<2>(with("/desk/left", Json("why")), "m").desk.left, "");
+    EXPECT_EQ(read_memory<2>(with("/desk/right", Json("settings")), "m").desk.right, "");
 }
 
 TEST_F(WindowMemory, NothingThatIsReadIsOutOfBounds) {

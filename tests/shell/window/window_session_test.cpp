@@ -132,7 +132,7 @@ TEST_F(WindowSession, RemembersTheLastTime) {
     start({"rooms", "--window", "900x600"});
     if (HasFatalFailure()) return;
     EXPECT_TRUE(now.has("Run", "Rooms"));
-    hands->key("7");  // the settings
+    hands->key("shift+s");  // the settings
     hands->key("ctrl+minus");
     ASSERT_TRUE(becomes([](const Dump& d) { return d.screen.contains("tab settings"); }));
     command("open cars");

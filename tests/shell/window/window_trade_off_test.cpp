@@ -18,7 +18,7 @@ TEST_F(WindowSession, TheTradeOffFillsItselfAndAClickOnADotSetsMethodAndBudget) 
     SHOW_DISPLAY();
     start({"rooms"});
     if (HasFatalFailure()) return;
-    hands->key("8");
+    hands->key("6");
     ASSERT_TRUE(becomes([](const Dump& d) { return d.has("Trade-off", "measured all "); }));
     for (const std::string dot : {"layers 5%", "published 10%", "view unlimited"}) {
         ASSERT_TRUE(now.screen.contains("dot " + dot)) << dot;

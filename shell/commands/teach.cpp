@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shell/commands/teach.h"
+
+#include <utility>
+
+#include "core/base/error.h"
+#include "core/base/number.h"
+#include "shell/commands/command_table.h"
+#include "shell/desk/moved.h"
+#include "shell/desk/open.h"
+
+namespace sightline {
+
+namespace {
+
+template <int D>
+Teaching& lesson_of(Workbench<D>& bench) {
+    if (!bench.teaching) throw InputError("no lesson is being given: lesson lists them");
+    return *bench.teaching;
+}
+
+template <int D>
+void open_part(Workbench<D>& bench, std::size_t part) {
+    Teaching& teaching = *bench.teaching;
+    const LessonPart& opened = teaching.lesson.parts.at(part);
+    open(bench, opens(teaching.lesson, opened));
+    teaching.part = part;
+    teaching.presses = 0;
+    teaching.guessed.clear();
+    run_commands(bench, opened.act);
+    if (opened.concealed) tell_truth(bench, false);
+    bench.session.selected_cell = bench.session.selected_primitive = none;
+    bench.desk.projector_panel = opened.panel;
+}
+
+template <int D>
+void play_beat(Workbench<D>& bench) {
+    const Beat beat = bench.teaching->now().beats[bench.teaching->presses];
+    run_commands(bench, beat.act);
+    if (beat.reveal) tell_truth(bench, true);
+    ++bench.teaching->presses;
+}
+
+template <int D>
+void play_to(Workbench<D>& bench, std::size_t part, std::size_t presses) {
+    open_part(bench, part);
+    while (bench.teaching->presses < presses) play_beat(bench);
+}
+
+/// "You took cell 13, PLP took 26: 0.274 is less than 0.301."
+template <int D>
+void score(Workbench<D>& bench, std::uint32_t guess, const Mark& mark) {
+    Teaching& teaching = *bench.teaching;
+    const Session<D>& session = bench.session;
+    const std::uint32_t taken = last_cell(session);
+    if (taken == none) return;
+    ++teaching.score.made;
+    teaching.score.right += taken == guess;
+    if (taken == guess) {
+        teaching.guessed = "You took cell " + std::to_string(guess) + " too.";
+        return;
+    }
+    const Step& step = session.timeline().steps[session.position() - 1];
+    const int digits = digits_of(step);
+    teaching.guessed = "You took cell " + std::to_string(guess) + ", the method cell " + std::to_string(taken) + ": " +
+                       (mark.state == CellState::enqueued
+                            ? short_number(step.key, digits) + " against " + short_number(mark.key, digits) + "."
+                            : "yours is not in the front.");
+}
+
+}  // namespace
+
+template <int D>
+void begin_lesson(Workbench<D>& bench, const Lesson& lesson, std::size_t part) {
+    if (lesson.dimension != D)
+        throw InputError("lesson '" + lesson.id + "' is in " + std::to_string(lesson.dimension) +
+                         "D: the other viewer gives it");
+    if (part >= lesson.parts.size())
+        throw InputError("lesson '" + lesson.id + "' has parts 1 to " + std::to_string(lesson.parts.size()));
+    auto before = std::exchange(bench.teaching, Teaching{lesson, 0, 0, {}, {}, {}});
+    try {
+        open_part(bench, part);
+    } catch (...) {
+        bench.teaching = std::move(before);
+        throw;
+    }
+}
+
+template <int D>
+void next_beat(Workbench<D>& bench) {
+    Teaching& teaching = lesson_of(bench);
+    if (const Beat* const beat = teaching.next()) {
+        const std::uint32_t guess = beat->guess ? bench.session.selected_cell : none;
+        const Mark mark = guess == none ? Mark{} : bench.session.mark(guess);
+        teaching.guessed.clear();
+        play_beat(bench);
+        if (guess != none) {
+            score(bench, guess, mark);
+            bench.session.selected_cell = none;
+        }
+        return;
+    }
+    if (teaching.part + 1 < teaching.lesson.parts.size()) return open_part(bench, teaching.part + 1);
+    bench.say("this was the last part of " + teaching.lesson.title);
+}
+
+template <int D>
+void previous_beat(Workbench<D>& bench) {
+    Teaching& teaching = lesson_of(bench);
+    if (teaching.presses > 0) return play_to(bench, teaching.part, teaching.presses - 1);
+    if (teaching.part > 0)
+        return play_to(bench, teaching.part - 1, teaching.lesson.parts[teaching.part - 1].beats.size());
+    bench.say("the lesson begins here");
+}
+
+template <int D>
+void tell_truth(Workbench<D>& bench, bool tell) {
+    const auto change = [&](Session<D>& session) {
+        Settings settings = session.settings();
+        settings.show_visibility = tell ? Switch::on : Switch::off;
+        session.change(settings);
+    };
+    change(bench.session);
+    if (bench.other) change(bench.other->session);
+}
+
+template <int D>
+std::vector<Row> lesson_lines(const Workbench<D>& bench) {
+    if (!bench.teaching) return {};
+    const Teaching& teaching = *bench.teaching;
+    std::vector<Row> lines{{std::to_string(teaching.part + 1) + " of " + std::to_string(teaching.lesson.parts.size()) +
+                                ": " + teaching.now().title,
+                            Tone::faint}};
+    if (const Beat* const done = teaching.done(); done && !done->say.empty()) lines.push_back({done->say});
+    if (!teaching.guessed.empty())
+        lines.push_back({teaching.guessed + " " + std::to_string(teaching.score.right) + " of " +
+                         std::to_string(teaching.score.made) + " guesses right."});
+    if (const Beat* const next = teaching.next(); next && !next->ask.empty())
+        lines.push_back({next->ask + (next->guess ? " Click it, then PageDown." : ""), Tone::lit});
+    return lines;
+}
+
+#define SIGHTLINE_INSTANTIATE(D)                                              \
+    template void begin_lesson<D>(Workbench<D>&, const Lesson&, std::size_t); \
+    template void next_beat<D>(Workbench<D>&);                                \
+    template void previous_beat<D>(Workbench<D>&);                            \
+    template void tell_truth<D>(Workbench<D>&, bool);                         \
+    template std::vector<Row> lesson_lines<D>(const Workbench<D>&);
+SIGHTLINE_INSTANTIATE(2)
+SIGHTLINE_INSTANTIATE(3)
+#undef SIGHTLINE_INSTANTIATE
+
+}  // namespace sightline

@@ -1,0 +1,148 @@
+// Lessons: what is no index is refused with its place, and those of the project say what is true.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shell/lesson/lesson.h"
+
+#include "core/base/file.h"
+#include "core/session/headline.h"
+#include "shell/commands/teach.h"
+#include "shell/panels/panel.h"
+#include "shell/window/parts.h"
+#include "tests/scene/scene_support.h"
+#include "tests/shell/commands/commands_support.h"
+
+namespace sightline {
+namespace {
+
+using test::Commands;
+
+class Lessons : public Commands {
+protected:
+    std::vector<Lesson> read(const std::string& text) {
+        write_file(folder / "lessons.json", text);
+        return read_lessons(folder / "lessons.json");
+    }
+    /// All that a class may read now, but for the words of the lesson itself.
+    std::string on_the_screen() const {
+        std::string text = headline(bench->session) + "\n";
+        for (const Row& row : banner_lines(*bench)) text += row.text + "\n";
+        return text + panels_text(*bench);
+    }
+};
+
+TEST_F(Lessons, WhatIsNoIndexIsRefusedWithItsPlace) {
+    const std::string part = R"({"title": "t", "open": "rooms"})";
+    const auto index = [&](const std::string& lessons) {
+        return R"({"format": "sightline-lessons", "lessons": [)" + lessons + "]}";
+    };
+    const std::string good = R"({"id": "a", "title": "A", "parts": [)" + part + "]}";
+    EXPECT_EQ(read(index(good)).at(0).parts.at(0).open, "rooms");
+    const std::string file = (folder / "lessons.json").string();
+    const auto refused = [&](const std::string& text, const std::string& reason) {
+        test::expect_input_error([&] { read(text); }, file + ": " + reason);
+    };
+    const auto with_part = [&](const std::string& members) {
+        return index(R"({"id": "a", "title": "A", "parts": [{"title": "t", )" + members + "}]}");
+    };
+    refused("{}", "'format' is not sightline-lessons");
+    refused(index(R"({"id": "a", "title": "A"})"), "/lessons/0: a lesson without a part");
+    refused(with_part(R"("minutes": 3)"), "/lessons/0/parts/0: 'open' is missing");
+    refused(with_part(R"("open": "x", "beets": [])"), "/lessons/0/parts/0: unknown member 'beets'");
+    refused(with_part(R"("open": "x", "beats": [{"do": 3}])"),
+            "/lessons/0/parts/0/beats/0/do: expected a string, found a number");
+    refused(with_part(R"("open": "x", "beats": [{"times": 0}])"),
+            "/lessons/0/parts/0/beats/0/times: expected a whole number from 1 to 1000");
+    const std::string nowhere = (folder / "nowhere.json").string();
+    test::expect_input_error([&] { read_lessons(nowhere); }, nowhere + ": no such file");
+}
+
+TEST_F(Lessons, ARowOfBeatsIsWrittenOnce) {
+    const auto lessons = read(R"({"format": "sightline-lessons", "lessons": [{"id": "a", "title": "A", "parts":
+        [{"title": "t", "minutes": 4, "open": "rooms", "beats": [{"do": "step", "times": 7}, {"ask": "?"}]}]}]})");
+    EXPECT_EQ(lessons.at(0).parts.at(0).beats.size(), 8u);
+    EXPECT_EQ(lessons.at(0).minutes(), 4);
+}
+
+TEST_F(Lessons, OfTheProjectShowTheNumbersThatTheySpeakOf) {
+    std::size_t shown = 0, asked = 0;
+    for (const Lesson& lesson : read_lessons(lessons_of_the_project())) {
+        if (lesson.dimension != 2) continue;
+        begin_lesson(*bench, lesson);
+        for (std::size_t part = 0; part < lesson.parts.size(); ++part) {
+            ASSERT_EQ(bench->teaching->part, part) << "the last beat opens the next part";
+            EXPECT_EQ(tells_truth(bench->session), !lesson.parts[part].concealed);
+            if (lesson.parts[part].concealed) {
+                EXPECT_EQ(on_the_screen().find("visible found"), std::string::npos);
+            }
+            for (const Beat& beat : lesson.parts[part].beats) {
+                asked += !beat.ask.empty();
+                EXPECT_EQ(bench->teaching->next()->ask, beat.ask);
+                next_beat(*bench);
+                for (const std::string& words : beat.shows) {
+                    ++shown;
+                    EXPECT_NE(on_the_screen().find(words), std::string::npos)
+                        << lesson.id << ", " << lesson.parts[part].title << ": '" << words << "' is not in\n"
+                        << on_the_screen();
+                }
+            }
+            EXPECT_TRUE(tells_truth(bench->session)) << lesson.parts[part].title << " never reveals the truth";
+            next_beat(*bench);
+        }
+    }
+    EXPECT_GT(shown, 20u);
+    EXPECT_GT(asked, 10u);
+}
+
+TEST_F(Lessons, GoingBackComesToTheSameStates) {
+    const std::vector<Lesson> lessons = read_lessons(lessons_of_the_project());
+    begin_lesson(*bench, lessons.at(0), 1);
+    struct At {
+        std::size_t part, presses;
+        std::uint64_t hash;
+        bool operator==(const At&) const = default;
+    };
+    std::vector<At> places;
+    const auto here = [&] { return At{bench->teaching->part, bench->teaching->presses, bench->session.hash()}; };
+    for (int press = 0; press < 20; ++press) {
+        places.push_back(here());
+        next_beat(*bench);
+    }
+    for (auto place = places.rbegin(); place != places.rend(); ++place) {
+        previous_beat(*bench);
+        ASSERT_EQ(here(), *place) << "part " << place->part << ", press " << place->presses;
+    }
+}
+
+TEST_F(Lessons, AGuessIsScoredByTheCellThatIsTaken) {
+    const std::vector<Lesson> lessons = read_lessons(lessons_of_the_project());
+    begin_lesson(*bench, lessons.at(0), 1);
+    while (!bench->teaching->next()->guess) next_beat(*bench);
+    bench->session.selected_cell = 13;
+    next_beat(*bench);
+    EXPECT_EQ(bench->teaching->guessed, "You took cell 13, the method cell 26: 0.274 against 0.301.");
+    previous_beat(*bench);
+    EXPECT_EQ(bench->teaching->score.made, 1u) << "going back takes no guess back";
+    bench->session.selected_cell = 26;
+    next_beat(*bench);
+    EXPECT_EQ(bench->teaching->guessed, "You took cell 26 too.");
+    EXPECT_EQ(bench->teaching->score.made, 2u);
+    EXPECT_EQ(bench->teaching->score.right, 1u);
+    previous_beat(*bench);
+    next_beat(*bench);
+    EXPECT_EQ(bench->teaching->score.made, 2u) << "nobody guessed";
+}
+
+TEST_F(Lessons, OneOfTheOtherDimensionLeavesAllAsItWas) {
+    const std::vector<Lesson> lessons = read_lessons(lessons_of_the_project());
+    begin_lesson(*bench, lessons.at(0), 2);
+    const std::uint64_t hash = session().hash();
+    for (const Lesson& lesson : lessons)
+        if (lesson.dimension == 3) {
+            EXPECT_THROW(begin_lesson(*bench, lesson), InputError);
+        }
+    EXPECT_THROW(begin_lesson(*bench, lessons.at(0), 99), InputError);
+    EXPECT_EQ(bench->teaching->part, 2u);
+    EXPECT_EQ(session().hash(), hash);
+}
+
+}  // namespace
+}  // namespace sightline
