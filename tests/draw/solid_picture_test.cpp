@@ -252,11 +252,11 @@ TEST(SolidPicture, AComparisonAddsWiresAndNothingElse) {
     for (int i = 0; i < 30; ++i) {
         const Start3 start = random_start_3d(random);
         Session<3> session = random_frozen_session(random, start);
-        if (i % 2 == 0) {
-            Settings settings = session.settings();
-            settings.shrink = 0.5;
-            session.change(settings);
-        }
+        Settings settings = session.settings();
+        settings.shrink = i % 2 == 0 ? 0.5 : 1;
+        settings.slice = i % 3 == 0 ? SliceAcross::x : SliceAcross::off;  // what is cut away is not marked
+        settings.slice_at = 0.5;
+        session.change(settings);
         std::vector<Differs> differences(session.cells().cell_count());
         for (Differs& differs : differences) differs = static_cast<Differs>(random.below(3));
         const SolidList alone = make_solid(session), list = make_solid(session, {.differences = differences});
