@@ -140,12 +140,40 @@ std::vector<Row> lesson_lines(const Workbench<D>& bench) {
     return lines;
 }
 
+template <int D>
+std::vector<Row> speaker_rows(const Workbench<D>& bench) {
+    if (!bench.teaching) return {{"no lesson"}, {"F2 lists the lessons.", Tone::faint}};
+    const Teaching& teaching = *bench.teaching;
+    const auto& parts = teaching.lesson.parts;
+    int until = 0;
+    for (std::size_t i = 0; i <= teaching.part; ++i) until += parts[i].minutes;
+    const auto seconds = static_cast<int>(teaching.since.milliseconds() / 1000);
+    const std::string rest = std::to_string(seconds % 60);
+    std::vector<Row> rows{
+        {std::to_string(seconds / 60) + ":" + (rest.size() < 2 ? "0" : "") + rest},
+        {std::to_string(teaching.part + 1) + " of " + std::to_string(parts.size()) + ": " + teaching.now().title +
+             ", until minute " + std::to_string(until) + " of " + std::to_string(teaching.lesson.minutes()),
+         Tone::faint}};
+    if (!teaching.now().notes.empty()) rows.push_back({teaching.now().notes});
+    if (const Beat* const next = teaching.next()) {
+        if (!next->ask.empty()) rows.push_back({"Asked: " + next->ask});
+        rows.push_back({"Next press: " + (next->say.empty() ? next->act : next->say)});
+    } else if (teaching.part + 1 < parts.size()) {
+        rows.push_back(
+            {"Next press: part " + std::to_string(teaching.part + 2) + ", " + parts[teaching.part + 1].title});
+    } else {
+        rows.push_back({"This is the end."});
+    }
+    return rows;
+}
+
 #define SIGHTLINE_INSTANTIATE(D)                                              \
     template void begin_lesson<D>(Workbench<D>&, const Lesson&, std::size_t); \
     template void next_beat<D>(Workbench<D>&);                                \
     template void previous_beat<D>(Workbench<D>&);                            \
     template void tell_truth<D>(Workbench<D>&, bool);                         \
-    template std::vector<Row> lesson_lines<D>(const Workbench<D>&);
+    template std::vector<Row> lesson_lines<D>(const Workbench<D>&);           \
+    template std::vector<Row> speaker_rows<D>(const Workbench<D>&);
 SIGHTLINE_INSTANTIATE(2)
 SIGHTLINE_INSTANTIATE(3)
 #undef SIGHTLINE_INSTANTIATE

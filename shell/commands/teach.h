@@ -31,4 +31,8 @@ void tell_truth(Workbench<D>& bench, bool tell);
 template <int D>
 std::vector<Row> lesson_lines(const Workbench<D>& bench);
 
+/// What the one who speaks reads: the time, notes, what the next press asks and says, the part after this one.
+template <int D>
+std::vector<Row> speaker_rows(const Workbench<D>& bench);
+
 }  // namespace sightline

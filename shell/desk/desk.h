@@ -28,6 +28,7 @@ struct Desk {
     bool fullscreen = false;
     std::string projector_panel;  ///< the one that stays in projector mode; empty: none
     bool blank = false;           ///< nothing but a dark window: the class looks at the lecturer
+    bool speaker = false;         ///< notes and clock in a window of their own
     bool chooser = false;         ///< the scenes, over the picture
     bool lessons = false;         ///< the lessons, over the picture
     bool help = false;            ///< all keys, over the picture

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/text.h"
 #include "shell/commands/command_table.h"
+#include "shell/commands/completion.h"
 #include "shell/window/parts.h"
 #include "shell/window/theme.h"
 
@@ -61,17 +63,68 @@ void chooser(Ui& ui, Workbench<D>& bench, const Stage& stage, const Area& area) 
     ImGui::End();
 }
 
-/// Commands that begin like what is typed.
+/// Until the keyboard has come to a line, whose text Dear ImGui marks then.
+constexpr int frames_to_open = 5;
+
+/// The commands that fit, or what the command takes.
 template <int D>
-void suggestions(const std::string& typed) {
-    int shown = 0;
+void suggestions(const Workbench<D>& bench, const std::string& typed) {
+    const Completion completion = completions(bench, typed);
     const std::string_view word = std::string_view(typed).substr(0, typed.find(' '));
     for (const Command<D>& command : command_table<D>()) {
-        const bool fits = typed.find(' ') == std::string::npos ? command.id.starts_with(word) : command.id == word;
-        if (!fits || ++shown > 6) continue;
+        if (command.id != word) continue;
         ImGui::TextUnformatted((std::string(command.id) + " " + std::string(command.arguments)).c_str());
-        ImGui::SameLine(22 * ImGui::GetFontSize());
         ImGui::TextDisabled("%s", std::string(command.text).c_str());
+    }
+    std::string words;
+    for (const std::string& each : completion.words) words += (words.empty() ? "" : "   ") + each;
+    if (!words.empty()) ImGui::TextWrapped("Tab: %s", one_line(words, 400).c_str());
+}
+
+/// Up and down go through what was typed before, Tab completes; what is marked when the line opens is not replaced by
+/// the first letter.
+template <int D>
+struct Typing {
+    Ui& ui;
+    const Workbench<D>& bench;
+
+    void replace(ImGuiInputTextCallbackData& data, const std::string& text) const {
+        data.DeleteChars(0, data.BufTextLen);
+        data.InsertChars(0, text.c_str());
+    }
+    void recall(ImGuiInputTextCallbackData& data) const {
+        const auto count = static_cast<int>(ui.typed.size());
+        ui.recalled = std::clamp(ui.recalled + (data.EventKey == ImGuiKey_UpArrow ? 1 : -1), 0, count);
+        replace(data, ui.recalled == 0 ? "" : ui.typed[static_cast<std::size_t>(count - ui.recalled)]);
+    }
+    static int event(ImGuiInputTextCallbackData* data) {
+        const Typing& typing = *static_cast<const Typing*>(data->UserData);
+        if (data->EventFlag == ImGuiInputTextFlags_CallbackHistory) typing.recall(*data);
+        if (data->EventFlag == ImGuiInputTextFlags_CallbackCompletion) {
+            const std::string line(data->Buf, static_cast<std::size_t>(data->BufTextLen));
+            typing.replace(*data, completed(line, completions(typing.bench, line)));
+        }
+        if (data->EventFlag == ImGuiInputTextFlags_CallbackAlways && typing.ui.line_opens > 0)
+            data->CursorPos = data->SelectionStart = data->SelectionEnd = data->BufTextLen;
+        return 0;
+    }
+};
+
+template <int D>
+void run_typed(Ui& ui, Workbench<D>& bench) {
+    const std::string commands = bench.desk.console_text;
+    const std::size_t before = ui.messages.size();
+    bench.desk.console_text.clear();
+    bench.desk.console = false;
+    if (!commands.empty() && (ui.typed.empty() || ui.typed.back() != commands)) ui.typed.push_back(commands);
+    ui.recalled = 0;
+    ui.act(commands);
+    // What one line cannot say stays open to be read, what was wrong to be mended.
+    const bool bad = ui.messages.size() > before && ui.messages.back().bad;
+    if (bad) bench.desk.console_text = commands;
+    if (bad || ui.messages.size() > before + 1) {
+        bench.desk.console = true;
+        ImGui::SetKeyboardFocusHere(-1);
     }
 }
 
@@ -88,30 +141,22 @@ void console(Ui& ui, Workbench<D>& bench, const Area& area) {
     }
     if (ImGui::GetScrollY() >= ImGui::GetScrollMaxY() - line) ImGui::SetScrollHereY(1);
     ImGui::EndChild();
-    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
-    ImGui::SetNextItemWidth(-1);
-    const auto to_end = [](ImGuiInputTextCallbackData* data) {
-        if (data->SelectionStart != data->SelectionEnd)
-            data->CursorPos = data->SelectionStart = data->SelectionEnd = data->BufTextLen;
-        return 0;
-    };
-    if (ImGui::InputTextWithHint("##line", "a command, e.g. until rho > 0.5 && visible_share == 0",
-                                 &bench.desk.console_text,
-                                 ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackAlways, to_end)) {
-        const std::string commands = bench.desk.console_text;
-        const std::size_t before = ui.messages.size();
-        bench.desk.console_text.clear();
-        bench.desk.console = false;
-        ui.act(commands);
-        // What one line cannot say stays open to be read, what was wrong to be mended.
-        const bool bad = ui.messages.size() > before && ui.messages.back().bad;
-        if (bad) bench.desk.console_text = commands;
-        if (bad || ui.messages.size() > before + 1) {
-            bench.desk.console = true;
-            ImGui::SetKeyboardFocusHere(-1);
-        }
+    if (ImGui::IsWindowAppearing()) {
+        ImGui::SetKeyboardFocusHere();
+        ui.recalled = 0;
+        ui.line_opens = frames_to_open;
     }
-    suggestions<D>(bench.desk.console_text);
+    ui.line_opens = std::max(0, ui.line_opens - 1);
+    ImGui::SetNextItemWidth(-1);
+    Typing<D> typing{ui, bench};
+    if (ImGui::InputTextWithHint("##line",
+                                 "a command, e.g. until rho > 0.5 && visible_share == 0; Tab completes, Up recalls",
+                                 &bench.desk.console_text,
+                                 ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackAlways |
+                                     ImGuiInputTextFlags_CallbackHistory | ImGuiInputTextFlags_CallbackCompletion,
+                                 Typing<D>::event, &typing))
+        run_typed(ui, bench);
+    suggestions(bench, bench.desk.console_text);
     ImGui::End();
 }
 

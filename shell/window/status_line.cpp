@@ -10,7 +10,7 @@ void status_line(Ui& ui, Workbench<D>& bench, const Area& area) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {10 * ui.unit, 3 * ui.unit});
     begin_part("status", area);
     ImGui::PopStyleVar();
-    if (ui.messages.empty()) {
+    if (ui.messages.size() <= ui.said_before) {
         ImGui::TextDisabled("%sRight: next step   Left: back   Space: play   F1: all keys   Type : for a command",
                             D == 3 ? "G: fly   F: freeze here   Z: exact image   " : "");
     } else {

@@ -51,7 +51,11 @@ struct Ui {
     float unit = 1;         ///< ImGui units per pixel of the layout at scale 1
     float framebuffer = 1;  ///< framebuffer pixels per ImGui unit
     Fonts fonts;
-    std::vector<Message> messages;  ///< oldest first
+    std::vector<Message> messages;   ///< oldest first
+    std::vector<std::string> typed;  ///< command lines, oldest first
+    int line_opens = 0;              ///< so many frames from now on what was in the line is not marked
+    int recalled = 0;                ///< so many back in them the line stands; 0: what is being typed
+    std::size_t said_before = 0;     ///< so many of them belong to an earlier action than the last
     /// Counts what may have changed the bench; what is drawn from it is made again when this differs.
     std::uint64_t revision = 1;
     std::array<ShownRows, 2> columns;  ///< by Column

@@ -9,6 +9,7 @@
 #include "core/base/stopwatch.h"
 #include "shell/commands/command_table.h"
 #include "shell/commands/prompt.h"
+#include "shell/commands/teach.h"
 #include "shell/desk/fly.h"
 #include "shell/desk/measure_trade_off.h"
 #include "shell/desk/moved.h"
@@ -35,6 +36,15 @@ constexpr float projector_text_pixels = 32.4f, projector_label_pixels = 32.4f;
 
 /// What clickers send beside PageDown and PageUp: a blank screen, and the start of a show, which does nothing here.
 bool is_presenter_key(const std::string& key) { return key == "B" || key == "." || key == "F5"; }
+
+bool is_no_letter(SDL_Keycode key) { return key < SDLK_SPACE || (key & SDLK_SCANCODE_MASK) != 0; }
+
+bool is_mouse_over(const SDL_Event& event, Uint32 window) {
+    return (event.type == SDL_MOUSEMOTION && event.motion.windowID == window) ||
+           ((event.type == SDL_MOUSEBUTTONDOWN || event.type == SDL_MOUSEBUTTONUP) &&
+            event.button.windowID == window) ||
+           (event.type == SDL_MOUSEWHEEL && event.wheel.windowID == window);
+}
 
 std::string clipboard_text() {
     char* const text = SDL_GetClipboardText();
@@ -121,6 +131,7 @@ Window<D>::Window(Workbench<D>& bench, const WindowOptions& options)
 template <int D>
 Window<D>::~Window() {
     bench_.graphics.progress = {};
+    speaker_.reset();
     stage = {};  // while OpenGL is there
 }
 
@@ -143,7 +154,10 @@ Placement Window<D>::placement() const {
 
 template <int D>
 void Window<D>::tell(Message message) {
-    if (ui_.messages.size() >= most_messages) ui_.messages.erase(ui_.messages.begin());
+    if (ui_.messages.size() >= most_messages) {
+        ui_.messages.erase(ui_.messages.begin());
+        if (ui_.said_before > 0) --ui_.said_before;
+    }
     ui_.messages.push_back(std::move(message));
 }
 
@@ -207,8 +221,8 @@ bool Window<D>::expects_text() const {
     return bench_.desk.console || ui_.awaits_text;
 }
 
-/// Dear ImGui sees the state of keys and mouse once a frame: a press and its release need two. And what is typed around
-/// the key that opens or closes a text field waits until the keyboard has gone over.
+/// Dear ImGui sees the state of keys and mouse once a frame: a press and its release, or a release and the next press,
+/// need two. And what is typed around the key that opens or closes a text field waits until the keyboard has gone over.
 template <int D>
 void Window<D>::take_events() {
     constexpr int most_frames = 6;  // a field that never takes the keyboard must not hold events for ever
@@ -219,16 +233,24 @@ void Window<D>::take_events() {
     };
     frames_in_between_ = in_between() ? frames_in_between_ + 1 : 0;
     expected_text_ = expects_text();
-    std::vector<SDL_Keycode> pressed;
+    std::vector<SDL_Keycode> pressed, released;
     mouse_.begin();
     const auto take = [&](const SDL_Event& event) {
+        if (speaker_ && is_mouse_over(event, speaker_->id())) return;
+        const auto is_in = [&](const std::vector<SDL_Keycode>& keys) {
+            return std::find(keys.begin(), keys.end(), event.key.keysym.sym) != keys.end();
+        };
         const bool early_key =
-            event.type == SDL_KEYUP && std::find(pressed.begin(), pressed.end(), event.key.keysym.sym) != pressed.end();
-        if (early_key || mouse_.waits(event)) {
+            (event.type == SDL_KEYUP && is_in(pressed)) || (event.type == SDL_KEYDOWN && is_in(released));
+        // What Tab and Enter do depends on all that was typed before.
+        const bool after_text = event.type == SDL_KEYDOWN && is_no_letter(event.key.keysym.sym) && !pressed.empty() &&
+                                ImGui::GetIO().WantTextInput;
+        if (early_key || after_text || mouse_.waits(event)) {
             later_ = event;
             return;
         }
         if (event.type == SDL_KEYDOWN) pressed.push_back(event.key.keysym.sym);
+        if (event.type == SDL_KEYUP) released.push_back(event.key.keysym.sym);
         mouse_.take(event);
         handle(event);
     };
@@ -245,10 +267,15 @@ void Window<D>::handle(const SDL_Event& event) {
     if (event.type == SDL_MOUSEMOTION || event.type == SDL_MOUSEBUTTONDOWN || event.type == SDL_MOUSEWHEEL)
         ui_.mouse_awake = true;
     if (event.type == SDL_KEYDOWN) ui_.mouse_awake = false;
+    // What was said belongs to what was done before.
+    if (event.type == SDL_KEYDOWN || event.type == SDL_MOUSEBUTTONDOWN) ui_.said_before = ui_.messages.size();
     const bool typing = ImGui::GetIO().WantTextInput || expects_text();
     ImGui_ImplSDL2_ProcessEvent(&event);
     if (event.type == SDL_QUIT) bench_.quit = true;
-    if (event.type == SDL_WINDOWEVENT && event.window.event == SDL_WINDOWEVENT_CLOSE) bench_.quit = true;
+    if (event.type == SDL_WINDOWEVENT && event.window.event == SDL_WINDOWEVENT_CLOSE) {
+        const bool notes = speaker_ && event.window.windowID == speaker_->id();
+        (notes ? bench_.desk.speaker : bench_.quit) = !notes;
+    }
     if (event.type == SDL_DROPFILE) {
         act("open " + std::string(event.drop.file));
         SDL_free(event.drop.file);
@@ -276,6 +303,20 @@ void Window<D>::fit_theme() {
     theme_text_ = text;
     theme_framebuffer_ = ui_.framebuffer;
     ++ui_.revision;
+}
+
+/// The second window comes and goes with the desk.
+template <int D>
+void Window<D>::update_speaker() {
+    const bool wanted = bench_.desk.speaker && options_.place == GlContext::Place::window;
+    if (!wanted) return speaker_.reset();
+    try {
+        if (!speaker_) speaker_ = std::make_unique<SpeakerWindow>(context_);
+        speaker_->draw(speaker_rows(bench_));
+    } catch (const std::exception& error) {
+        bench_.desk.speaker = false;
+        tell({error.what(), true});
+    }
 }
 
 /// A little of the trade-off, where a person looks at it and does nothing else.
@@ -324,6 +365,7 @@ void Window<D>::frame(double seconds) {
     ImGui::Render();
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     SDL_GL_SwapWindow(context_.window());
+    update_speaker();
     if (!slow) return;
     act(*slow);
     after_frame_.reset();

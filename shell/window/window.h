@@ -10,6 +10,7 @@
 #include "shell/window/mouse_state.h"
 #include "shell/window/placement.h"
 #include "shell/window/progress_card.h"
+#include "shell/window/speaker_window.h"
 #include "shell/window/stage.h"
 
 namespace sightline {
@@ -59,6 +60,7 @@ private:
     void press(const std::string& key);
     void escape();
     void fit_theme();
+    void update_speaker();
     Area parts_around(const ImVec2& size);
     void projector_parts(Area& middle);
     void columns_and_timeline(Area& middle, float whole);
@@ -74,6 +76,7 @@ private:
     Ui ui_;
     float theme_unit_ = 0, theme_text_ = 0, theme_framebuffer_ = 0;
     bool fullscreen_ = false;
+    std::unique_ptr<SpeakerWindow> speaker_;
     std::vector<std::string> recent_;  ///< of the bench, at the last frame
     MouseState mouse_;
     ProgressCard progress_;

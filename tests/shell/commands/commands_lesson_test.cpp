@@ -46,6 +46,8 @@ TEST_F(EachCommand, previous) {
     EXPECT_EQ(bench->teaching->presses, 2u);
 }
 
+TEST_F(EachCommand, speaker) { flips("speaker", bench->desk.speaker); }
+
 TEST_F(EachCommand, truth) {
     const std::string told = headline(session());
     EXPECT_NE(told.find("22 of 337 segments visible"), std::string::npos) << told;

@@ -131,6 +131,26 @@ TEST_F(Lessons, AGuessIsScoredByTheCellThatIsTaken) {
     EXPECT_EQ(bench->teaching->score.made, 2u) << "nobody guessed";
 }
 
+TEST_F(Lessons, TheSpeakerReadsWhatComesNext) {
+    EXPECT_EQ(speaker_rows(*bench).at(0).text, "no lesson");
+    const std::vector<Lesson> lessons = read_lessons(lessons_of_the_project());
+    begin_lesson(*bench, lessons.at(0));
+    const auto reads = [&](const std::string& words) {
+        const std::vector<Row> rows = speaker_rows(*bench);
+        return std::any_of(rows.begin(), rows.end(), [&](const Row& row) { return row.text == words; });
+    };
+    EXPECT_TRUE(reads("1 of 11: What culling is for, until minute 5 of " + std::to_string(lessons[0].minutes())));
+    EXPECT_TRUE(reads("Next press: " + lessons[0].parts[0].beats[0].say));
+    next_beat(*bench);
+    EXPECT_TRUE(reads("Asked: " + lessons[0].parts[0].beats[1].ask));
+    next_beat(*bench);
+    EXPECT_TRUE(reads("Next press: part 2, Cells, front, solidity"));
+    begin_lesson(*bench, lessons.at(0), 10);
+    next_beat(*bench);
+    next_beat(*bench);
+    EXPECT_TRUE(reads("This is the end."));
+}
+
 TEST_F(Lessons, OneOfTheOtherDimensionLeavesAllAsItWas) {
     const std::vector<Lesson> lessons = read_lessons(lessons_of_the_project());
     begin_lesson(*bench, lessons.at(0), 2);

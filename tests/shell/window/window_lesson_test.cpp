@@ -1,5 +1,5 @@
-// A lesson given on a projector, with the keys of a clicker: what it speaks of stands on the screen, whole and readable.
-// SPDX-License-Identifier: GPL-3.0-or-later
+// A lesson given on a projector, with the keys of a clicker: what it speaks of stands on the screen, whole and
+// readable. SPDX-License-Identifier: GPL-3.0-or-later
 #include "shell/lesson/lesson.h"
 #include "tests/shell/window/window_session_support.h"
 
@@ -58,8 +58,8 @@ protected:
         hands->key("p");
         for (std::size_t p = 0; p < lesson->parts.size(); ++p) {
             const LessonPart& part = lesson->parts[p];
-            const std::string title = "lesson: " + std::to_string(p + 1) + " of " +
-                                      std::to_string(lesson->parts.size()) + ": " + part.title;
+            const std::string title =
+                "lesson: " + std::to_string(p + 1) + " of " + std::to_string(lesson->parts.size()) + ": " + part.title;
             ASSERT_TRUE(becomes([&](const Dump& d) { return d.screen.contains(title); })) << title;
             expect_readable(now, width, height, title);
             for (const Beat& beat : part.beats) {
@@ -67,13 +67,15 @@ protected:
                 const std::string said = "lesson: " + beat.say;
                 ASSERT_TRUE(becomes([&](const Dump& d) {
                     return d.screen.contains(title) && (beat.say.empty() || d.screen.contains(said));
-                })) << title << "\n"
+                })) << title
+                    << "\n"
                     << said;
                 for (const std::string& words : beat.shows) {
                     const auto on_screen = words_of(now);
-                    EXPECT_TRUE(std::any_of(on_screen.begin(), on_screen.end(), [&](const auto& each) {
-                        return each.first.find(words) != std::string::npos;
-                    })) << title << ": nobody can read '" << words << "'";
+                    EXPECT_TRUE(
+                        std::any_of(on_screen.begin(), on_screen.end(),
+                                    [&](const auto& each) { return each.first.find(words) != std::string::npos; }))
+                        << title << ": nobody can read '" << words << "'";
                 }
                 expect_readable(now, width, height, title + ", " + beat.ask + beat.act);
             }
@@ -86,6 +88,49 @@ protected:
 
 TEST_F(LessonOnProjector, PlpSaysItsNumbersOnTheScreen) { give("plp", "1280x720"); }
 TEST_F(LessonOnProjector, EnginesSayTheirNumbersOnTheScreen) { give("conservative", "1920x1080"); }
+
+TEST_F(WindowSession, AClickerCanBlankTheScreenAndTheSpeakerHasAWindow) {
+    SHOW_DISPLAY();
+    start({"bottleneck"});
+    if (HasFatalFailure()) return;
+    command("lesson plp 2");
+    ASSERT_TRUE(becomes([](const Dump& d) { return d.screen.contains("lesson: 2 of 11: Cells, front, solidity"); }));
+    hands->key("F3");
+    ASSERT_TRUE(hands->has_window("for the speaker")) << said();
+    hands->key("p");
+    hands->key("b");
+    ASSERT_TRUE(becomes([](const Dump& d) { return !d.screen.contains("picture"); })) << "B blanks the screen";
+    hands->key("b");
+    hands->key("F5");
+    ASSERT_TRUE(becomes([](const Dump& d) { return d.screen.contains("picture"); }));
+    EXPECT_EQ(now.step(), 0u) << "F5 starts no show";
+    hands->key("Next");
+    ASSERT_TRUE(is_at(1));
+    hands->key("F3");
+    ASSERT_TRUE(hands->lost_window("for the speaker"));
+    hands->key("p");
+    leave();
+}
+
+TEST_F(WindowSession, TheCommandLineCompletesAndRecalls) {
+    SHOW_DISPLAY();
+    start({"bottleneck"});
+    if (HasFatalFailure()) return;
+    hands->type(":meth");
+    hands->key("Tab");
+    hands->type("lay");
+    hands->key("Tab");
+    hands->key("Return");
+    ASSERT_TRUE(becomes([](const Dump& d) { return d.has("Run", "(layers)"); }));
+    command("method centroid");
+    ASSERT_TRUE(becomes([](const Dump& d) { return d.has("Run", "(centroid)"); }));
+    hands->type(":");
+    hands->key("Up");
+    hands->key("Up");
+    hands->key("Return");
+    ASSERT_TRUE(becomes([](const Dump& d) { return d.has("Run", "(layers)"); }));
+    leave();
+}
 
 }  // namespace
 }  // namespace sightline

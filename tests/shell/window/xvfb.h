@@ -149,6 +149,15 @@ public:
         });
         return found && xdotool({"windowfocus", "--sync", window_});
     }
+    /// Another window of this title comes, or goes; the keyboard goes back to the first one.
+    bool has_window(const std::string& title) {
+        const bool found = await([&] { return !output({"search", "--onlyvisible", "--name", title}).empty(); });
+        return found && xdotool({"windowfocus", "--sync", window_});
+    }
+    bool lost_window(const std::string& title) {
+        const bool gone = await([&] { return output({"search", "--onlyvisible", "--name", title}).empty(); });
+        return gone && xdotool({"windowfocus", "--sync", window_});
+    }
     bool key(const std::string& name) { return xdotool({"key", name}); }
     bool down(const std::string& name) { return xdotool({"keydown", name}); }
     bool up(const std::string& name) { return xdotool({"keyup", name}); }
