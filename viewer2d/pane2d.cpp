@@ -2,6 +2,7 @@
 #include "viewer2d/pane2d.h"
 
 #include <algorithm>
+#include <array>
 
 #include "core/draw/legend.h"
 #include "core/draw/notes.h"
@@ -24,9 +25,10 @@ void fit_target(std::optional<GlTarget>& target, int w, int h) {
     if (!target || target->width() != w || target->height() != h) target.emplace(w, h);
 }
 
-bool tells_sides(const LegendRow& row) {
-    const std::string& name = row.style.name;
-    return name == "both" || name == "only_left" || name == "only_right" || name == "clean";
+/// Half a window has room for few rows.
+bool is_for_two(const LegendRow& row) {
+    constexpr std::array<std::string_view, 5> names{"projected", "enqueued", "only_here", "only_there", "missed"};
+    return std::find(names.begin(), names.end(), row.style.name) != names.end();
 }
 
 }  // namespace
@@ -62,8 +64,7 @@ void Pane2d::update(const Ui& ui, const Session<2>& session, const PictureOption
 void Pane2d::add_legend(const Ui& ui, const Session<2>& session, const PictureOptions& options) {
     const std::array<const DrawList*, 2> lists{&below_, &above_};
     auto rows = legend_rows(lists, session.settings(), key_title(session), current_notes(session));
-    // Half a window has room for what is new about two sides only.
-    if (!options.sides.empty()) std::erase_if(rows, [](const LegendRow& row) { return !tells_sides(row); });
+    if (!options.differences.empty()) std::erase_if(rows, [](const LegendRow& row) { return !is_for_two(row); });
     std::vector<ImVec2> busy{camera_.to_window(session.display_view().eye),
                              camera_.to_window(session.culling_view().eye)};
     if (strip_)  // the lower corners

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "viewer2d/picture2d.h"
 
+#include <algorithm>
 #include <set>
 
 #include "core/draw/palette.h"
@@ -22,7 +23,7 @@ std::vector<MousePane> Picture2d::mouse_panes(const Area& area) {
         const auto held = mouse_.held_world();
         pane.camera.world = held ? *held : widened(shown_world(bench_.session), aspect);
         pane.lead = i == 0;
-        pane.same_cells = i == 0 || !sessions_.sides().empty();
+        pane.same_cells = i == 0 || sessions_.same_cells();
         pane.note_spots = panes_[i].spots();
         pane.strip = panes_[i].strip();
         panes.push_back(pane);
@@ -34,6 +35,10 @@ void Picture2d::update(const Ui& ui, const Area& area) {
     sessions_.update(ui.revision);
     const std::vector<MousePane> panes = mouse_panes(area);
     const Shown<2> shown(bench_);
+    if (bench_.other) {
+        const std::array<std::string, 2> titles = side_titles(bench_);
+        heads_ = {side_head(*shown, titles[0]).text(), side_head(sessions_[1], titles[1]).text()};
+    }
     for (std::size_t i = 0; i < panes.size(); ++i) {
         const Session<2>& session = i == 0 ? *shown : sessions_[i];
         auto options = sessions_.options<PictureOptions>(i);
@@ -87,25 +92,27 @@ void Picture2d::draw_over(Ui& ui, const std::vector<MousePane>& panes, const Are
         panes_[i].draw_texts(list, ui);
         list.PopClipRect();
     }
-    if (bench_.other) {
-        const std::array<std::string, 2> titles = side_titles(bench_);
-        const std::array<const char*, 2> sides{"left: ", "right: "};
-        for (std::size_t i = 0; i < 2; ++i) {
-            const Area& a = panes[i].camera.area;
-            const std::string title = sides[i] + titles[i];
-            ImFont* const font = ui.fonts.bold;
-            const float size = font->FontSize / ui.framebuffer, pad = 6 * ui.unit;
-            const ImVec2 extent = font->CalcTextSizeA(size, 1e9f, 0, title.c_str());
-            const Colours& palette = colours(bench_.session.settings().palette);
-            Colour paper = palette.background;
-            paper.a = 225;
-            list.PushClipRect(a.min(), a.max(), true);
-            list.AddRectFilled(a.min(), {a.x + extent.x + 2 * pad, a.y + extent.y + pad}, colour(paper));
-            list.AddText(font, size, {a.x + pad, a.y + pad / 2}, colour(palette.ink), title.c_str());
-            list.PopClipRect();
-        }
-    }
+    if (bench_.other)
+        for (std::size_t i = 0; i < 2; ++i) draw_head(ui, panes[i].camera.area, i);
     list.PopClipRect();
+}
+
+/// A pane that is too narrow for it gets smaller letters.
+void Picture2d::draw_head(const Ui& ui, const Area& area, std::size_t side) {
+    ImFont* const font = ui.fonts.bold;
+    const char* const text = heads_[side].c_str();
+    const float pad = 6 * ui.unit;
+    float size = font->FontSize / ui.framebuffer;
+    size *= std::min(1.0f, (area.w - 2 * pad) / font->CalcTextSizeA(size, 1e9f, 0, text).x);
+    const ImVec2 extent = font->CalcTextSizeA(size, 1e9f, 0, text);
+    const Colours& palette = colours(bench_.session.settings().palette);
+    Colour paper = palette.background;
+    paper.a = 225;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(area.min(), {area.x + extent.x + 2 * pad, area.y + extent.y + pad}, colour(paper));
+    list.AddText(font, size, {area.x + pad, area.y + pad / 2}, colour(palette.ink), text);
+    bench_.places.push_back({(side == 0 ? "head left: " : "head right: ") + heads_[side], area.x, area.y,
+                             extent.x + 2 * pad, extent.y + pad});
 }
 
 void Picture2d::interact(Ui& ui, const Area& area) {

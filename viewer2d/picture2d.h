@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 
 #include "shell/desk/workbench.h"
 #include "shell/pane/side_by_side.h"
@@ -30,6 +31,7 @@ private:
     std::vector<MousePane> mouse_panes(const Area& area);
     void update(const Ui& ui, const Area& area);
     void draw_over(Ui& ui, const std::vector<MousePane>& panes, const Area& area);
+    void draw_head(const Ui& ui, const Area& area, std::size_t side);
     void outline(const Ui& ui, const MousePane& pane, std::uint32_t cell) const;
     void note_cells();
 
@@ -37,6 +39,7 @@ private:
     SideBySide<2> sessions_;
     Mouse2d mouse_;
     std::array<Pane2d, 2> panes_;
+    std::array<std::string, 2> heads_;  ///< over the panes of a comparison
 };
 
 }  // namespace sightline

@@ -28,7 +28,7 @@ void Pane3d::make_solid_list(const Session<3>& session, const PictureOptions3& o
     key.primitive = session.selected_primitive;
     key.outside = session.display_view() != session.culling_view();
     key.flying = session.flying();
-    key.sides = !options.sides.empty();
+    key.differences.assign(options.differences.begin(), options.differences.end());
     key.settings = session.settings();
     key.facet = options.facet;
     key.heat = options.heat_range;

@@ -40,7 +40,8 @@ private:
         const Scene<3>* scene = nullptr;
         std::uint64_t run = 0;
         std::uint32_t position = 0, cell = none, primitive = none;
-        bool outside = false, flying = false, sides = false;
+        bool outside = false, flying = false;
+        std::vector<Differs> differences;
         Settings settings;
         std::optional<std::uint32_t> facet;
         std::optional<ViewSpec<3>> sliced_from;  ///< the plane of a slice across the view turns with it

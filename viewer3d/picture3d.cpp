@@ -59,7 +59,7 @@ bool Picture3d::takes_key(const std::string& key) const {
 std::string Picture3d::title_of(std::size_t pane) const {
     const std::string guarantee = ", " + sessions_[pane].guarantee();
     if (!bench_.other) return std::string(bench_.session.method().id) + guarantee;
-    return (pane == 0 ? "left: " : "right: ") + side_titles(bench_)[pane] + guarantee;
+    return side_titles(bench_)[pane] + guarantee;
 }
 
 void Picture3d::fly(Ui& ui, float seconds) {
@@ -102,6 +102,11 @@ Picture3d::Part Picture3d::lay_out(const Ui& ui, const Area& area, std::size_t p
     part.whole = pane_area(area, pane, sessions_.count());
     part.counters = counters(session, title_of(pane), panes_[pane].draw_ms(),
                              bench_.flight.on ? std::optional(flight_speed(bench_)) : std::nullopt);
+    if (bench_.other) {
+        const SideHead head = side_head(session, "");
+        part.counters[1].text = head.drawn;  // for the triangles
+        if (!head.visible.empty()) part.counters.insert(part.counters.begin() + 2, {head.visible, "", true});
+    }
     part.head = part.whole;
     part.head.h = counters_height(ui, part.counters, part.whole.w);
     Area body = part.whole;

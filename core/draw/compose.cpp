@@ -43,12 +43,12 @@ std::string caption(std::span<const PanelSource<D>> panels) {
 using HeatRange = std::optional<std::array<double, 2>>;
 
 Figure::Panel draw_panel(const PanelSource<2>& source, const HeatRange& range, const std::optional<Box<2>>& world) {
-    return {make_picture(source.session, {range, world, 0, source.sides}), ""};
+    return {make_picture(source.session, {range, world, 0, source.differences}), ""};
 }
 
 /// The display view fills the picture, whatever the world of the others.
 Figure::Panel draw_panel(const PanelSource<3>& source, const HeatRange& range, const std::optional<Box<2>>&) {
-    const PictureOptions3 options{range, 0, source.sides};
+    const PictureOptions3 options{range, 0, source.differences};
     return {make_picture(source.session, options), "",
             std::make_shared<const SolidList>(make_solid(source.session, options)), make_insets(source.session)};
 }

@@ -16,14 +16,14 @@ namespace sightline {
 template <int D>
 struct PanelSource {
     Session<D> session;
-    std::string title;          ///< e.g. "step 12"; panels of one figure get (a), (b), … before it
-    std::vector<Side> sides{};  ///< as PictureOptions::sides
+    std::string title;                   ///< e.g. "step 12"; panels of one figure get (a), (b), … before it
+    std::vector<Differs> differences{};  ///< as PictureOptions::differences
 };
 
 template <int D>
 PanelSource(Session<D>, std::string) -> PanelSource<D>;
 template <int D>
-PanelSource(Session<D>, std::string, std::vector<Side>) -> PanelSource<D>;
+PanelSource(Session<D>, std::string, std::vector<Differs>) -> PanelSource<D>;
 
 /// One figure of all panels with one legend and one scale; palette, legend and caption as in the first panel.
 Figure make_figure(std::span<const PanelSource<2>> panels);

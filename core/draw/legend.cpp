@@ -26,9 +26,8 @@ constexpr std::array entries{
     Entry{Look::enqueued, ShapeKind::polygon, "in the front (enqueued)"},
     Entry{Look::hidden, ShapeKind::polygon, "tested: hidden"},
     Entry{Look::unseen, ShapeKind::polygon, "outside the view (unseen)"},
-    Entry{Look::both, ShapeKind::polygon, "projected by both"},
-    Entry{Look::only_left, ShapeKind::polygon, "projected by the left only"},
-    Entry{Look::only_right, ShapeKind::polygon, "projected by the right only"},
+    Entry{Look::only_here, ShapeKind::polyline, "projected only here"},
+    Entry{Look::only_there, ShapeKind::polygon, "projected only in the other"},
     Entry{Look::clean, ShapeKind::polygon, "not touched (clean)"},
     Entry{Look::last, ShapeKind::polygon, "projected last"},
     Entry{Look::selected, ShapeKind::polygon, "selected cell"},
@@ -64,9 +63,8 @@ constexpr std::array solid_entries{
     SolidEntry{SolidLook::enqueued, text_of(Look::enqueued)},
     SolidEntry{SolidLook::hidden, text_of(Look::hidden)},
     SolidEntry{SolidLook::unseen, text_of(Look::unseen)},
-    SolidEntry{SolidLook::both, text_of(Look::both)},
-    SolidEntry{SolidLook::only_left, text_of(Look::only_left)},
-    SolidEntry{SolidLook::only_right, text_of(Look::only_right)},
+    SolidEntry{SolidLook::only_here, text_of(Look::only_here)},
+    SolidEntry{SolidLook::only_there, text_of(Look::only_there)},
     SolidEntry{SolidLook::clean, text_of(Look::clean)},
     SolidEntry{SolidLook::fresh, "rendered in the last step"},
     SolidEntry{SolidLook::added, "rendered to complete the picture"},
@@ -98,8 +96,7 @@ bool is_shown(const DrawList& list, const Shape& shape) {
     return box.min.x <= world.max.x && box.min.y <= world.max.y && box.max.x >= world.min.x && box.max.y >= world.min.y;
 }
 
-std::string text_of(const Entry& entry, bool beside, const Settings& settings) {
-    if (entry.look == Look::clean && beside) return "projected by neither";
+std::string text_of(const Entry& entry, const Settings& settings) {
     if (settings.show_visibility == Switch::off) {
         if (entry.look == Look::rendered) return "rendered";
         if (entry.look == Look::other) return "not rendered";
@@ -194,8 +191,6 @@ std::vector<LegendRow> legend_rows(const UsedStyles& styles, const Settings& set
     used.resize(style_index(Look::count));
     const bool states = settings.heat == CellNumber::none && settings.show_states == Switch::on;
     used[style_index(Look::clean)] = states && settings.show_tessellation == Switch::on;
-    const bool beside =
-        used[style_index(Look::both)] || used[style_index(Look::only_left)] || used[style_index(Look::only_right)];
     const std::vector<Style>& looks = colours(settings.palette).looks;
     std::vector<LegendRow> rows;
     for (const Entry& entry : entries)
@@ -204,7 +199,7 @@ std::vector<LegendRow> legend_rows(const UsedStyles& styles, const Settings& set
             // An area without a border of its own would not show as a swatch when it is as light as the page.
             if (entry.swatch == ShapeKind::polygon && style.stroke.a == 0)
                 style.stroke = looks[style_index(Look::tessellation)].stroke;
-            rows.push_back({entry.swatch, style, text_of(entry, beside, settings)});
+            rows.push_back({entry.swatch, style, text_of(entry, settings)});
         }
     add_texts(settings, styles.key_title, notes, rows);
     return rows;

@@ -45,7 +45,7 @@ DrawnAs drawn_as(const Settings& set, SolidLook look) {
             return set.enqueued_as;
         case SolidLook::unseen:
             return set.unseen_as;
-        default:  // projected, by either session
+        default:  // projected
             return set.projected_as;
     }
 }
@@ -78,13 +78,7 @@ std::vector<CellPaint> paint_cells(const Session<3>& session, const PictureOptio
     std::vector<CellPaint> paint(shown.size());
     for (std::uint32_t cell = 0; cell < paint.size(); ++cell) {
         if (!shown[cell]) continue;
-        SolidLook look = look_of(session.mark(cell).state, in_rounds(cell));
-        if (!options.sides.empty() && !heat) {
-            if (options.sides[cell] == Side::neither) continue;
-            look = options.sides[cell] == Side::both   ? SolidLook::both
-                   : options.sides[cell] == Side::left ? SolidLook::only_left
-                                                       : SolidLook::only_right;
-        }
+        const SolidLook look = look_of(session.mark(cell).state, in_rounds(cell));
         CellPaint& own = paint[cell];
         own.group = own.style = look_index(look);
         own.as = drawn_as(set, look);
@@ -117,10 +111,22 @@ void paint_boxes(const Session<3>& session, SolidList& list) {
     add_boxes(boxes, paint, list);
 }
 
+/// Wire over everything else, whatever the cells themselves are drawn as: those that only the other run projected are
+/// often drawn as nothing here.
+void add_differences(const Session<3>& session, std::span<const Differs> differences, SolidList& list) {
+    const std::vector<std::uint8_t> shown = shown_cells(session, list.slice);
+    for (const auto& [differs, look] :
+         {std::pair(Differs::only_there, SolidLook::only_there), std::pair(Differs::only_here, SolidLook::only_here)}) {
+        std::vector<std::uint8_t> marked(differences.size());
+        for (std::uint32_t cell = 0; cell < marked.size(); ++cell)
+            marked[cell] = shown[cell] && differences[cell] == differs;
+        add_outline(session.cells(), marked, look_index(look), session.settings().shrink, list);
+    }
+}
+
 void make_glass(const Settings& set, SolidList& list) {
-    for (const SolidLook look :
-         {SolidLook::clean, SolidLook::enqueued, SolidLook::projected, SolidLook::unseen, SolidLook::both,
-          SolidLook::only_left, SolidLook::only_right, SolidLook::completed, SolidLook::hidden})
+    for (const SolidLook look : {SolidLook::clean, SolidLook::enqueued, SolidLook::projected, SolidLook::unseen,
+                                 SolidLook::completed, SolidLook::hidden})
         if (drawn_as(set, look) == DrawnAs::translucent) list.styles[look_index(look)].colour.a = translucent_alpha;
 }
 
@@ -149,6 +155,7 @@ SolidList make_solid(const Session<3>& session, const PictureOptions3& options) 
         return list;
     }
     add_cells(session.cells(), paint_cells(session, options, list), set.shrink, list);
+    if (!options.differences.empty()) add_differences(session, options.differences, list);
     return list;
 }
 

@@ -44,7 +44,8 @@ double luminance(const Colour& colour) {
 
 /// Safe for colour-blind readers: after Okabe and Ito's set; the four states at L* of about 100, 79, 58 and 36.
 Colours standard() {
-    const Colour blue{0, 90, 170}, vermilion{200, 70, 0}, grey{120, 120, 120}, purple{140, 50, 120};
+    const Colour blue{0, 90, 170}, vermilion{200, 70, 0}, grey{120, 120, 120}, purple{140, 50, 120},
+        magenta{215, 0, 130};
     return {white,
             black,
             white,
@@ -54,9 +55,8 @@ Colours standard() {
                 area("enqueued", {36, 86, 150}, Hatch::diagonal, {150, 190, 235}),
                 area("projected", {166, 203, 187}),
                 area("unseen", {140, 140, 140}, Hatch::dots, {205, 205, 205}),
-                area("both", {166, 203, 187}),
-                area("only_left", {80, 145, 205}, Hatch::horizontal, {175, 210, 240}),
-                area("only_right", {110, 80, 0}, Hatch::back_diagonal, {215, 190, 120}),
+                line("only_here", magenta, 2.2),
+                area("only_there", transparent, Hatch::dots, magenta),
                 line("tessellation", {105, 125, 145}, 0.5),
                 line("other", {125, 125, 125}, 0.7),
                 line("rendered", black, 1.6),
@@ -91,7 +91,7 @@ Colours standard() {
 
 /// The colours of TR figs 1, 2 and 4: white input, blue tessellation and front, green cells, red rendered geometry.
 Colours paper() {
-    const Colour green{60, 220, 60}, red{255, 60, 60};
+    const Colour green{60, 220, 60}, red{255, 60, 60}, cyan{0, 220, 220};
     return {black,
             white,
             black,
@@ -101,9 +101,8 @@ Colours paper() {
                 area("enqueued", {25, 50, 170}, Hatch::diagonal, {90, 130, 255}),
                 mark("projected", {0, 75, 0}, green, 0.6),
                 area("unseen", {58, 58, 58}, Hatch::dots, {110, 110, 110}),
-                area("both", {0, 63, 0}),
-                area("only_left", {52, 97, 192}, Hatch::horizontal, {120, 160, 255}),
-                area("only_right", {62, 172, 152}, Hatch::back_diagonal, {20, 95, 85}),
+                line("only_here", cyan, 2.0),
+                area("only_there", transparent, Hatch::dots, cyan),
                 line("tessellation", {50, 80, 200}, 0.5),
                 line("other", {215, 215, 215}, 0.7),
                 line("rendered", red, 1.6),
@@ -147,9 +146,8 @@ Colours print() {
                 area("enqueued", {86, 86, 86}, Hatch::diagonal, {215, 215, 215}),
                 area("projected", {195, 195, 195}),
                 area("unseen", {140, 140, 140}, Hatch::cross, {205, 205, 205}),
-                area("both", {195, 195, 195}),
-                area("only_left", {140, 140, 140}, Hatch::horizontal, {215, 215, 215}),
-                area("only_right", {86, 86, 86}, Hatch::back_diagonal, {200, 200, 200}),
+                line("only_here", black, 2.6, Dash::dotted),
+                area("only_there", transparent, Hatch::horizontal, black),
                 line("tessellation", {110, 110, 110}, 0.5),
                 line("other", {120, 120, 120}, 0.7),
                 line("rendered", black, 1.8),

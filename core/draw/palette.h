@@ -15,9 +15,8 @@ enum class Look : std::uint16_t {
     enqueued,
     projected,
     unseen,
-    both,        ///< cells of two sessions beside each other: projected by both
-    only_left,   ///< by the left one only
-    only_right,  ///< by the right one only
+    only_here,   ///< cells of two sessions beside each other: projected by this one only
+    only_there,  ///< by the other one only
     tessellation,
     other,     ///< primitives: not rendered and not visible
     rendered,  ///< visible and rendered

@@ -36,12 +36,14 @@ public:
         const auto wants = [&](PicturePart part) { return options.part == PicturePart::all || options.part == part; };
         if (wants(PicturePart::below)) {
             if (set_.heat != CellNumber::none && options.heat_range) heat_map(*options.heat_range);
-            if (by_state) options.sides.empty() ? states() : sides(options.sides);
+            if (by_state) states();
+            if (set_.show_states == Switch::on) only_there(options.differences);
         }
         if (wants(PicturePart::tessellation) && set_.show_tessellation == Switch::on && !walks_boxes(session))
             tessellation();
         if (!wants(PicturePart::above)) return;
-        if (by_state && options.sides.empty()) projected_borders();
+        if (by_state) projected_borders();
+        if (set_.show_states == Switch::on) only_here(options.differences);
         if (set_.show_primitives == Switch::on) primitives();
         if (set_.show_view == Switch::on) view();
         if (set_.show_normals == Switch::on) normals();
@@ -90,11 +92,21 @@ private:
         }
     }
 
-    void sides(std::span<const Side> of_cells) {
-        for (std::uint32_t cell = 0; cell < of_cells.size(); ++cell) {
-            if (of_cells[cell] == Side::both) cell_shape(cell, index(Look::both));
-            if (of_cells[cell] == Side::left) cell_shape(cell, index(Look::only_left));
-            if (of_cells[cell] == Side::right) cell_shape(cell, index(Look::only_right));
+    void only_there(std::span<const Differs> differences) {
+        for (std::uint32_t cell = 0; cell < differences.size(); ++cell)
+            if (differences[cell] == Differs::only_there) cell_shape(cell, index(Look::only_there));
+    }
+
+    /// Outlined as regions: a line about each cell would lie over the cells' borders like a net.
+    void only_here(std::span<const Differs> differences) {
+        const auto is_one = [&](std::uint32_t cell) { return cell != none && differences[cell] == Differs::only_here; };
+        for (std::uint32_t cell = 0; cell < differences.size(); ++cell) {
+            if (!is_one(cell)) continue;
+            for (const HalfFacet& half : cells_.facets_of(cell)) {
+                if (cells_.is_contact(half.facet()) || is_one(half.neighbour)) continue;
+                const auto [a, b] = facet_ends(cells_, half);
+                list_.add(ShapeKind::polyline, index(Look::only_here), {a, b});
+            }
         }
     }
 

@@ -29,8 +29,8 @@ struct PictureOptions {
     std::optional<Box<2>> world{};
     /// > 0: the world is widened, never cut, to this width / height, so that all of a window is drawn and labelled.
     double aspect = 0;
-    /// Per cell, for two sessions beside each other: filled by who projected it instead of by state. Empty: by state.
-    std::span<const Side> sides{};
+    /// Per cell, for two sessions beside each other (cell_differences): marked over the picture. Empty: none.
+    std::span<const Differs> differences{};
     PicturePart part = PicturePart::all;
     /// A facet to point out, by its place among those of the last cell: where a substep looks across.
     std::optional<std::uint32_t> facet{};

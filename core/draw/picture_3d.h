@@ -19,8 +19,8 @@ struct PictureOptions3 {
     std::optional<std::array<double, 2>> heat_range{};
     /// Width / height of the picture; 0: that of the reference, which is the culling view's.
     double aspect = 0;
-    /// Per cell, for two sessions beside each other: coloured by who projected it instead of by state. Empty: by state.
-    std::span<const Side> sides{};
+    /// Per cell, for two sessions beside each other (cell_differences): marked over the picture. Empty: none.
+    std::span<const Differs> differences{};
     /// A facet to point out, by its place among those of the last cell: where a substep looks across.
     std::optional<std::uint32_t> facet{};
 };

@@ -112,6 +112,20 @@ public:
         }
     }
 
+    /// The edges between cells of wire and others.
+    void surface() {
+        const auto is_wire = [&](std::uint32_t cell) { return cell != none && paint_[cell].as == DrawnAs::wireframe; };
+        for (std::uint32_t cell = 0; cell < cells_.cell_count(); ++cell) {
+            if (!is_wire(cell)) continue;
+            for (const HalfFacet& half : cells_.facets_of(cell)) {
+                if (cells_.is_contact(half.facet()) || is_wire(half.neighbour)) continue;
+                const auto polygon = cells_.points_of_facet(half.facet());
+                for (std::size_t i = 0; i < polygon.size(); ++i)
+                    add_edge_once(polygon[i], polygon[i + 1 == polygon.size() ? 0 : i + 1], paint_[cell].style);
+            }
+        }
+    }
+
     void boundaries() {
         for (std::uint32_t cell = 0; cell < cells_.cell_count(); ++cell) {
             const CellPaint& own = paint_[cell];
@@ -175,6 +189,15 @@ void add_boxes(std::span<const Box<3>> boxes, std::span<const CellPaint> paint, 
             list.edge_style.push_back(style);
         }
     }
+}
+
+void add_outline(const CellComplex<3>& cells, std::span<const std::uint8_t> marked, std::uint8_t style, double shrink,
+                 SolidList& list) {
+    std::vector<CellPaint> paint(marked.size());
+    for (std::size_t cell = 0; cell < marked.size(); ++cell)
+        if (marked[cell]) paint[cell] = {DrawnAs::wireframe, style, style};
+    CellSolids solids(cells, paint, list);
+    shrink < 1 ? solids.bodies(shrink) : solids.surface();
 }
 
 void add_cells(const CellComplex<3>& cells, std::span<const CellPaint> paint, double shrink, SolidList& list) {

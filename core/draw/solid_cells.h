@@ -27,6 +27,11 @@ struct CellPaint {
 /// Cells are tetrahedra or boxes with their corners in the order of tree_cells.
 void add_cells(const CellComplex<3>& cells, std::span<const CellPaint> paint, double shrink, SolidList& list);
 
+/// Adds wire about the marked cells: each edge, once, of a facet between a marked cell and one that is not. At
+/// 0 < shrink < 1 all edges of each.
+void add_outline(const CellComplex<3>& cells, std::span<const std::uint8_t> marked, std::uint8_t style, double shrink,
+                 SolidList& list);
+
 /// Adds boxes, each a body of its own that belongs to no cell; `paint` has one entry per box.
 void add_boxes(std::span<const Box<3>> boxes, std::span<const CellPaint> paint, SolidList& list);
 

@@ -14,12 +14,15 @@ SolidStyle edge(const char* name, Colour colour, double width_pt) { return {name
 /// The states' colours are those of pictures in 2D; the triangles are of stone, so that a class with a hue stands out.
 std::vector<SolidStyle> standard_solids() {
     return {
-        solid("clean", {150, 165, 180}, 0.5), solid("enqueued", {36, 86, 150}),    solid("projected", {166, 203, 187}),
-        solid("unseen", {140, 140, 140}),     solid("both", {166, 203, 187}),      solid("only_left", {80, 145, 205}),
-        solid("only_right", {110, 80, 0}),    edge("border", {90, 110, 130}, 0.5), solid("plain", {205, 200, 190}),
-        solid("rest", {228, 230, 234}),       solid("rendered", {205, 200, 190}),  solid("missed", {200, 70, 0}),
-        solid("wasted", {185, 135, 175}),     solid("other", {228, 230, 234}),     solid("fresh", {240, 175, 20}),
-        solid("completed", {95, 160, 140}),   solid("hidden", {120, 150, 190}),    solid("added", {95, 160, 140}),
+        solid("clean", {150, 165, 180}, 0.5),  solid("enqueued", {36, 86, 150}),
+        solid("projected", {166, 203, 187}),   solid("unseen", {140, 140, 140}),
+        edge("only_here", {215, 0, 130}, 1.4), edge("only_there", {240, 165, 210}, 0.6),
+        edge("border", {90, 110, 130}, 0.5),   solid("plain", {205, 200, 190}),
+        solid("rest", {228, 230, 234}),        solid("rendered", {205, 200, 190}),
+        solid("missed", {200, 70, 0}),         solid("wasted", {185, 135, 175}),
+        solid("other", {228, 230, 234}),       solid("fresh", {240, 175, 20}),
+        solid("completed", {95, 160, 140}),    solid("hidden", {120, 150, 190}),
+        solid("added", {95, 160, 140}),
     };
 }
 
@@ -32,9 +35,8 @@ std::vector<SolidStyle> paper_solids() {
         solid("enqueued", blue),
         solid("projected", red),
         solid("unseen", {110, 110, 110}),
-        solid("both", {0, 120, 0}),
-        solid("only_left", {52, 97, 192}),
-        solid("only_right", {62, 172, 152}),
+        edge("only_here", {0, 220, 220}, 1.4),
+        edge("only_there", {0, 130, 130}, 0.6),
         edge("border", {120, 20, 20}, 0.5),
         solid("plain", {215, 215, 215}),
         solid("rest", {90, 90, 100}),
@@ -53,12 +55,12 @@ std::vector<SolidStyle> paper_solids() {
 std::vector<SolidStyle> print_solids() {
     const auto grey = [](std::uint8_t v) { return Colour{v, v, v}; };
     return {
-        solid("clean", grey(165), 0.5), solid("enqueued", grey(60)),    solid("projected", grey(205)),
-        solid("unseen", grey(125)),     solid("both", grey(195)),       solid("only_left", grey(140)),
-        solid("only_right", grey(86)),  edge("border", grey(110), 0.5), solid("plain", grey(190)),
-        solid("rest", grey(235)),       solid("rendered", grey(190)),   solid("missed", grey(30)),
-        solid("wasted", grey(130)),     solid("other", grey(235)),      solid("fresh", grey(80)),
-        solid("completed", grey(175)),  solid("hidden", grey(100)),     solid("added", grey(175)),
+        solid("clean", grey(165), 0.5), solid("enqueued", grey(60)),     solid("projected", grey(205)),
+        solid("unseen", grey(125)),     edge("only_here", grey(0), 1.6), edge("only_there", grey(90), 0.6),
+        edge("border", grey(110), 0.5), solid("plain", grey(190)),       solid("rest", grey(235)),
+        solid("rendered", grey(190)),   solid("missed", grey(30)),       solid("wasted", grey(130)),
+        solid("other", grey(235)),      solid("fresh", grey(80)),        solid("completed", grey(175)),
+        solid("hidden", grey(100)),     solid("added", grey(175)),
     };
 }
 

@@ -14,9 +14,8 @@ enum class SolidLook : std::uint8_t {
     enqueued,
     projected,
     unseen,
-    both,        ///< cells of two sessions beside each other: projected by both
-    only_left,   ///< by the left one only
-    only_right,  ///< by the right one only
+    only_here,   ///< edges of cells of two sessions beside each other: projected by this one only
+    only_there,  ///< by the other one only
     border,      ///< edges on faces of cells
     plain,       ///< triangles, where nothing is said about visibility: rendered
     rest,        ///< and not rendered

@@ -11,6 +11,8 @@ namespace sightline {
 
 namespace {
 
+std::string steps_words(std::uint32_t steps) { return std::to_string(steps) + (steps == 1 ? " step" : " steps"); }
+
 /// The primitives that a recorded step rendered, in order.
 template <int D>
 std::vector<std::uint32_t> rendered_in(const Session<D>& session, std::uint32_t step) {
@@ -23,9 +25,7 @@ std::vector<std::uint32_t> rendered_in(const Session<D>& session, std::uint32_t 
 template <int D>
 std::string what_it_does(const Session<D>& session, const std::string& name, std::uint32_t step, std::uint32_t theirs,
                          int digits) {
-    if (step > session.recorded())
-        return name + " is recorded for " + std::to_string(session.recorded()) +
-               (session.recorded() == 1 ? " step" : " steps") + " only";
+    if (step > session.recorded()) return name + " is recorded for " + steps_words(session.recorded()) + " only";
     const std::uint32_t cell = id_of(session.timeline().steps[step - 1].item, Kind::cell);
     if (cell == none) {
         const auto primitives = rendered_in(session, step);
@@ -56,6 +56,19 @@ int digits_apart(const Session<D>& session, std::uint32_t step, std::uint32_t th
     return mark.state == CellState::enqueued ? separating_digits(before.mark(cell).key, mark.key) : 3;
 }
 
+/// Of the steps that both have recorded.
+template <int D>
+std::optional<std::uint32_t> difference_in_common(const Session<D>& a, const Session<D>& b) {
+    const bool by_cells = a.method().orders_cells() && b.method().orders_cells() && same_cells(a, b);
+    const std::uint32_t common = std::min(a.recorded(), b.recorded());
+    for (std::uint32_t step = 1; step <= common; ++step) {
+        const bool same = by_cells ? a.timeline().steps[step - 1].item == b.timeline().steps[step - 1].item
+                                   : rendered_in(a, step) == rendered_in(b, step);
+        if (!same) return step;
+    }
+    return std::nullopt;
+}
+
 }  // namespace
 
 template <int D>
@@ -71,29 +84,31 @@ bool same_cells(const Session<D>& a, const Session<D>& b) {
 }
 
 template <int D>
-std::vector<Side> projected_sides(const Session<D>& a, const Session<D>& b) {
-    std::vector<Side> sides;
-    if (!same_cells(a, b)) return sides;
-    sides.reserve(a.cells().cell_count());
-    for (std::uint32_t cell = 0; cell < a.cells().cell_count(); ++cell) {
-        const bool left = a.mark(cell).state == CellState::projected;
-        const bool right = b.mark(cell).state == CellState::projected;
-        sides.push_back(left && right ? Side::both : left ? Side::left : right ? Side::right : Side::neither);
+std::vector<Differs> cell_differences(const Session<D>& here, const Session<D>& there) {
+    std::vector<Differs> differences;
+    if (!goes_through_cells(here) || !goes_through_cells(there) || !same_cells(here, there)) return differences;
+    differences.reserve(here.cells().cell_count());
+    for (std::uint32_t cell = 0; cell < here.cells().cell_count(); ++cell) {
+        const bool ours = here.mark(cell).state == CellState::projected;
+        const bool theirs = there.mark(cell).state == CellState::projected;
+        differences.push_back(ours == theirs ? Differs::no : ours ? Differs::only_here : Differs::only_there);
     }
-    return sides;
+    return differences;
 }
 
 template <int D>
 std::optional<std::uint32_t> first_difference(const Session<D>& a, const Session<D>& b) {
-    const bool by_cells = a.method().orders_cells() && b.method().orders_cells() && same_cells(a, b);
-    const std::uint32_t common = std::min(a.recorded(), b.recorded());
-    for (std::uint32_t step = 1; step <= common; ++step) {
-        const bool same = by_cells ? a.timeline().steps[step - 1].item == b.timeline().steps[step - 1].item
-                                   : rendered_in(a, step) == rendered_in(b, step);
-        if (!same) return step;
-    }
-    if (a.recorded() != b.recorded()) return common + 1;
+    if (const auto step = difference_in_common(a, b)) return step;
+    if (a.recorded() != b.recorded()) return std::min(a.recorded(), b.recorded()) + 1;
     return std::nullopt;
+}
+
+template <int D>
+std::string so_far_sentence(const Session<D>& a, const Session<D>& b) {
+    if (const auto step = difference_in_common(a, b)) return difference_sentence(a, b, *step);
+    const std::uint32_t common = std::min(a.recorded(), b.recorded());
+    if (common == 0) return "No step to compare yet.";
+    return "Both agree in the first " + steps_words(common) + ".";
 }
 
 template <int D>
@@ -106,6 +121,16 @@ void follow(const Session<D>& lead, Session<D>& other, Align align) {
     other.seek(step_of_rendered(other, wanted));
     while (other.counters().rendered_count < wanted)
         if (other.step() != Stop::none) return;
+}
+
+template <int D>
+std::string align_sentence(const Session<D>& lead, const Session<D>& other, Align align) {
+    if (align == Align::rendered)
+        return "aligned by drawn: " + std::to_string(lead.counters().rendered_count) + " against " +
+               std::to_string(other.counters().rendered_count);
+    if (lead.position() == other.position()) return "aligned by step: both have made " + steps_words(lead.position());
+    return "aligned by step: " + std::to_string(lead.position()) + " against " + std::to_string(other.position()) +
+           (other.position() < lead.position() ? ", where the right one ends" : "");
 }
 
 template <int D>
@@ -123,7 +148,9 @@ std::string difference_sentence(const Session<D>& a, const Session<D>& b, std::u
 
 #define SIGHTLINE_INSTANTIATE(D)                                                                     \
     template bool same_cells<D>(const Session<D>&, const Session<D>&);                               \
-    template std::vector<Side> projected_sides<D>(const Session<D>&, const Session<D>&);             \
+    template std::vector<Differs> cell_differences<D>(const Session<D>&, const Session<D>&);         \
+    template std::string so_far_sentence<D>(const Session<D>&, const Session<D>&);                   \
+    template std::string align_sentence<D>(const Session<D>&, const Session<D>&, Align);             \
     template std::optional<std::uint32_t> first_difference<D>(const Session<D>&, const Session<D>&); \
     template void follow<D>(const Session<D>&, Session<D>&, Align);                                  \
     template std::string difference_sentence<D>(const Session<D>&, const Session<D>&, std::uint32_t);

@@ -2,12 +2,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 
 #include "shell/desk/workbench.h"
 
 namespace sightline {
+
+/// An argument that a menu offers by a name of its own.
+struct MenuEntry {
+    std::string_view label, argument;
+};
 
 template <int D>
 struct Command {
@@ -20,6 +26,7 @@ struct Command {
     std::string_view keys;
     void (*run)(Workbench<D>&, const std::string& argument);
     std::string_view slow{};  ///< what a person is told before it begins, where it takes seconds; empty: it does not
+    std::span<const MenuEntry> entries{};  ///< in menus, before the command itself
 };
 
 }  // namespace sightline

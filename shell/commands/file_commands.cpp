@@ -1,6 +1,7 @@
 // Commands that read and write files.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/error.h"
+#include "core/base/number.h"
 #include "core/session/report.h"
 #include "shell/commands/arguments.h"
 #include "shell/commands/groups.h"
@@ -17,6 +18,13 @@ namespace {
 /// Where no speed is asked for.
 constexpr double spec_frames_per_second = 25;
 
+/// "FROM-TO" or "FROM-end"; nothing for what is neither.
+std::optional<std::array<std::uint32_t, 2>> film_range(std::string_view text) {
+    if (!text.ends_with("-end")) return parse_steps(text);
+    const auto from = parse_whole(text.substr(0, text.size() - 4));
+    return from ? std::optional(std::array{*from, film_to_end}) : std::nullopt;
+}
+
 /// FROM-TO FILE [4fps] | path [FROM-TO] FILE [25fps]
 template <int D>
 void film(Workbench<D>& bench, Text text) {
@@ -31,14 +39,14 @@ void film(Workbench<D>& bench, Text text) {
         take_word();
         spec.path = true;
         spec.frames_per_second = spec_frames_per_second;
-        spec.last = static_cast<std::uint32_t>(std::max<std::size_t>(1, bench.flight.path.frames.size()) - 1);
+        spec.last = film_to_end;
     }
-    if (const auto range = parse_steps(split_word(rest)[0])) {
+    if (const auto range = film_range(split_word(rest)[0])) {
         take_word();
         spec.first = (*range)[0];
         spec.last = (*range)[1];
     } else if (!spec.path) {
-        throw InputError("write the first and last step of the film as FROM-TO");
+        throw InputError("write the first and last step of the film as FROM-TO, such as 0-20 or 0-end");
     }
     spec.file = rest;
     const std::size_t space = rest.rfind(' ');

@@ -21,8 +21,10 @@ std::string what_became(const Workbench<D>& bench, const std::vector<Step>& befo
     std::string line = "step " + std::to_string(bench.session.position()) + " of " + std::to_string(now.size()) + "; ";
     if (what >= Invalidates::tessellation)
         line += "new cells: " + std::to_string(bench.session.cells().cell_count());
+    else if (same < common)
+        line += "the order differs from step " + std::to_string(same + 1);
     else
-        line += same < common ? "the order differs from step " + std::to_string(same + 1) : "same order so far";
+        line += common > 0 ? "same order so far" : "no step to compare with";
     return line;
 }
 

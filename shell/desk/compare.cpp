@@ -12,6 +12,13 @@ namespace {
 /// Differences in more settings than these make no title.
 constexpr std::size_t most_in_title = 2;
 
+/// A setting as it is said of one side: "no penalty", "penalty=add".
+std::string setting_words(const SettingPair& pair, const std::string& own) {
+    if (pair.name == "penalty" && own == "none") return "no penalty";
+    if (pair.name == "penalty" && (pair.left == "none" || pair.right == "none")) return "penalty";
+    return std::string(pair.name) + "=" + own;
+}
+
 template <int D>
 Other<D>& need_other(Workbench<D>& bench) {
     if (!bench.other) throw InputError("nothing to compare with: use compare first");
@@ -29,6 +36,9 @@ void compare_with(Workbench<D>& bench, Session<D> other, const std::string& titl
     if (bench.record_ahead) record_whole_run(bench.other->session);
     ++bench.run;
     moved(bench);
+    const auto titles = side_titles(bench);
+    bench.say("left: " + titles[0] + ", right: " + titles[1] + ". " +
+              (lead.flying() ? "" : so_far_sentence(lead, bench.other->session)));
 }
 
 template <int D>
@@ -48,6 +58,7 @@ template <int D>
 void align_with(Workbench<D>& bench, Align align) {
     need_other(bench).align = align;
     moved(bench);
+    bench.say(align_sentence(bench.session, bench.other->session, align));
 }
 
 template <int D>
@@ -109,16 +120,31 @@ std::array<std::string, 2> side_titles(const Workbench<D>& bench) {
         titles[1] += (titles[1].empty() ? "" : ", ") + right_words;
     };
     if (left.scene().id != right.scene().id) add(left.scene().id, right.scene().id);
-    if (pairs.size() <= most_in_title)
-        for (const SettingPair& pair : pairs) {
-            const std::string name = pair.name == "method" ? "" : std::string(pair.name) + "=";
-            add(name + pair.left, name + pair.right);
-        }
+    if (pairs.size() <= most_in_title) {
+        for (const SettingPair& pair : pairs)
+            if (pair.name == "method")
+                add(std::string(left.method().title), std::string(right.method().title));
+            else
+                add(setting_words(pair, pair.left), setting_words(pair, pair.right));
+    }
     if (titles[0].empty()) add("left", bench.other->title);
     return titles;
 }
 
+std::string SideHead::text() const { return title + " · " + drawn + (visible.empty() ? "" : " · " + visible); }
+
+template <int D>
+SideHead side_head(const Session<D>& session, std::string title) {
+    SideHead head{std::move(title), std::to_string(session.counters().rendered_count) + " drawn", ""};
+    // A frame of a flight does not wait for the exact image.
+    if (session.settings().show_visibility == Switch::on && (!session.flying() || session.has_reference()))
+        head.visible = std::to_string(session.visible_rendered()) + " of " + std::to_string(session.reference().count) +
+                       " visible";
+    return head;
+}
+
 #define SIGHTLINE_INSTANTIATE(D)                                                           \
+    template SideHead side_head<D>(const Session<D>&, std::string);                        \
     template void compare_with<D>(Workbench<D>&, Session<D>, const std::string&, Align);   \
     template void compare_settings<D>(Workbench<D>&, const Settings&, const std::string&); \
     template void compare_off<D>(Workbench<D>&);                                           \

@@ -51,4 +51,16 @@ std::vector<SettingPair> different_settings(const Settings& left, const Settings
 template <int D>
 std::array<std::string, 2> side_titles(const Workbench<D>& bench);
 
+/// What stands over a side's picture: who it is, and what came of it.
+struct SideHead {
+    std::string title;
+    std::string drawn;    ///< "101 drawn"
+    std::string visible;  ///< "10 of 22 visible"; empty while that is concealed (show_visibility) or not known
+
+    /// "no penalty · 101 drawn · 10 of 22 visible"
+    std::string text() const;
+};
+template <int D>
+SideHead side_head(const Session<D>& session, std::string title);
+
 }  // namespace sightline

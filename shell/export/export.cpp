@@ -46,19 +46,24 @@ void go_to_place(Session<D>& session, const std::string& place) {
 
 /// One panel; two, left and right, where there is a second session.
 template <int D>
-void add_panels(const Workbench<D>& bench, const Session<D>& session, const std::string& title,
+void add_panels(const Workbench<D>& bench, const Session<D>& session, bool with_step,
                 std::vector<PanelSource<D>>& panels) {
+    const auto step_of = [&](const Session<D>& shown) {
+        return with_step ? "step " + std::to_string(shown.position()) : std::string();
+    };
     if (!bench.other) {
-        panels.push_back({session, title});
+        panels.push_back({session, step_of(session)});
         return;
     }
     Session<D> other = bench.other->session;
     if (session.position() != bench.session.position()) follow(session, other, bench.other->align);
-    const std::vector<Side> sides = projected_sides(session, other);
     const auto titles = side_titles(bench);
-    const std::string before = title.empty() ? "" : title + ", ";
-    panels.push_back({session, before + titles[0], sides});
-    panels.push_back({std::move(other), before + titles[1], sides});
+    const auto add = [&](const Session<D>& here, const Session<D>& there, const std::string& side) {
+        const std::string step = step_of(here), head = side_head(here, side).text();
+        panels.push_back({here, step.empty() ? head : step + ", " + head, cell_differences(here, there)});
+    };
+    add(session, other, titles[0]);
+    add(other, session, titles[1]);
 }
 
 }  // namespace
@@ -96,11 +101,11 @@ template <int D>
 void write_shot(Workbench<D>& bench, const std::string& file) {
     const Stopwatch drawing;
     std::vector<PanelSource<D>> panels;
-    if (bench.figure.panels.empty()) add_panels(bench, bench.session, "", panels);
+    if (bench.figure.panels.empty()) add_panels(bench, bench.session, false, panels);
     for (const std::string& place : bench.figure.panels) {
         Session<D> session = bench.session;
         go_to_place(session, place);
-        add_panels(bench, session, "step " + std::to_string(session.position()), panels);
+        add_panels(bench, session, true, panels);
     }
     OutputFile sidecar(file + ".json");
     sidecar.write(bench_state(bench));  // a disk that has no room for it keeps the old figure

@@ -32,22 +32,46 @@ std::string ending_of(const std::string& file) {
     return ending;
 }
 
+/// Brings both sessions to a picture of the film: beyond the left run's end the right one goes on alone.
 template <int D>
-void check(const Workbench<D>& bench, const FilmSpec& film) {
-    const std::string what = film.path ? "frames" : "steps";
-    const std::string range = what + " " + std::to_string(film.first) + "-" + std::to_string(film.last);
+void go_to(Session<D>& left, Session<D>* right, Align align, std::uint32_t number) {
+    left.seek(number);
+    if (!right) return;
+    follow(left, *right, align);
+    if (number > left.position()) right->seek(right->position() + (number - left.position()));
+}
+
+/// The last picture of steps that there is.
+template <int D>
+std::uint32_t last_step(const Workbench<D>& bench) {
+    Session<D> left = at_the_end(bench.session);
+    if (!bench.other) return left.position();
+    Session<D> right = at_the_end(bench.other->session);
+    const std::uint32_t end = right.position();
+    go_to<D>(left, &right, bench.other->align, left.position());
+    return left.position() + (end - right.position());
+}
+
+/// The film with an end that there is. Throws InputError for one that cannot be.
+template <int D>
+FilmSpec checked(const Workbench<D>& bench, FilmSpec film) {
     const std::size_t frames = bench.flight.path.frames.size();
     if (film.path && frames == 0) throw InputError("there is no path: name one, or record it");
-    if (film.first > film.last) throw InputError(range + ": the first comes after the last");
-    if (film.path && film.last >= frames)
-        throw InputError(range + ": the path has " + std::to_string(frames) + " frames, from 0");
-    if (!film.path)
-        if (const std::uint32_t end = whole_run(bench); film.last > end)
-            throw InputError(range + ": the run ends at step " + std::to_string(end));
+    if (film.first > film.last)
+        throw InputError("from " + std::to_string(film.first) + " to " + std::to_string(film.last) +
+                         ": the first comes after the last");
+    const std::uint32_t end = film.path ? static_cast<std::uint32_t>(frames) - 1 : last_step(bench);
+    const std::string what = film.path ? "the path ends at frame " : "the run ends at step ";
+    if (film.first > end) throw InputError(std::to_string(film.first) + ": " + what + std::to_string(end));
+    if (film.last > end && film.last != film_to_end) bench.say(what + std::to_string(end) + ", and so does the film");
+    film.last = std::min(film.last, end);
+    const std::string range =
+        (film.path ? "frames " : "steps ") + std::to_string(film.first) + "-" + std::to_string(film.last);
     if (film.last - film.first >= most_frames)
         throw InputError(range + ": a film has at most " + std::to_string(most_frames));
     if (!(film.frames_per_second >= 0.1 && film.frames_per_second <= 100))
         throw InputError("the speed of a film is from 0.1fps to 100fps");
+    return film;
 }
 
 /// The sessions of the bench, which walk from picture to picture.
@@ -67,11 +91,14 @@ public:
         const std::uint32_t number = film_.first + static_cast<std::uint32_t>(i);
         if (now_ != number) film_.path ? fly(number) : step(number);
         now_ = number;
-        const std::string title = (film_.path ? "frame " : "step ") + std::to_string(number);
-        const bool beside = panels_.size() > 1;
-        for (std::size_t side = 0; side < panels_.size(); ++side)
-            panels_[side].title = beside ? title + ", " + titles_[side] : title;
-        if (beside) panels_[0].sides = panels_[1].sides = projected_sides(panels_[0].session, panels_[1].session);
+        for (std::size_t side = 0; side < panels_.size(); ++side) {
+            PanelSource<D>& panel = panels_[side];
+            panel.title =
+                film_.path ? "frame " + std::to_string(number) : "step " + std::to_string(panel.session.position());
+            if (panels_.size() == 1) continue;
+            panel.title += ", " + side_head(panel.session, titles_[side]).text();
+            panel.differences = cell_differences(panel.session, panels_[1 - side].session);
+        }
         return panels_;
     }
 
@@ -83,8 +110,7 @@ public:
 
 private:
     void step(std::uint32_t number) {
-        panels_[0].session.seek(number);
-        if (panels_.size() > 1) follow(panels_[0].session, panels_[1].session, align_);
+        go_to(panels_[0].session, panels_.size() > 1 ? &panels_[1].session : nullptr, align_, number);
     }
 
     /// Where milliseconds ended a frame, they end it again at the same step.
@@ -150,9 +176,9 @@ void write_pictures(Workbench<D>& bench, const Film& film, const fs::path& file)
 }  // namespace
 
 template <int D>
-void write_film(Workbench<D>& bench, const FilmSpec& film) {
-    const std::string ending = ending_of(film.file);
-    check(bench, film);
+void write_film(Workbench<D>& bench, const FilmSpec& asked) {
+    const std::string ending = ending_of(asked.file);
+    const FilmSpec film = checked(bench, asked);
     OutputFile beside(film.file + ".json");
     beside.write(sidecar(bench, film));  // a disk that has no room for it keeps the old film
     const std::size_t count = film.last - film.first + 1;

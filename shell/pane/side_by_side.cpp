@@ -11,7 +11,12 @@ template <int D>
 void SideBySide<D>::update(std::uint64_t revision) {
     if (revision_ == revision) return;
     revision_ = revision;
-    sides_ = bench_.other ? projected_sides(bench_.session, bench_.other->session) : std::vector<Side>();
+    differences_ = {};
+    same_cells_ = true;
+    if (!bench_.other) return;
+    const Session<D>&left = bench_.session, &right = bench_.other->session;
+    same_cells_ = sightline::same_cells(left, right);
+    if (same_cells_) differences_ = {cell_differences(left, right), cell_differences(right, left)};
 }
 
 template <int D>

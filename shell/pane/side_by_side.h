@@ -22,16 +22,16 @@ public:
     const Session<D>& operator[](std::size_t pane) const { return pane == 0 ? bench_.session : bench_.other->session; }
     /// Before anything of a frame is asked for. A new revision says that the sessions may have changed.
     void update(std::uint64_t revision);
-    /// Who projected what; empty without a second session of the same cells.
-    const std::vector<Side>& sides() const { return sides_; }
+    /// Whether a cell's number means the same in both; true without a second session.
+    bool same_cells() const { return same_cells_; }
 
-    /// Those of PictureOptions or PictureOptions3 that do not depend on where the picture stands. The sides are good
-    /// until the next update.
+    /// Those of PictureOptions or PictureOptions3 that do not depend on where the picture stands. The differences are
+    /// good until the next update.
     template <typename Options>
     Options options(std::size_t pane) {
         Options options;
         options.heat_range = heat_range(pane);
-        options.sides = sides_;
+        options.differences = differences_[pane];
         if (pane == 0) options.facet = facet();
         return options;
     }
@@ -49,7 +49,8 @@ private:
 
     const Workbench<D>& bench_;
     std::array<HeatRange, 2> heat_;
-    std::vector<Side> sides_;
+    std::array<std::vector<Differs>, 2> differences_;
+    bool same_cells_ = true;
     std::uint64_t revision_ = 0;
 };
 

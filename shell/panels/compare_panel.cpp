@@ -8,11 +8,20 @@ namespace sightline {
 
 namespace {
 
+/// In place of a number that a method does not have.
+const std::string undefined = "–";
+
 template <int D>
 std::string coverage_text(const Session<D>& session) {
     if (session.flying() && !session.has_reference()) return "…";  // a frame of a flight does not wait for it
     const auto share = coverage(session.reference(), session.visible_rendered());
-    return share ? short_number(*share) : "none";
+    return share ? short_number(*share) : undefined;
+}
+
+/// A method without a front has none to compare with what it took.
+template <int D>
+std::string inversions_text(const Session<D>& session) {
+    return goes_through_cells(session) ? std::to_string(session.inversions().size()) : undefined;
 }
 
 }  // namespace
@@ -20,7 +29,8 @@ std::string coverage_text(const Session<D>& session) {
 template <int D>
 std::vector<Row> compare_rows(const Workbench<D>& bench) {
     if (!bench.other)
-        return {Row{"Nothing to compare with: type compare METHOD, FIELD=VALUE, preset:ID or a file", Tone::faint}};
+        return {Row{"Nothing to compare with: menu Compare, or type compare and a method, FIELD=VALUE or a file",
+                    Tone::faint}};
     const Session<D>&left = bench.session, &right = bench.other->session;
     const auto titles = side_titles(bench);
     std::vector<Row> rows{{titles[0] + " | " + titles[1], Tone::heading, "swap"}};
@@ -41,12 +51,13 @@ std::vector<Row> compare_rows(const Workbench<D>& bench) {
             std::to_string(right.position()) + " of " + std::to_string(right.recorded()), by_step ? "" : "align step");
     add("rendered", std::to_string(left.counters().rendered_count), std::to_string(right.counters().rendered_count),
         by_step ? "align rendered" : "");
-    if (!flying) rows[rows.size() - (by_step ? 2 : 1)].text += "  (aligned)";
+    if (!flying) rows.push_back({align_sentence(left, right, bench.other->align), Tone::faint});
     add("coverage", coverage_text(left), coverage_text(right));
-    if (!flying)
-        add("inversions", std::to_string(left.inversions().size()), std::to_string(right.inversions().size()),
-            "show inversions");
-    if (!same_cells(left, right)) rows.push_back({"the cells differ: cell numbers cannot be compared", Tone::faint});
+    if (!flying) add("inversions", inversions_text(left), inversions_text(right), "show inversions");
+    if (!goes_through_cells(left) || !goes_through_cells(right))
+        rows.push_back({"one goes through no cells: compare what is drawn", Tone::faint});
+    else if (!same_cells(left, right))
+        rows.push_back({"the cells differ: cell numbers cannot be compared", Tone::faint});
     if (flying) {
         rows.push_back({"flying: frames are not recorded, so their order cannot be compared", Tone::faint});
     } else {

@@ -29,6 +29,11 @@ float menu_bar(Ui& ui, Workbench<D>& bench) {
         note_place(bench, "menu " + title);
         if (!open) continue;
         for (const Command<D>& command : group.commands) {
+            ImGui::PushFont(ui.fonts.bold);
+            for (const MenuEntry& entry : command.entries)
+                if (ImGui::MenuItem(std::string(entry.label).c_str()))
+                    ui.act(std::string(command.id) + " " + std::string(entry.argument));
+            ImGui::PopFont();
             const bool needs = !command.arguments.empty() && !command.arguments.starts_with('[');
             const std::string label = std::string(command.label) + (needs ? " …" : "");
             ImGui::PushFont(ui.fonts.bold);

@@ -13,7 +13,6 @@ using namespace test;
 TEST(Palette, CellsStayApartWithoutColour) {
     // Those that stand in one picture.
     const std::vector<Look> by_state{Look::clean, Look::enqueued, Look::projected, Look::unseen};
-    const std::vector<Look> by_side{Look::clean, Look::both, Look::only_left, Look::only_right};
     for (const Palette palette : {Palette::standard, Palette::paper, Palette::print}) {
         const Colours& all = colours(palette);
         const auto& looks = all.looks;
@@ -26,16 +25,28 @@ TEST(Palette, CellsStayApartWithoutColour) {
             const bool other_lines = first.hatch != second.hatch || first.stroke.a != second.stroke.a;
             EXPECT_TRUE(apart >= 20 || (papers_own && other_lines)) << first.name << " and " << second.name;
         };
-        for (const auto& set : {by_state, by_side})
-            for (const Look a : set)
-                for (const Look b : set)
-                    // The papers' own colours of states lie close together: a hatch or an outline helps.
-                    if (a < b) check(a, b, palette == Palette::paper && b <= Look::unseen);
-        for (const auto& [a, b] :
-             {std::pair(Look::enqueued, Look::unseen), std::pair(Look::only_left, Look::only_right)}) {
-            EXPECT_NE(looks[style_of(a)].hatch, Hatch::none);
-            EXPECT_NE(looks[style_of(b)].hatch, Hatch::none);
-            EXPECT_NE(looks[style_of(a)].hatch, looks[style_of(b)].hatch);
+        for (const Look a : by_state)
+            for (const Look b : by_state)
+                // The papers' own colours of states lie close together: a hatch or an outline helps.
+                if (a < b) check(a, b, palette == Palette::paper && b <= Look::unseen);
+        EXPECT_NE(looks[style_of(Look::enqueued)].hatch, Hatch::none);
+        EXPECT_NE(looks[style_of(Look::unseen)].hatch, Hatch::none);
+        EXPECT_NE(looks[style_of(Look::enqueued)].hatch, looks[style_of(Look::unseen)].hatch);
+        // What only one of two runs projected lies over each state and leaves it to be seen.
+        const Style &here = looks[style_of(Look::only_here)], &there = looks[style_of(Look::only_there)];
+        EXPECT_EQ(here.fill.a, 0);
+        EXPECT_GE(here.width_pt, 2);
+        EXPECT_EQ(there.fill.a, 0);
+        EXPECT_EQ(there.stroke.a, 0);
+        EXPECT_NE(there.hatch, Hatch::none);
+        for (const Look state : by_state) {
+            const Style& below = looks[style_of(state)];
+            EXPECT_TRUE(there.hatch != below.hatch || there.hatch_colour != below.hatch_colour) << below.name;
+            for (const Colour& mark : {here.stroke, there.hatch_colour}) {
+                const int apart = std::max({std::abs(mark.r - below.fill.r), std::abs(mark.g - below.fill.g),
+                                            std::abs(mark.b - below.fill.b)});
+                EXPECT_GE(apart, 80) << below.name;
+            }
         }
         for (const Style& style : looks)
             if (style.stroke.a > 0) {

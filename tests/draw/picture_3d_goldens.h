@@ -10,14 +10,14 @@ namespace sightline::test {
 using Goldens = std::vector<std::array<const char*, 6>>;
 
 inline const Goldens picture_3d_goldens{
-    {"3608b7ff043d0374", "096bc162111d58ae", "ca092bdc87f1bf6e", "fc1971cc74f83599", "56bc0c95731984bf",
-     "6b204e1e6e25e760"},
-    {"dbdd5350b0198f85", "131997982fff6b56", "a072f419b4295dc5", "d580b9d73dd44692", "5cfe495b213e709c",
-     "bfda124836ff1bbe"},
-    {"5235933bac01e937", "e23542b8c2bfc331", "931ddbe04345ebf7", "866826df0f27c471", "353c03c00c964822",
-     "b36e49719253fcea"},
-    {"1a48845930c7fd4a", "1f375cf236415f49", "4ba3098e188f64f6", "7cd2a2b80b0b1134", "355da625f3e5a294",
-     "9fc89ca00a529e6e"},
+    {"69bb8ce7a76361c6", "6ccfc050f2ab912a", "ef51d2f4b8e8c1e2", "a9b80f3fa4013a92", "e37fd0c6db0c161d",
+     "e715dad17103b2e8"},
+    {"4e65bb5032bfcc5d", "d7772c05cea9e12a", "1833dbc762955a57", "59bd23e970d70bcf", "96cc74b633942d4a",
+     "3780ead92be3ed0c"},
+    {"edc1af6354a59721", "3878422fd94d800d", "f81882d90dc8f424", "db3fa7e8a178210d", "3f6420d4252e4a85",
+     "8654701cd911c499"},
+    {"ab7fafc81e503023", "e5c8377c08f00040", "c37c30a21dd0a090", "0feebe868db36c2c", "e2514e0ab96a3c5e",
+     "fd08087d25afa6f0"},
 };
 
 }  // namespace sightline::test

@@ -14,8 +14,9 @@ namespace {
 
 TEST(SolidPalette, WhatStandsInOnePictureStaysApart) {
     using enum SolidLook;
-    const std::vector<SolidLook> states{clean, enqueued, projected, unseen}, sides{both, only_left, only_right},
-        plain_triangles{plain, rest, fresh}, told_triangles{rendered, missed, wasted, other, fresh};
+    const std::vector<SolidLook> states{clean, enqueued, projected, unseen},
+        differences{projected, only_here, only_there}, plain_triangles{plain, rest, fresh},
+        told_triangles{rendered, missed, wasted, other, fresh};
     for (const Palette palette : {Palette::standard, Palette::paper, Palette::print}) {
         const auto& looks = solid_styles(palette);
         ASSERT_EQ(looks.size(), static_cast<std::size_t>(SolidLook::count));
@@ -25,7 +26,7 @@ TEST(SolidPalette, WhatStandsInOnePictureStaysApart) {
             EXPECT_EQ(style.colour.a, 255) << style.name;
             EXPECT_GE(style.width_pt, 0.5) << style.name;
         }
-        for (const auto& set : {states, sides, plain_triangles, told_triangles})
+        for (const auto& set : {states, differences, plain_triangles, told_triangles})
             for (const SolidLook a : set)
                 for (const SolidLook b : set) {
                     if (a >= b) continue;

@@ -246,31 +246,59 @@ TEST(SolidPicture, TheHeatOfACellIsThatOfItsNumber) {
     }
 }
 
-TEST(SolidPicture, CellsOfTwoSessionsLookAsWhoProjectedThem) {
+TEST(SolidPicture, AComparisonAddsWiresAndNothingElse) {
     Random random(326);
+    std::array<int, 2> wires{};
     for (int i = 0; i < 30; ++i) {
         const Start3 start = random_start_3d(random);
         Session<3> session = random_frozen_session(random, start);
         Settings settings = session.settings();
-        settings.shrink = 0.5;
+        settings.shrink = i % 2 == 0 ? 0.5 : 1;
+        settings.slice = i % 3 == 0 ? SliceAcross::x : SliceAcross::off;  // what is cut away is not marked
+        settings.slice_at = 0.5;
         session.change(settings);
-        if (session.display_view() == session.culling_view()) continue;
-        std::vector<Side> sides(session.cells().cell_count());
-        for (Side& side : sides) side = static_cast<Side>(random.below(4));
-        const SolidList list = make_solid(session, {.sides = sides});
-        std::vector<int> faces(sides.size());
-        for (std::size_t face = 0; face < list.face_style.size(); ++face) {
-            const Side side = sides[list.face_cell[face]];
-            ++faces[list.face_cell[face]];
-            ASSERT_EQ(list.face_style[face], index_of_style(side == Side::both   ? SolidLook::both
-                                                            : side == Side::left ? SolidLook::only_left
-                                                                                 : SolidLook::only_right));
+        std::vector<Differs> differences(session.cells().cell_count());
+        for (Differs& differs : differences) differs = static_cast<Differs>(random.below(3));
+        const SolidList alone = make_solid(session), list = make_solid(session, {.differences = differences});
+        SolidList before = list;
+        before.edge_style.resize(alone.edge_style.size());
+        before.edge_points.resize(alone.edge_points.size());
+        ASSERT_EQ(to_text(before), to_text(alone));
+        if (session.display_view() == session.culling_view() || session.method().pops == Kind::node) {
+            ASSERT_EQ(list.edge_style.size(), alone.edge_style.size());
+            continue;
         }
-        for (std::uint32_t cell = 0; cell < sides.size(); ++cell)
-            ASSERT_EQ(faces[cell], sides[cell] == Side::neither                 ? 0
-                                   : session.cells().kind == Tessellation::tree ? 6
-                                                                                : 4);
+        std::array<std::size_t, 2> edges{}, expected{};
+        for (std::size_t edge = alone.edge_style.size(); edge < list.edge_style.size(); ++edge)
+            ++edges[list.edge_style[edge] == index_of_style(SolidLook::only_there)];
+        const auto shown = shown_cells(session, slice_of(session));
+        for (std::uint32_t cell = 0; cell < differences.size(); ++cell)
+            if (shown[cell] && differences[cell] != Differs::no)
+                expected[differences[cell] == Differs::only_there] += edges_of(session.cells(), cell).size();
+        const auto is = [&](std::uint32_t cell, Differs differs) {
+            return cell != none && shown[cell] && differences[cell] == differs;
+        };
+        const auto edges_about = [&](Differs differs) {
+            const CellComplex<3>& cells = session.cells();
+            std::set<std::pair<std::uint32_t, std::uint32_t>> about;
+            for (std::uint32_t cell = 0; cell < cells.cell_count(); ++cell)
+                for (const HalfFacet& half : cells.facets_of(cell)) {
+                    if (!is(cell, differs) || is(half.neighbour, differs) || cells.is_contact(half.facet())) continue;
+                    const auto polygon = cells.points_of_facet(half.facet());
+                    for (std::size_t k = 0; k < polygon.size(); ++k)
+                        about.insert(std::minmax({polygon[k], polygon[(k + 1) % polygon.size()]}));
+                }
+            return about.size();
+        };
+        if (session.settings().shrink == 1)
+            expected = {edges_about(Differs::only_here), edges_about(Differs::only_there)};
+        for (std::size_t which = 0; which < 2; ++which) {
+            ASSERT_EQ(edges[which], expected[which]);
+            wires[which] += edges[which] > 0;
+        }
     }
+    EXPECT_GT(wires[0], 5);
+    EXPECT_GT(wires[1], 5);
 }
 
 }  // namespace

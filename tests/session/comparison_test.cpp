@@ -138,19 +138,21 @@ TEST(Comparison, TheFirstDifferenceIsTheFirstStepThatDiffers) {
     EXPECT_GT(ends, 20);
 }
 
-TEST(Comparison, SidesAreTheProjectedCells) {
+TEST(Comparison, DifferencesAreTheCellsThatOnlyOneProjected) {
     Random random(72);
-    std::array<std::size_t, 4> seen{};
-    int apart = 0;
+    std::array<std::size_t, 3> seen{};
+    int apart = 0, without_cells = 0;
     for (int i = 0; i < test::soak_count(200); ++i) {
         const auto [left, right] = random_pair(random);
         Session<2> a = left.session(), b = right.session();
         a.seek(static_cast<std::uint32_t>(random.below(40)));
         b.seek(static_cast<std::uint32_t>(random.below(40)));
-        const auto sides = projected_sides(a, b);
-        if (!same_cells(a, b)) {
-            ASSERT_TRUE(sides.empty());
-            ++apart;
+        const auto here = cell_differences(a, b), there = cell_differences(b, a);
+        const bool both_by_cells = goes_through_cells(a) && goes_through_cells(b);
+        if (!same_cells(a, b) || !both_by_cells) {
+            ASSERT_TRUE(here.empty() && there.empty());
+            apart += both_by_cells;
+            without_cells += !both_by_cells;
             continue;
         }
         std::vector<bool> by_a(a.cells().cell_count()), by_b(by_a);
@@ -158,15 +160,71 @@ TEST(Comparison, SidesAreTheProjectedCells) {
             if (const auto cell = id_of(a.timeline().steps[s].item, Kind::cell); cell != none) by_a[cell] = true;
         for (std::uint32_t s = 0; s < b.position(); ++s)
             if (const auto cell = id_of(b.timeline().steps[s].item, Kind::cell); cell != none) by_b[cell] = true;
-        ASSERT_EQ(sides.size(), by_a.size());
-        for (std::size_t cell = 0; cell < sides.size(); ++cell) {
-            ASSERT_EQ(sides[cell] == Side::both || sides[cell] == Side::left, by_a[cell]);
-            ASSERT_EQ(sides[cell] == Side::both || sides[cell] == Side::right, by_b[cell]);
-            ++seen[static_cast<std::size_t>(sides[cell])];
+        ASSERT_EQ(here.size(), by_a.size());
+        ASSERT_EQ(there.size(), by_a.size());
+        for (std::size_t cell = 0; cell < here.size(); ++cell) {
+            ASSERT_EQ(here[cell], by_a[cell] == by_b[cell] ? Differs::no
+                                  : by_a[cell]             ? Differs::only_here
+                                                           : Differs::only_there);
+            ASSERT_EQ(there[cell], by_a[cell] == by_b[cell] ? Differs::no
+                                   : by_a[cell]             ? Differs::only_there
+                                                            : Differs::only_here);
+            ++seen[static_cast<std::size_t>(here[cell])];
         }
     }
     for (const std::size_t count : seen) EXPECT_GT(count, 50u);
     EXPECT_GT(apart, 10);
+    EXPECT_GT(without_cells, 10);
+}
+
+TEST(Comparison, SoFarComesFromTheStepsThatBothHave) {
+    Random random(75);
+    int differ = 0, agree = 0;
+    for (int i = 0; i < test::soak_count(200); ++i) {
+        const auto [left, right] = random_pair(random);
+        Session<2> a = left.session(), b = right.session();
+        a.run(static_cast<std::uint32_t>(random.below(20)));
+        b.run(static_cast<std::uint32_t>(random.below(20)));
+        const std::uint32_t common = std::min(a.recorded(), b.recorded());
+        const std::string said = so_far_sentence(a, b);
+        const auto step = first_difference(a, b);
+        if (step && *step <= common) {
+            ASSERT_EQ(said, difference_sentence(a, b, *step));
+            ++differ;
+        } else if (common == 0) {
+            ASSERT_EQ(said, "No step to compare yet.");
+        } else {
+            ASSERT_EQ(said, "Both agree in the first " + std::to_string(common) + (common == 1 ? " step." : " steps."));
+            ++agree;
+        }
+    }
+    EXPECT_GT(differ, 30);
+    EXPECT_GT(agree, 10);
+}
+
+TEST(Comparison, SaysHowTheTwoAreAligned) {
+    Random random(76);
+    int ended = 0;
+    for (int i = 0; i < test::soak_count(100); ++i) {
+        const auto [left, right] = random_pair(random);
+        Session<2> lead = left.session(), other = right.session();
+        lead.run(static_cast<std::uint32_t>(random.below(30)));
+        const auto number = [](std::uint32_t n) { return std::to_string(n); };
+        follow(lead, other, Align::rendered);
+        ASSERT_EQ(align_sentence(lead, other, Align::rendered),
+                  "aligned by drawn: " + number(lead.counters().rendered_count) + " against " +
+                      number(other.counters().rendered_count));
+        follow(lead, other, Align::step);
+        const std::string by_step = align_sentence(lead, other, Align::step);
+        if (lead.position() == other.position())
+            ASSERT_EQ(by_step, "aligned by step: both have made " + number(lead.position()) +
+                                   (lead.position() == 1 ? " step" : " steps"));
+        else
+            ASSERT_EQ(by_step, "aligned by step: " + number(lead.position()) + " against " + number(other.position()) +
+                                   ", where the right one ends");
+        ended += lead.position() != other.position();
+    }
+    EXPECT_GT(ended, 5);
 }
 
 TEST(Comparison, SameCellsMeansTheSamePointsAndNeighbours) {

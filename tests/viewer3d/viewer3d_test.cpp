@@ -167,7 +167,7 @@ TEST_F(Viewer3d, APathBecomesAFilmOfTwoMethods) {
           "set reference_size=320x240; path street; path frame 7; path stop; stats flown.json"});
     EXPECT_EQ(Json::parse(read("opened.json"))["state_hash"], Json::parse(read("flown.json"))["state_hash"]);
     bad({"city:10k", "--do", "film path f.png"}, "path");
-    bad({"city:10k", "--do", "path street; film path 5-160 f.png"}, "160");
+    bad({"city:10k", "--do", "path street; film path 160-170 f.png"}, "159");
     bad({"city:10k", "--do", "film f.png"}, "FROM-TO");
 }
 

@@ -149,7 +149,7 @@ TEST_F(Commands3, ErrorsNameTheCommandAndChangeNothing) {
                                       "tool segment",
                                       "tool hammer",
                                       "compare nothing-like-this",
-                                      "film 1-999999 a.png",
+                                      "film 999998-999999 a.png",
                                       "film 1-2 a.svg",
                                       "shot a.gif",
                                       "size 0x0"}) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/methods/plp/plp_parameters.h"
 #include "core/session/state_file.h"
@@ -18,6 +19,33 @@ TEST_F(EachCommand, compare) {
     EXPECT_EQ(session().method().id, "published");
     run("compare distance");
     EXPECT_EQ(other().session.method().id, "centroid") << "an alias";
+    // What a lecturer types, and what the menu has.
+    for (const auto& [words, id] : {std::pair("oracle", "perfect"), std::pair("\"perfect order\"", "perfect"),
+                                    std::pair("Perfect order", "perfect"), std::pair("view only", "view"),
+                                    std::pair("view", "view"), std::pair("by distance", "centroid"),
+                                    std::pair("centroid order", "centroid"), std::pair("plp", "published")}) {
+        run(std::string("compare ") + words);
+        EXPECT_EQ(other().session.method().id, id) << words;
+    }
+    run("compare penalty");
+    EXPECT_EQ(other().session.settings().parameters.text(penalty_row()), "none");
+    EXPECT_EQ(said.at(0).find("left: penalty, right: no penalty. Step "), 0u) << said.at(0);
+    run("swap; compare penalty");
+    EXPECT_EQ(session().settings().parameters.text(penalty_row()), "none");
+    EXPECT_EQ(other().session.settings().parameters.text(penalty_row()), "multiply");
+    run("set penalty=multiply; set star_shaped=off; compare penalty");
+    EXPECT_EQ(other().session.settings().parameters.text(star_shaped_row()), "on") << "off is without a penalty, too";
+    run("undo; undo");
+    try {
+        run("compare distanc");
+        ADD_FAILURE() << "there is no distanc";
+    } catch (const InputError& error) {
+        for (const char* word : {"penalty", "distance", "perfect order", "view only", "layers", "preset:ID"})
+            EXPECT_NE(std::string(error.what()).find(word), std::string::npos) << error.what();
+    }
+    run("method centroid");
+    EXPECT_THROW(run("compare penalty"), InputError) << "centroid order knows none";
+    run("undo");
     run("compare published on_reenqueue=min");
     EXPECT_EQ(other().session.settings().parameters.text(on_reenqueue_row()), "min");
     EXPECT_EQ(session().settings().parameters.text(on_reenqueue_row()), "replace");
@@ -45,15 +73,19 @@ TEST_F(EachCommand, align) {
     EXPECT_GE(other().session.counters().rendered_count, session().counters().rendered_count);
     EXPECT_NE(other().session.position(), 6u);
     const auto aligned = [&] {  // the line of the panel that says so
-        std::string begins;
+        std::string lines;
         for (const Row& row : find_panel<2>("compare")->rows(*bench))
-            if (row.text.ends_with("(aligned)")) begins += row.text.substr(0, row.text.find(':'));
-        return begins;
+            if (row.text.starts_with("aligned")) lines += row.text;
+        return lines;
     };
-    EXPECT_EQ(aligned(), "rendered");
-    run("align step");
-    EXPECT_EQ(aligned(), "step");
+    EXPECT_EQ(aligned(), "aligned by drawn: " + std::to_string(session().counters().rendered_count) + " against " +
+                             std::to_string(other().session.counters().rendered_count));
+    run("compare layers; align step");
+    EXPECT_EQ(aligned(), "aligned by step: both have made 6 steps");
+    EXPECT_EQ(said.back(), aligned());
     EXPECT_EQ(other().session.position(), 6u);
+    run("align drawn");
+    EXPECT_EQ(other().align, Align::rendered);
 }
 
 TEST_F(EachCommand, difference) {
@@ -62,9 +94,11 @@ TEST_F(EachCommand, difference) {
     ASSERT_TRUE(step);
     EXPECT_EQ(session().position(), *step);
     EXPECT_EQ(other().session.position(), *step);
-    EXPECT_EQ(said.at(0).find("Step " + std::to_string(*step) + ": left projects"), 0u);
+    EXPECT_EQ(said.back().find("Step " + std::to_string(*step) + ": left projects"), 0u);
+    EXPECT_NE(said.at(0).find(said.back()), std::string::npos) << "compare says so already: " << said.at(0);
     run("seek 10; compare same; difference");
-    EXPECT_EQ(said.at(0).find("Both agree to the end"), 0u);
+    EXPECT_NE(said.at(0).find("Both agree in the first "), std::string::npos) << said.at(0);
+    EXPECT_EQ(said.back().find("Both agree to the end"), 0u);
     EXPECT_EQ(session().position(), 10u);
 }
 

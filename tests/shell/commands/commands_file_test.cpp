@@ -45,6 +45,9 @@ TEST_F(EachCommand, film) {
     for (const char* name : {"f-0001.png", "f-0002.png", "f-0003.png", "f.png.json", "f.pdf", "f.pdf.json"})
         EXPECT_TRUE(std::filesystem::exists(folder / name)) << name;
     EXPECT_FALSE(std::filesystem::exists(folder / "f-0004.png"));
+    run("film " + std::to_string(session().recorded() - 1) + "-end " + file("e.png"));
+    EXPECT_TRUE(std::filesystem::exists(folder / "e-0002.png"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "e-0003.png"));
     EXPECT_EQ(session().hash(), hash);
     EXPECT_EQ(open_state(read_file(file("f.png.json")), "f").session.position(), 2u);
 }

@@ -195,11 +195,25 @@ TEST_F(BenchComparisonFiles, AShotShowsBothSides) {
     };
     const auto has = [](const std::string& text, const char* part) { return text.find(part) != std::string::npos; };
     const std::string pair = shot("pair.svg");
-    EXPECT_TRUE(has(pair, "(a) published") && has(pair, "(b) centroid"));
+    const auto result = [](const Session<2>& session) {
+        return std::to_string(session.counters().rendered_count) + " drawn · " +
+               std::to_string(session.visible_rendered()) + " of " + std::to_string(session.reference().count) +
+               " visible";
+    };
+    EXPECT_EQ(side_head(on->bench.session, "PLP").text(), "PLP · " + result(on->bench.session));
+    Settings settings = on->bench.session.settings();
+    settings.show_visibility = Switch::off;
+    Session<2> concealed = on->bench.session;
+    concealed.change(settings);
+    EXPECT_EQ(side_head(concealed, "PLP").text(),
+              "PLP · " + std::to_string(concealed.counters().rendered_count) + " drawn");
+    EXPECT_TRUE(has(pair, "(a) PLP · ") && has(pair, "(b) centroid order")) << pair.substr(0, 3000);
     on->bench.figure.panels = {"step 3", "step 9"};
     const std::string four = shot("four.svg");
-    for (const char* title :
-         {"(a) step 3, published", "(b) step 3, centroid", "(c) step 9, published", "(d) step 9, centroid"})
+    Session<2> other = on->bench.other->session;
+    other.seek(9);  // its budget may end before
+    const std::string last = "(d) step " + std::to_string(other.position()) + ", centroid";
+    for (const char* title : {"(a) step 3, PLP · ", "(b) step 3, centroid", "(c) step 9, PLP · ", last.c_str()})
         EXPECT_TRUE(has(four, title)) << title;
     EXPECT_EQ(on->bench.session.position(), 4u);
     EXPECT_EQ(on->bench.other->session.position(), 4u);
@@ -214,7 +228,7 @@ TEST_F(BenchComparisonFiles, SwappingTwiceIsNothing) {
     swap_sides(on->bench);
     EXPECT_EQ(on->bench.session.settings().method, "centroid");
     EXPECT_EQ(on->bench.session.breakpoints.size(), 1u);
-    EXPECT_EQ(side_titles(on->bench), (std::array<std::string, 2>{"centroid", "published"}));
+    EXPECT_EQ(side_titles(on->bench), (std::array<std::string, 2>{"centroid order", "PLP"}));
     swap_sides(on->bench);
     on->bench.session.breakpoints.clear();
     EXPECT_EQ(bench_state(on->bench), before);
@@ -227,7 +241,11 @@ TEST_F(BenchComparisonFiles, ThePanelTellsWhatIsDifferent) {
         return all;
     };
     const std::string said = text();
-    EXPECT_NE(said.find("published | centroid\n"), std::string::npos) << said;
+    EXPECT_EQ(said.find("PLP | centroid order\n"), 0u) << said;
+    EXPECT_NE(said.find("inversions: " + std::to_string(on->bench.session.inversions().size()) + " | –\n"),
+              std::string::npos)
+        << "a method without a front has none: " << said;
+    EXPECT_NE(said.find("aligned by step: both have made 4 steps\n"), std::string::npos) << said;
     EXPECT_NE(said.find("step: 4 of "), std::string::npos) << said;
     EXPECT_NE(said.find(first_difference(on->bench).sentence), std::string::npos) << said;
     compare_settings(on->bench, on->bench.session.settings(), "same");

@@ -11,6 +11,7 @@
 #include "core/base/file.h"
 #include "core/session/state_file.h"
 #include "shell/desk/compare.h"
+#include "shell/desk/moves.h"
 #include "shell/desk/open.h"
 #include "tests/shell/desk/bench_support.h"
 
@@ -93,7 +94,9 @@ TEST_F(FilmTest, APathIsFilmedFrameByFrameWhileTheBenchStays) {
     alone.run();
     write_film(b, {3, 3, file("q.png"), 25, true});
     EXPECT_EQ(open_state(read_file(file("q.png.json")), "q").session.hash(), alone.hash());
-    EXPECT_THROW(write_film(b, {0, 5, file("r.png"), 25, true}), InputError);
+    EXPECT_THROW(write_film(b, {5, 5, file("r.png"), 25, true}), InputError);
+    write_film(b, {3, 9, file("r.pdf"), 25, true});
+    EXPECT_NE(read_file(file("r.pdf.json")).find("\"last\": 4"), std::string::npos) << "the last frame there is";
     b.flight.path.frames.clear();
     EXPECT_THROW(write_film(b, {0, 0, file("r.png"), 25, true}), InputError);
 }
@@ -118,6 +121,34 @@ TEST_F(FilmTest, BothSidesOfAComparisonAreInIt) {
         ASSERT_EQ(std::system(("pdftotext '" + made + ".pdf' '" + made + ".txt'").c_str()), 0);
         EXPECT_EQ(letters(read_file(made + ".txt")), both) << name;
     }
+}
+
+TEST_F(FilmTest, ItEndsWithTheLongerRun) {
+    const auto last_of = [&](std::uint32_t last) {
+        write_film(bench, {0, last, file("f.pdf")});
+        const std::string text = read_file(file("f.pdf.json"));
+        const std::string name = "\"last\": ";
+        return static_cast<std::uint32_t>(std::stoul(text.substr(text.find(name) + name.size())));
+    };
+    Settings settings = bench.session.settings();
+    const Budget all = settings.budget;
+    settings.budget = {Budget::Kind::share, 0.2};
+    bench.session.change(settings);
+    const std::uint32_t end = whole_run(bench);
+    EXPECT_EQ(last_of(film_to_end), end);
+    EXPECT_EQ(last_of(end + 100), end);
+    EXPECT_NE(on.said.at(on.said.size() - 2).find("the run ends at step " + std::to_string(end)), std::string::npos);
+    EXPECT_EQ(last_of(3), 3u);
+    // The right run is longer, and then the left one.
+    settings.budget = all;
+    compare_settings(bench, settings, "longer");
+    const std::uint32_t longer = at_the_end(bench.other->session).position();
+    ASSERT_GT(longer, end);
+    EXPECT_EQ(last_of(film_to_end), longer);
+    align_with(bench, Align::rendered);
+    EXPECT_EQ(last_of(film_to_end), longer) << "the same order: the same step for as many drawn";
+    swap_sides(bench);
+    EXPECT_EQ(last_of(film_to_end), longer);
 }
 
 TEST_F(FilmTest, GifAndVideoComeFromFfmpeg) {
@@ -166,7 +197,7 @@ TEST_F(FilmTest, RefusesStepsThatAreNot) {
         EXPECT_TRUE(files().empty());
     };
     refuses({5, 4, file("f.png")});
-    refuses({5, 100000, file("f.png")});
+    refuses({100000, film_to_end, file("f.png")});
     refuses({0, 3, file("f.svg")});
     refuses({0, 3, file("f")});
     refuses({0, 3, file("f.gif"), 0});
