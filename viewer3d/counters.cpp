@@ -5,6 +5,7 @@
 
 #include "core/base/number.h"
 #include "core/measure/metrics.h"
+#include "core/session/headline.h"
 #include "shell/window/theme.h"
 
 namespace sightline {
@@ -60,17 +61,19 @@ std::vector<Counter> counters(const Session<3>& session, const std::string& titl
     all.push_back({std::to_string(session.traversal().steps()) + steps, as_wide(session.cells().cell_count(), steps)});
     const bool measured = !session.flying() || session.has_reference();
     const std::string later = "…";
-    all.push_back(
-        {"coverage " + (measured ? percent(coverage(session.reference(), session.visible_rendered())) : later),
-         "coverage 88.8 %"});
-    all.push_back({"wrong pixels " + (measured ? percent(wrong_pixels(session.reference(), session.met())) : later),
-                   "wrong pixels 88.8 %"});
+    if (tells_truth(session))
+        all.push_back(
+            {"coverage " + (measured ? percent(coverage(session.reference(), session.visible_rendered())) : later),
+             "coverage 88.8 %"});
+    if (tells_truth(session))
+        all.push_back({"wrong pixels " + (measured ? percent(wrong_pixels(session.reference(), session.met())) : later),
+                       "wrong pixels 88.8 %"});
     // A frame that is stepped through was recorded on the way, which takes longer than flying.
     const std::string how = session.flying() ? " ms" : " ms recorded";
     all.push_back({"traversal " + short_number(session.times().traverse) + how, "traversal 88.8" + how});
     all.push_back({"drawing " + short_number(draw_ms) + " ms", "drawing 88.8 ms"});
     if (speed) all.push_back({"speed " + short_number(*speed), "speed 888.8"});
-    if (!measured) all.push_back({"… measured when the eye stops"});
+    if (!measured && tells_truth(session)) all.push_back({"… measured when the eye stops"});
     return all;
 }
 

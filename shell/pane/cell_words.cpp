@@ -2,6 +2,7 @@
 #include "shell/pane/cell_words.h"
 
 #include "core/base/number.h"
+#include "core/session/headline.h"
 
 namespace sightline {
 
@@ -14,7 +15,7 @@ std::string cell_words(const Session<D>& session, std::uint32_t cell) {
         text += ", ρ " + short_number(mark.key);
     text += ", |A| " + std::to_string(session.cells().count(cell));
     // In 3D it may be costly: while flying there is none yet.
-    if (D == 2 || session.has_reference())
+    if (tells_truth(session) && (D == 2 || session.has_reference()))
         text += ", visible share " + short_number(session.reference().cell_share[cell]);
     return text;
 }

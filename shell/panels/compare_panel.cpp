@@ -1,6 +1,7 @@
 // Two sessions beside each other: what is different between them, and what comes of it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/number.h"
+#include "core/session/headline.h"
 #include "shell/desk/compare.h"
 #include "shell/panels/panel_table.h"
 
@@ -10,9 +11,12 @@ namespace {
 
 /// In place of a number that a method does not have.
 const std::string undefined = "–";
+/// In place of one that would tell what is visible (tells_truth).
+const std::string concealed = "?";
 
 template <int D>
 std::string coverage_text(const Session<D>& session) {
+    if (!tells_truth(session)) return concealed;
     if (session.flying() && !session.has_reference()) return "…";  // a frame of a flight does not wait for it
     const auto share = coverage(session.reference(), session.visible_rendered());
     return share ? short_number(*share) : undefined;
@@ -21,6 +25,7 @@ std::string coverage_text(const Session<D>& session) {
 /// A method without a front has none to compare with what it took.
 template <int D>
 std::string inversions_text(const Session<D>& session) {
+    if (!tells_truth(session)) return concealed;
     return goes_through_cells(session) ? std::to_string(session.inversions().size()) : undefined;
 }
 

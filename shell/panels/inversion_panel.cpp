@@ -1,5 +1,6 @@
 // Inversions, most wasted primitives first.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/headline.h"
 #include "shell/panels/panel_table.h"
 
 namespace sightline {
@@ -8,6 +9,7 @@ template <int D>
 std::vector<Row> inversion_rows(const Workbench<D>& bench) {
     if (bench.session.flying())
         return {{"Flying", Tone::heading}, {"frames of a flight are not recorded: their order is not known"}};
+    if (!tells_truth(bench.session)) return {{"What is visible is hidden: Shift+H tells it", Tone::faint}};
     const auto found = bench.session.inversions();
     std::vector<Row> rows{{"Inversions in the recorded run: " + std::to_string(found.size()), Tone::heading}};
     for (const Inversion& i : found) {

@@ -1,6 +1,7 @@
 // Where the run stands, and under which conditions.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/number.h"
+#include "core/session/headline.h"
 #include "core/session/report.h"
 #include "core/session/substep.h"
 #include "shell/desk/into.h"
@@ -31,10 +32,13 @@ std::vector<Row> run_rows(const Workbench<D>& bench) {
     add(std::to_string(s.counters().rendered_count) + " rendered of " + std::to_string(s.scene().primitives.size()));
     add("state " + hash_text(s.hash()), Tone::faint);
     if (s.flying() && !s.has_reference()) return rows;  // a frame of a flight does not wait for it
-    const auto share = coverage(s.reference(), s.visible_rendered());
-    const auto best = oracle(s.reference(), s.counters().rendered_count);
-    add(std::to_string(s.visible_rendered()) + " of " + std::to_string(s.reference().count) + " visible, coverage " +
-        (share ? short_number(*share) : "none") + ", oracle " + (best ? short_number(*best) : "none"));
+    if (tells_truth(s)) {
+        const auto share = coverage(s.reference(), s.visible_rendered());
+        const auto best = oracle(s.reference(), s.counters().rendered_count);
+        add(std::to_string(s.visible_rendered()) + " of " + std::to_string(s.reference().count) +
+            " visible, coverage " + (share ? short_number(*share) : "none") + ", oracle " +
+            (best ? short_number(*best) : "none"));
+    }
     add(conditions(s), Tone::faint);
     return rows;
 }

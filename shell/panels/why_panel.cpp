@@ -7,6 +7,7 @@
 #include "core/session/explain.h"
 #include "core/session/explain_box.h"
 #include "core/session/explain_primitive.h"
+#include "core/session/headline.h"
 #include "shell/desk/into.h"
 #include "shell/desk/what_if.h"
 #include "shell/panels/panel_table.h"
@@ -18,6 +19,7 @@ namespace {
 class Writer {
 public:
     std::vector<Row> rows;
+    bool truth = true;  ///< what is visible is told
 
     Row& add(std::string text, int indent = 0, Tone tone = Tone::plain) {
         Row row{std::move(text), tone};
@@ -80,9 +82,10 @@ void write_step(Writer& to, const StepExplanation& step, bool partly) {
                     step.runner_up);
     }
     std::string rendered = "rendered " + counted(step.rendered, "primitive");
-    if (step.rendered > 0) rendered += ", " + std::to_string(step.visible) + " of them visible";
-    to.add(rendered, 0, step.rendered == 0 ? Tone::plain : step.visible > 0 ? Tone::good : Tone::bad);
-    if (step.cell != none)
+    const bool judged = step.rendered > 0 && to.truth;
+    if (judged) rendered += ", " + std::to_string(step.visible) + " of them visible";
+    to.add(rendered, 0, !judged ? Tone::plain : step.visible > 0 ? Tone::good : Tone::bad);
+    if (step.cell != none && to.truth)
         to.add(share_words(step.visible_share, step.visible), 0, step.visible_share > 0 ? Tone::good : Tone::bad);
     if (!step.looked_at.empty()) to.heading(step.cell != none ? "Across its facets" : "What it looked at");
     for (const Considered& c : step.looked_at) write_considered(to, c, step.digits);
@@ -107,7 +110,7 @@ void write_cell(Writer& to, const CellExplanation& cell, std::string_view key_na
     if (cell.mark.state == CellState::projected || cell.mark.state == CellState::enqueued)
         to.add(std::string(key_name) + " (key) " + short_number(cell.mark.key, cell.digits) +
                (cell.rank > 0 ? ", number " + std::to_string(cell.rank) + " in the front" : ""));
-    to.add(share_words(cell.visible_share, 0), 0, cell.visible_share > 0 ? Tone::good : Tone::faint);
+    if (to.truth) to.add(share_words(cell.visible_share, 0), 0, cell.visible_share > 0 ? Tone::good : Tone::faint);
     if (cell.verdict) {
         const std::string text = std::string(verdict_title(cell)) + ": " + cell.verdict.sentence;
         if (const std::uint32_t about = id_of(cell.verdict.about, Kind::cell); about != none)
@@ -130,8 +133,9 @@ void write_cell(Writer& to, const CellExplanation& cell, std::string_view key_na
 template <int D>
 void write_primitive(Writer& to, const Session<D>& s, const PrimitiveExplanation& e) {
     to.heading(std::string("Selected ") + (D == 2 ? "segment" : "triangle"));
-    to.add(sight_sentence(s, e));
-    Row& met = to.add(met_sentence(e, s.position()), 0, e.visible && e.met_at == 0 ? Tone::bad : Tone::plain);
+    if (to.truth) to.add(sight_sentence(s, e));
+    const bool missed = to.truth && e.visible && e.met_at == 0;
+    Row& met = to.add(met_sentence(e, s.position()), 0, missed ? Tone::bad : Tone::plain);
     if (e.met_at > 0) met.command = "seek " + std::to_string(e.met_at);
     if (const std::uint32_t box = box_around(s, e.primitive); box != none) {
         to.add("in " + box_sentence(s, box), 1);
@@ -178,6 +182,7 @@ std::vector<Row> why_rows(const Workbench<D>& bench) {
     const Shown<D> shown(bench);
     const Session<D>& s = *shown;
     Writer to;
+    to.truth = tells_truth(s);
     if (s.flying()) {
         to.heading("Flying");
         to.add("frames of a flight are not recorded: press F to freeze this one and step through it");

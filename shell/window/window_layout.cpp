@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/session/headline.h"
 #include "shell/commands/teach.h"
 #include "shell/window/parts.h"
 #include "shell/window/splitter.h"
@@ -99,7 +100,7 @@ void Window<D>::columns_and_timeline(Area& middle, float whole) {
         if (left) middle.x += w + strip;
     };
     const auto timeline_part = [&] {
-        if (!desk.timeline) return;
+        if (!desk.timeline || !tells_truth(bench_.session)) return;  // its lanes tell what is visible
         const float highest = middle.h * 0.5f, bottom = middle.y + middle.h;
         const float h = std::min(static_cast<float>(desk.timeline_height) * unit, highest);
         middle.h -= h + strip;
