@@ -9,6 +9,7 @@
 #include "core/methods/cells/cell_rules.h"
 #include "core/methods/cells/rounds.h"
 #include "core/session/session.h"
+#include "core/space/outside.h"
 #include "tests/run/cplp_support.h"
 #include "tests/soak.h"
 
@@ -67,6 +68,26 @@ void nothing_is_missed(std::uint64_t seed, int count) {
 
 TEST(Cplp, InThePlaneNothingThatAPixelShowsIsMissed) { nothing_is_missed<2>(81, test::soak_count(60)); }
 TEST(Cplp, InSpaceNothingThatAPixelShowsIsMissed) { nothing_is_missed<3>(82, test::soak_count(25)); }
+
+TEST(Cplp, AWallThatReachesBeyondTheLastCellIsNotMissed) {
+    Random random(86);
+    std::size_t beyond = 0;
+    for (int i = 0; i < test::soak_count(200); ++i) {
+        CplpCase<2> made = random_cplp_case<2>(random);
+        made.settings.border = Border::none;
+        made.settings.budget = {Budget::Kind::primitives, 2};
+        made.cells = build_cells(made.scene, made.settings);
+        const auto run = find_method<2>(method_table<2>(), "cplp").start(made.problem("cplp"));
+        ASSERT_EQ(run->run(none), Stop::complete);
+        const auto rendered = rendered_mask(run->met(), made.scene.primitives.size());
+        for (const std::uint32_t id : exact_ids(made).ids)
+            if (id != none) {
+                ASSERT_TRUE(rendered[id]) << i << ", primitive " << id;
+            }
+        beyond += reaching_outside<2>(made.cells, made.scene.primitives).size();
+    }
+    EXPECT_GT(beyond, 100u);
+}
 
 TEST(Cplp, ARoundSaysWhatItTestedAndStepsThroughIt) {
     Random random(83);

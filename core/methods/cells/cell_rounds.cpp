@@ -5,6 +5,7 @@
 #include "core/methods/cells/cell_base.h"
 #include "core/methods/cells/front_image.h"
 #include "core/methods/cells/seed_cells.h"
+#include "core/space/outside.h"
 
 namespace sightline {
 
@@ -33,7 +34,7 @@ bool CellBase<D>::may_be_seen(std::uint32_t cell) const {
 }
 
 /// What the first phase left behind: the rest of the last cell and, where they are not there yet, its neighbours; the
-/// other cells that an eye outside looks into first, and primitives that lie in no cell.
+/// other cells that an eye outside looks into first, and what no cell holds whole.
 template <int D>
 void CellBase<D>::begin_rounds(Recorder* recorder) {
     const CellComplex<D>& cells = *this->problem_.cells;
@@ -46,12 +47,9 @@ void CellBase<D>::begin_rounds(Recorder* recorder) {
         if (recorder) recorder->changed(cell_item(seed), before, static_cast<std::uint8_t>(Rule::enqueued));
         enqueue(seed, 0, false);
     }
-    if (cells.unassigned == 0) return;
-    std::vector<std::uint8_t> in_a_cell(this->problem_.primitives().size());
-    for (std::uint32_t cell = 0; cell < cells.cell_count(); ++cell)
-        for (const std::uint32_t primitive : cells.primitives_of(cell)) in_a_cell[primitive] = 1;
-    for (std::uint32_t primitive = 0; primitive < in_a_cell.size(); ++primitive)
-        if (!in_a_cell[primitive]) this->meet(primitive, true);
+    // What no cell holds whole may be seen where no cell lies: nothing would test it there.
+    for (const std::uint32_t primitive : reaching_outside<D>(cells, this->problem_.primitives()))
+        this->meet(primitive, true);
 }
 
 template <int D>
