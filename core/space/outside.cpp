@@ -8,6 +8,7 @@ namespace sightline {
 template <int D>
 std::vector<std::uint32_t> reaching_outside(const CellComplex<D>& cells, const std::vector<Primitive<D>>& primitives) {
     std::vector<std::uint32_t> outside;
+    if (cells.has_boxes()) return outside;  // they fill the box of the scene
     for (const std::uint32_t cell : cells.border_cells)
         for (const HalfFacet& half : cells.facets_of(cell)) {
             if (half.neighbour != none) continue;
