@@ -5,6 +5,7 @@
 #include <csignal>
 #include <set>
 
+#include "shell/lesson/lesson.h"
 #include "tests/viewer2d/viewer2d_support.h"
 
 namespace sightline {
@@ -32,6 +33,23 @@ TEST_F(Viewer3d, MeasuresAndReportsTheConditions) {
     EXPECT_GT(stats["wrong_pixels"], 0);
     EXPECT_LT(stats["wrong_pixels"], 0.5);
     EXPECT_FALSE(stats.contains("item_buffer"));
+}
+
+TEST_F(Viewer3d, ItsLessonsPlayToTheirEnd) {
+    std::size_t played = 0;
+    for (const Lesson& lesson : read_lessons(lessons_of_the_project())) {
+        if (lesson.dimension != 3) continue;
+        std::string script = "lesson " + lesson.id;
+        for (std::size_t part = 0; part < lesson.parts.size(); ++part) {
+            for (std::size_t beat = 0; beat < lesson.parts[part].beats.size(); ++beat) script += "; next";
+            if (part + 1 < lesson.parts.size()) script += "; next";
+        }
+        good({"--do", script, "--stats", "s.json"});
+        EXPECT_EQ(Json::parse(read("s.json"))["visible_rendered"], Json::parse(read("s.json"))["visible"])
+            << "the last part completes the picture";
+        ++played;
+    }
+    EXPECT_GT(played, 0u);
 }
 
 TEST_F(Viewer3d, ReferencesAreDrawnInSoftwareWhereAPersonWantsItOrThereIsNoOpenGl) {
