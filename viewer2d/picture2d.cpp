@@ -81,7 +81,9 @@ void Picture2d::draw_over(Ui& ui, const std::vector<MousePane>& panes, const Are
     list.PushClipRect(area.min(), area.max(), true);
     for (std::size_t i = 0; i < panes.size(); ++i) {
         const Area& a = panes[i].camera.area;
-        list.PushClipRect(a.min(), a.max(), true);
+        ImVec2 end = a.max();
+        if (panes[i].strip) end.y = panes[i].camera.to_window({0, panes[i].strip_place().top}).y;  // not over its paper
+        list.PushClipRect(a.min(), end, true);
         if (bench_.hovered_cell != none) outline(ui, panes[i], bench_.hovered_cell);
         list.PopClipRect();
     }
