@@ -11,8 +11,8 @@ namespace sightline {
 
 struct DepthPicture {
     Pixels pixels;
-    std::string
-        text;  ///< what is seen and hidden of what is marked, else how many tiles are read or pixels covered; short
+    /// What is seen and hidden of what is marked, else how many tiles are read or pixels covered; short.
+    std::string text;
 };
 
 /// What is rendered so far, at the size of the reference: the nearer the lighter, dark blue where nothing is. Blocks:

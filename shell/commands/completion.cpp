@@ -63,11 +63,6 @@ void add_settings(const Workbench<D>& bench, const std::string& typed, bool valu
 }
 
 template <int D>
-void add_scenes(Words& words) {
-    for (const CatalogueRow<D>& row : catalogue<D>()) words.emplace_back(row.id);
-}
-
-template <int D>
 void add_words(const Workbench<D>& bench, std::string_view command, const std::string& typed, Words& words) {
     if (command == "method" || command == "compare")
         for (const Method<D>& method : bench.methods) words.emplace_back(method.id);
@@ -77,7 +72,8 @@ void add_words(const Workbench<D>& bench, std::string_view command, const std::s
         for (const Panel<D>& panel : panel_table<D>()) words.emplace_back(panel.id);
     if (command == "glossary")
         for (const GlossaryEntry& entry : glossary()) words.emplace_back(entry.term);
-    if (command == "open") add_scenes<D>(words);
+    if (command == "open")
+        for (const CatalogueRow<D>& row : catalogue<D>()) words.emplace_back(row.id);
     if (command == "open" || command == "compare" || command == "lesson") add_files(typed, words);
     if (command == "lesson") try {
             for (const Lesson& lesson : read_lessons(lessons_of_the_project()))

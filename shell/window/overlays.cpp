@@ -68,8 +68,11 @@ constexpr int frames_to_open = 5;
 
 /// The commands that fit, or what the command takes.
 template <int D>
-void suggestions(const Workbench<D>& bench, const std::string& typed) {
-    const Completion completion = completions(bench, typed);
+void suggestions(Ui& ui, const Workbench<D>& bench, const std::string& typed) {
+    if (ui.completed_for != typed || ImGui::IsWindowAppearing()) {
+        ui.completion = completions(bench, typed);
+        ui.completed_for = typed;
+    }
     const std::string_view word = std::string_view(typed).substr(0, typed.find(' '));
     for (const Command<D>& command : command_table<D>()) {
         if (command.id != word) continue;
@@ -77,7 +80,7 @@ void suggestions(const Workbench<D>& bench, const std::string& typed) {
         ImGui::TextDisabled("%s", std::string(command.text).c_str());
     }
     std::string words;
-    for (const std::string& each : completion.words) words += (words.empty() ? "" : "   ") + each;
+    for (const std::string& each : ui.completion.words) words += (words.empty() ? "" : "   ") + each;
     if (!words.empty()) ImGui::TextWrapped("Tab: %s", one_line(words, 400).c_str());
 }
 
@@ -156,7 +159,7 @@ void console(Ui& ui, Workbench<D>& bench, const Area& area) {
                                      ImGuiInputTextFlags_CallbackHistory | ImGuiInputTextFlags_CallbackCompletion,
                                  Typing<D>::event, &typing))
         run_typed(ui, bench);
-    suggestions(bench, bench.desk.console_text);
+    suggestions(ui, bench, bench.desk.console_text);
     ImGui::End();
 }
 

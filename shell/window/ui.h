@@ -12,6 +12,7 @@
 
 #include "core/draw/draw_list.h"
 #include "core/space/tree.h"
+#include "shell/commands/completion.h"
 #include "shell/panels/panel.h"
 #include "shell/window/timeline_data.h"
 
@@ -51,7 +52,9 @@ struct Ui {
     float unit = 1;         ///< ImGui units per pixel of the layout at scale 1
     float framebuffer = 1;  ///< framebuffer pixels per ImGui unit
     Fonts fonts;
-    std::vector<Message> messages;   ///< oldest first
+    std::vector<Message> messages;  ///< oldest first
+    std::string completed_for;      ///< the line that `completion` was made for: making it reads folders
+    Completion completion;
     std::vector<std::string> typed;  ///< command lines, oldest first
     int line_opens = 0;              ///< so many frames from now on what was in the line is not marked
     int recalled = 0;                ///< so many back in them the line stands; 0: what is being typed
