@@ -163,7 +163,7 @@ std::span<const Command<3>> flight_commands<3>() {
                    "Ctrl+Right=15,0 Ctrl+Left=-15,0 Ctrl+Up=0,15 Ctrl+Down=0,-15", orbit, "", orbits},
         Command<3>{"turn", "Turn", "RIGHT,UP", "turn the display view in place, in degrees", "", turn},
         Command<3>{"walk", "Walk", "RIGHT,UP,FORWARD", "move the display view, in scene units", "", walk},
-        Command<3>{"through", "Look through it", "", "look through the frozen eye", "I", through},
+        Command<3>{"through", "Frozen eye view", "", "look through the frozen eye", "I", through},
         Command<3>{"fly", "Fly", "[on | off]", "fly: keys and mouse move the eye, and the traversal follows it", "G",
                    fly},
         Command<3>{"fly-speed", "Flying speed", "UNITS | xFACTOR", "set the flying speed, in scene units per second",
