@@ -39,6 +39,9 @@ constexpr float projector_text_pixels = 32.4f, projector_label_pixels = 32.4f;
 /// What clickers send beside PageDown and PageUp: a blank screen, and the start of a show, which does nothing here.
 bool is_presenter_key(const std::string& key) { return key == "B" || key == "." || key == "F5"; }
 
+/// A letter, a digit or a sign, with or without Shift: what acts on a picture that has to be seen for it.
+bool is_character(const std::string& key) { return key.size() == 1 || (key.size() == 7 && key.starts_with("Shift+")); }
+
 bool is_no_letter(SDL_Keycode key) { return key < SDLK_SPACE || (key & SDLK_SCANCODE_MASK) != 0; }
 
 bool is_mouse_over(const SDL_Event& event, Uint32 window) {
@@ -207,6 +210,8 @@ void Window<D>::escape() {
 template <int D>
 void Window<D>::press(const std::string& key) {
     if (key == "Escape") return escape();
+    const bool covered = bench_.desk.help || bench_.desk.lessons;
+    if (covered && is_character(key) && key != "P") return;  // the sheet of lessons speaks of P
     if (bench_.desk.projector && is_presenter_key(key)) {
         bench_.desk.blank = key != "F5" && !bench_.desk.blank;
         return;

@@ -101,6 +101,16 @@ TEST_F(WindowManners, TheListOfScenesTakesAllKeys) {
     hands->key("Escape");
     ASSERT_TRUE(becomes([](const Dump& d) { return !d.screen.contains("scene filter"); }));
     EXPECT_TRUE(now.has("Run", "Rooms"));
+    // Nor do letters go through a sheet that covers the picture.
+    const std::string rooms = now.hash();
+    for (const char* sheet : {"F1", "F2"}) {
+        hands->key(sheet);
+        hands->type("kw");
+        hands->key("Escape");
+        now = dump();
+        EXPECT_EQ(now.hash(), rooms) << sheet;
+        EXPECT_FALSE(now.screen.contains("handle look")) << sheet;
+    }
     hands->key("Right");
     ASSERT_TRUE(is_at(1)) << "keys are the window's again";
     leave();
