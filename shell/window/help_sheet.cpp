@@ -44,10 +44,12 @@ void help_sheet(Ui& ui, const Area& area) {
     ImGui::TextUnformatted("Keys");
     ImGui::PopFont();
     ImGui::SameLine();
+    ImGui::PushTextWrapPos(0);
     ImGui::TextDisabled(
         "%s", D == 2 ? "Esc closes this. Mouse: click selects, double click runs to a cell, drag pans, wheel zooms."
                      : "Esc closes this. Mouse: click selects, drag orbits, right drag turns, Shift+drag pans, wheel "
                        "zooms. In flight W A S D move, Q and E go down and up.");
+    ImGui::PopTextWrapPos();
     const float size = ImGui::GetFontSize(), step = ImGui::GetTextLineHeightWithSpacing(), key_width = 9.5f * size;
     const auto columns = std::max(1, static_cast<int>(area.w / (20 * size)));
     const float w = (area.w - 2 * ImGui::GetStyle().WindowPadding.x) / static_cast<float>(columns);

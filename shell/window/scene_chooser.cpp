@@ -84,8 +84,12 @@ bool filter_line(Ui& ui, Workbench<D>& bench) {
     const bool entered = ImGui::InputTextWithHint("##filter", "type a part of a name", &bench.desk.chooser_text,
                                                   ImGuiInputTextFlags_EnterReturnsTrue);
     note_place(bench, "scene filter");
+    const char* const hint = "Arrows and Enter choose, Esc closes";
     ImGui::SameLine();
-    ImGui::TextDisabled("Arrows and Enter choose, Esc closes");
+    if (ImGui::CalcTextSize(hint).x < ImGui::GetContentRegionAvail().x)
+        ImGui::TextDisabled("%s", hint);
+    else
+        ImGui::NewLine();
     return entered;
 }
 

@@ -55,7 +55,8 @@ void status_line(Ui& ui, Workbench<D>& bench, const Area& area) {
             ImGui::TextUnformatted(mode.brief.c_str());
         }
     } else if (!mode.sentence.empty()) {
-        ImGui::TextUnformatted(mode.sentence.c_str());
+        const bool fits = ImGui::CalcTextSize(mode.sentence.c_str()).x < area.w - 20 * ui.unit;
+        ImGui::TextUnformatted((fits ? mode.sentence : mode.brief).c_str());
         note_place(bench, "mode " + mode.sentence);
     } else {
         ImGui::TextDisabled("%sRight: next step   Left: back   Space: play   F1: all keys   Type : for a command",
