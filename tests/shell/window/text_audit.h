@@ -92,7 +92,11 @@ inline std::vector<std::string> unreadable_texts() {
     constexpr float slack = 1.5f;  // pixels: letters touch, and boxes are rounded
     const std::vector<TextRunDrawn> runs = drawn_texts();
     std::vector<std::string> faults;
-    const auto name = [](const TextRunDrawn& run) { return "'" + run.letters + "' in " + run.window; };
+    const auto name = [](const TextRunDrawn& run) {
+        return "'" + run.letters + "' in " + run.window + " (" + std::to_string(std::lround(run.box.x)) + " to " +
+               std::to_string(std::lround(run.box.z)) + " of " + std::to_string(std::lround(run.clip.x)) + " to " +
+               std::to_string(std::lround(run.clip.z)) + ")";
+    };
     for (std::size_t i = 0; i < runs.size(); ++i) {
         const TextRunDrawn& run = runs[i];
         const ImVec4 &box = run.box, &clip = run.clip;

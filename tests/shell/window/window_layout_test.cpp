@@ -31,7 +31,9 @@ protected:
         } catch (const WorkError& error) {
             GTEST_SKIP() << "no OpenGL here: " << error.what();
         }
-        act("legend off");  // its letters are part of the picture
+        driver->resize(GetParam().width, GetParam().height);  // also beyond the screen
+        driver->frames(2);
+        ASSERT_EQ(ImGui::GetIO().DisplaySize.x, GetParam().width);
     }
     void act(const std::string& commands) {
         driver->window().ui().act(commands);
