@@ -33,14 +33,15 @@ void draw_notes(const Session<D>& session, const std::function<std::optional<Vec
         label.text = note.text;
         label.colour = colours.ink;
         label.halo = colours.halo;
+        label.note = true;
         label.leader = note.kind == Note<D>::Kind::arrow;
         if (note.kind == Note<D>::Kind::ring) list.add(ShapeKind::ring, style, {*at}, 7);
         if (note.kind == Note<D>::Kind::callout) {
             label.text = std::to_string(note.number);
-            label.offset_pt = {0, 0};
             label.colour = colours.background;
             label.disc = colours.ink;
             label.halo = transparent;
+            label.leader = note.offset_pt != Vec<2>(0);
         }
         list.labels.push_back(label);
     }
