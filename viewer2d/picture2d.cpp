@@ -9,6 +9,7 @@
 #include "shell/desk/compare.h"
 #include "shell/desk/into.h"
 #include "shell/pane/cell_words.h"
+#include "shell/pane/draw_light.h"
 #include "shell/window/theme.h"
 
 namespace sightline {
@@ -85,6 +86,9 @@ void Picture2d::draw_over(Ui& ui, const std::vector<MousePane>& panes, const Are
         if (panes[i].strip) end.y = panes[i].camera.to_window({0, panes[i].strip_place().top}).y;  // not over its paper
         list.PushClipRect(a.min(), end, true);
         if (bench_.hovered_cell != none) outline(ui, panes[i], bench_.hovered_cell);
+        if (panes[i].lead)
+            draw_key_light(list, ui, *panes[i].session, bench_.lit,
+                           [&](const Vec<2>& p) { return std::optional(panes[i].camera.to_window(p)); });
         list.PopClipRect();
     }
     mouse_.draw(ui, panes, area);

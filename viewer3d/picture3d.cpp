@@ -16,6 +16,7 @@
 #include "shell/desk/fly.h"
 #include "shell/desk/into.h"
 #include "shell/pane/cell_words.h"
+#include "shell/pane/draw_light.h"
 #include "shell/window/theme.h"
 
 namespace sightline {
@@ -164,6 +165,11 @@ void Picture3d::draw_part(ImDrawList& list, const Ui& ui, std::size_t pane) {
     draw_counters(list, ui, part.counters, part.head);
     note(pane == 0 ? "counters" : "counters right", part.head);
     list.PushClipRect(part.picture.min(), part.picture.max(), true);
+    if (pane == 0)
+        draw_key_light(list, ui, session, bench_.lit, [&](const Vec<3>& p) {
+            const auto at = project(panes_[pane].camera(), p);
+            return at ? std::optional(panes_[pane].to_window(*at)) : std::nullopt;
+        });
     panes_[pane].draw_texts(list, ui);
     eyes_[pane].draw_insets(list, ui, part.picture, session);
     list.PopClipRect();

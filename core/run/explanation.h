@@ -23,18 +23,42 @@ struct Term {
     std::string words = {};  ///< in place of the number: "yes"; empty where the number says it
 };
 
+/// What a part of a key's sum speaks of in the picture.
+enum class KeyAbout : std::uint8_t {
+    nothing,    ///< signs and results
+    content,    ///< of the cell that the key comes from
+    angle,      ///< of the facet between the two cells and the ray to it
+    handed_on,  ///< the key of the cell that the key comes from
+    own,        ///< the cell itself
+    star,       ///< the ray from the eye to the cell's centre, which should pass through the facet
+    count,
+};
+
+/// A piece of a sum: "0.87", the angle.
+struct KeyPart {
+    std::string text;
+    KeyAbout about = KeyAbout::nothing;
+    std::string_view name = {};  ///< in a word or two; empty for signs
+};
+
 /// A key and where it comes from. Numbers have as many digits as were asked for.
 struct KeyExplanation {
     double key = 0;
     bool tested = false;     ///< whether a penalty is due
     bool penalised = false;  ///< it is
-    std::string sum;         ///< "ρ = 0.143 + 0.87 · 0.25 = 0.36"
-    std::string penalty;     ///< of a penalised key: "× 2 (not star-shaped) = 0.72"
+    std::vector<KeyPart> parts{};  ///< of the sum
+    std::string penalty;           ///< of a penalised key: "× 2 (not star-shaped) = 0.72"
     std::string tip;         ///< what the numbers of the sum are, in one line
     std::string weightiest;  ///< what makes the key as high as it is: "the penalty (+0.36): …"
     std::vector<Term> terms;
 
-    std::string formula() const { return penalised ? sum + ", " + penalty : sum; }
+    /// "ρ = 0.143 + 0.87 · 0.25 = 0.36"
+    std::string sum() const {
+        std::string all;
+        for (const KeyPart& part : parts) all += part.text;
+        return all;
+    }
+    std::string formula() const { return penalised ? sum() + ", " + penalty : sum(); }
 };
 
 /// Why an item stands where it does.

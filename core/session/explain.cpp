@@ -65,15 +65,21 @@ ChainLink link(const Session<D>& session, const Reach& reach, int digits) {
     return {reach.step, {}};
 }
 
+/// Of reaches(), those up to the one whose key is in force.
+template <int D>
+void drop_kept(const Session<D>& session, std::vector<Reach>& reached) {
+    while (!reached.empty() &&
+           Rule{session.timeline().changes_of(reached.back().step)[reached.back().index].rule} == Rule::kept)
+        reached.pop_back();
+}
+
 /// Back to the seed: what a cell was last given by is what its key comes from. `reached` is reaches() of the cell.
 template <int D>
 std::vector<ChainLink> chain_of(const Session<D>& session, std::vector<Reach> reached,
                                 const std::vector<std::uint32_t>& projected_at, int digits) {
     std::vector<ChainLink> chain;
     for (;;) {
-        while (!reached.empty() &&
-               Rule{session.timeline().changes_of(reached.back().step)[reached.back().index].rule} == Rule::kept)
-            reached.pop_back();
+        drop_kept(session, reached);
         if (reached.empty()) break;
         chain.push_back(link(session, reached.back(), digits));
         reached = reaches(session, chain.back().update.from.id, projected_at);
@@ -174,6 +180,14 @@ template <int D>
 std::vector<ChainLink> update_chain(const Session<D>& session, std::uint32_t cell) {
     const std::vector<std::uint32_t> projected_at = steps_of_projection(session);
     return chain_of(session, reaches(session, cell, projected_at), projected_at, 3);
+}
+
+template <int D>
+std::optional<ChainLink> key_source(const Session<D>& session, std::uint32_t cell, int digits) {
+    std::vector<Reach> reached = reaches(session, cell, steps_of_projection(session));
+    drop_kept(session, reached);
+    if (reached.empty()) return std::nullopt;
+    return link(session, reached.back(), digits);
 }
 
 /// The lowest key that was computed for a cell in the front and is not its key.
@@ -321,6 +335,8 @@ template StepExplanation explain_step<2>(const Session<2>&, std::uint32_t);
 template StepExplanation explain_step<3>(const Session<3>&, std::uint32_t);
 template std::vector<ChainLink> update_chain<2>(const Session<2>&, std::uint32_t);
 template std::vector<ChainLink> update_chain<3>(const Session<3>&, std::uint32_t);
+template std::optional<ChainLink> key_source<2>(const Session<2>&, std::uint32_t, int);
+template std::optional<ChainLink> key_source<3>(const Session<3>&, std::uint32_t, int);
 template CellExplanation explain_cell<2>(const Session<2>&, std::uint32_t);
 template CellExplanation explain_cell<3>(const Session<3>&, std::uint32_t);
 template std::optional<std::uint32_t> shown_in_substep<2>(const Session<2>&, std::uint32_t, std::uint32_t);

@@ -46,6 +46,11 @@ struct ChainLink {
 template <int D>
 std::vector<ChainLink> update_chain(const Session<D>& session, std::uint32_t cell);
 
+/// The update that gave a cell the key that it has, or had when it was projected; nothing for a seed and for cells not
+/// yet reached. `digits` as StepExplanation's. Cost: steps.
+template <int D>
+std::optional<ChainLink> key_source(const Session<D>& session, std::uint32_t cell, int digits);
+
 /// A key lower than the one that a cell in the front has, which a rule threw away or did not take.
 struct LostKey {
     double key = 0;

@@ -43,8 +43,9 @@ std::string result_line(const Session<D>& session) {
            short_number(100 * share.value_or(0)) + " %)";
 }
 
-std::string step_line(const StepExplanation& step, bool truth) {
-    std::string text = "Step " + std::to_string(step.step);
+std::string step_line(const StepExplanation& step, bool truth, std::string_view of) {
+    std::string text = of.empty() ? "Step " : std::string(of) + ", step ";
+    text += std::to_string(step.step);
     if (step.cell != none) {
         text += " took cell " + std::to_string(step.cell) + " (" + short_number(step.key, step.digits) + "). ";
         if (step.runner_up == none)

@@ -22,7 +22,8 @@ std::string headline(const Session<D>& session);
 template <int D>
 std::string result_line(const Session<D>& session);
 
-/// "Step 7 took cell 26 (0.274). Next was 13 (0.301). 16 drawn, none visible."
-std::string step_line(const StepExplanation& step, bool truth);
+/// "Step 7 took cell 26 (0.274). Next was 13 (0.301). 16 drawn, none visible." `of` names the run, where there are two:
+/// "Left, step 7 …".
+std::string step_line(const StepExplanation& step, bool truth, std::string_view of = {});
 
 }  // namespace sightline

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "core/draw/key_light.h"
 #include "core/session/counterfactual.h"
 #include "core/session/figure_spec.h"
 #include "core/session/session.h"
@@ -64,6 +65,7 @@ struct Workbench {
     std::vector<std::uint32_t> marked{};  ///< steps that `mark` found
     std::string marked_by{};              ///< its condition
     std::uint32_t hovered_cell = none;    ///< under the mouse, in whatever part of the window
+    KeyLight lit{};                       ///< the term of a key that is under the mouse, for the picture to show
     std::uint32_t selected_note = none;   ///< index; being moved or edited
     Flight<D> flight{};
     Desk desk{};

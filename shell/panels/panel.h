@@ -8,12 +8,13 @@
 #include <string>
 #include <vector>
 
+#include "core/draw/key_light.h"
 #include "shell/desk/workbench.h"
 
 namespace sightline {
 
 /// How a line is meant.
-enum class Tone : std::uint8_t { plain, heading, faint, good, bad, lit };
+enum class Tone : std::uint8_t { plain, heading, faint, good, bad, lit, link };
 
 struct Row {
     std::string text;
@@ -22,6 +23,10 @@ struct Row {
     std::uint32_t cell = none;  ///< outlined everywhere while the mouse is over the line
     int indent = 0;
     std::string tip{};  ///< shown while the mouse rests on it
+    /// A formula: its text in pieces, whose terms have colours and light up `light` while the mouse is over them.
+    std::vector<KeyPart> parts{};
+    KeyLight light{};
+    bool captions = false;  ///< each term's name under its number
 };
 
 /// The column of the window that a panel stands in.

@@ -38,10 +38,18 @@ public:
 
 std::string name(std::uint32_t cell) { return "cell " + std::to_string(cell); }
 
-/// The formula on as many lines as it has parts.
-void write_formula(Writer& to, const KeyExplanation& key) {
-    to.add(key.sum, 2, Tone::faint).tip = key.tip;
-    if (key.penalised) to.add(key.penalty, 2, Tone::bad);
+/// The formula on as many lines as it has parts. `captions`: with the names of its terms.
+void write_formula(Writer& to, const Considered& update, int indent = 2, bool captions = false) {
+    const KeyExplanation& key = *update.key;
+    Row& sum = to.add(key.sum(), indent, Tone::faint);
+    sum.tip = key.tip;
+    sum.parts = key.parts;
+    sum.light = light_of(update, KeyAbout::nothing);
+    sum.captions = captions;
+    if (!key.penalised) return;
+    Row& penalty = to.add(key.penalty, indent, Tone::faint);
+    penalty.parts = {{key.penalty, KeyAbout::star, "penalty"}};
+    penalty.light = sum.light;
 }
 
 void write_considered(Writer& to, const Considered& c, int digits) {
@@ -61,32 +69,45 @@ void write_considered(Writer& to, const Considered& c, int digits) {
         to.cell(text, c.item.id, 1, tone);
     else
         to.add(text, 1, tone);
-    if (c.key) write_formula(to, *c.key);
+    if (c.key) write_formula(to, c);
 }
 
-void write_step(Writer& to, const StepExplanation& step, bool partly) {
-    std::string title = "Step " + std::to_string(step.step);
-    if (step.cell != none) title += ": " + name(step.cell);
-    to.heading(title + (partly ? " (so far)" : ""));
-    if (step.cell == none) {
-        to.add(step.words);
-    } else {
-        const int digits = step.digits;
-        to.cell("lowest key of the front: " + short_number(step.key, digits), step.cell);
-        if (step.runner_up == none)
-            to.add("it was the only cell in the front");
-        else if (step.runner_up_key == step.key)
-            to.cell("runner-up: " + name(step.runner_up) + ", the same key: tie, older stamp wins", step.runner_up);
-        else
-            to.cell("runner-up: " + name(step.runner_up) + " with " + short_number(step.runner_up_key, digits),
-                    step.runner_up);
+/// The cell that a step took, against the next one, and where its key came from.
+void write_choice(Writer& to, const StepExplanation& step, const std::optional<ChainLink>& source) {
+    to.cell("it had the lowest key of the front, " + short_number(step.key, step.digits), step.cell);
+    const std::string next = "next was " + name(step.runner_up) + " with ";
+    if (step.runner_up == none)
+        to.add("it was the only cell in the front");
+    else if (step.runner_up_key == step.key)
+        to.cell(next + "the same key, which came later", step.runner_up);
+    else
+        to.cell(next + short_number(step.runner_up_key, step.digits), step.runner_up);
+    if (!source || !source->update.key) {
+        to.add("its key is that of a seed", 0, Tone::faint);
+        return;
     }
-    std::string rendered = "rendered " + counted(step.rendered, "primitive");
+    Row& from = to.cell("its key, from " + item_name(source->update.from) + " in step " + std::to_string(source->step),
+                        source->update.from.id);
+    from.command = "seek " + std::to_string(source->step);
+    write_formula(to, source->update, 1, true);
+}
+
+void write_step(Writer& to, const StepExplanation& step, const std::optional<ChainLink>& source, bool partly) {
+    std::string title = "Step " + std::to_string(step.step);
+    if (step.cell != none) title += " took " + name(step.cell);
+    to.heading(title + (partly ? " (so far)" : ""));
+    if (step.cell == none)
+        to.add(step.words);
+    else
+        write_choice(to, step, source);
+    std::string rendered = counted(step.rendered, "primitive") + " drawn";
     const bool judged = step.rendered > 0 && to.truth;
-    if (judged) rendered += ", " + std::to_string(step.visible) + " of them visible";
-    to.add(rendered, 0, !judged ? Tone::plain : step.visible > 0 ? Tone::good : Tone::bad);
+    if (judged) rendered += ", " + (step.visible > 0 ? std::to_string(step.visible) : "none") + " visible";
+    to.add(rendered, 0, judged && step.visible > 0 ? Tone::good : Tone::plain);
     if (step.cell != none && to.truth)
-        to.add(share_words(step.visible_share, step.visible), 0, step.visible_share > 0 ? Tone::good : Tone::bad);
+        to.add(share_words(step.visible_share, step.visible), 0, step.visible_share > 0 ? Tone::good : Tone::plain);
+    to.add("the code of this step", 0, Tone::link).command = "show code";
+    if (step.cell != none) to.add("all inversions of this run", 0, Tone::link).command = "show inversions";
     if (!step.looked_at.empty()) to.heading(step.cell != none ? "Across its facets" : "What it looked at");
     for (const Considered& c : step.looked_at) write_considered(to, c, step.digits);
 }
@@ -97,7 +118,7 @@ void write_link(Writer& to, const ChainLink& link) {
                            item_name(link.update.item) + ", " + std::string(link.update.words),
                        link.update.from.id, 1);
     row.command = "seek " + std::to_string(link.step);
-    if (link.update.key) write_formula(to, *link.update.key);
+    if (link.update.key) write_formula(to, link.update);
 }
 
 void write_cell(Writer& to, const CellExplanation& cell, std::string_view key_name) {
@@ -155,7 +176,7 @@ void write_what_if(Writer& to, const Workbench<D>& bench) {
     to.heading("With one setting changed");
     const Counterfactuals* all = what_if(bench);
     if (!all) {
-        to.add("run every change (may take seconds)", 0, Tone::lit).command = "what-if";
+        to.add("run every change (may take seconds)", 0, Tone::link).command = "what-if";
         return;
     }
     to.add("now: " + outcome_words(all->now));
@@ -192,13 +213,15 @@ std::vector<Row> why_rows(const Workbench<D>& bench) {
         if (seed_cell(s) != none) to.cell("the seed " + name(seed_cell(s)) + " is in the front", seed_cell(s));
         to.add("nothing is projected yet: press Right or Space");
     } else {
-        write_step(to, explain_step(s, s.position()), bench.substep.has_value());
+        const StepExplanation step = explain_step(s, s.position());
+        const auto source = step.cell == none ? std::nullopt : key_source(s, step.cell, step.digits);
+        write_step(to, step, source, bench.substep.has_value());
     }
     if (s.selected_primitive != none) write_primitive(to, s, explain_primitive(bench.session, s.selected_primitive));
     if (s.selected_cell != none) write_cell(to, explain_cell(s, s.selected_cell), key_title(s));
     write_what_if(to, bench);
     if (s.selected_cell == none && s.selected_primitive == none)
-        to.add("Click a cell or a primitive in the picture to see why it is rendered, waiting or hidden.", 0,
+        to.add("Why not another? Click a cell or a primitive to see why it is rendered, waiting or hidden.", 0,
                Tone::faint);
     return to.rows;
 }

@@ -13,22 +13,35 @@ namespace sightline {
 
 namespace {
 
+/// A formula after some words.
+Row formula_row(std::string words, const Considered& update) {
+    Row row;
+    row.tone = Tone::faint;
+    row.text = words + update.key->formula();
+    row.parts = {{std::move(words)}};
+    row.parts.insert(row.parts.end(), update.key->parts.begin(), update.key->parts.end());
+    if (update.key->penalised) row.parts.push_back({", " + update.key->penalty});
+    row.captions = true;
+    return row;
+}
+
 /// How the key came about: of the facet that step into stands at, else of the cell just projected.
 template <int D>
-std::string formula_line(const Workbench<D>& bench, const StepExplanation& step) {
+std::optional<Row> key_row(const Workbench<D>& bench, const StepExplanation& step) {
     const Session<D>& session = bench.session;
     const auto shown = bench.substep ? shown_in_substep(session, step.step, *bench.substep) : std::nullopt;
     if (shown) {
         const Considered& c = step.looked_at[*shown];
-        if (!c.item) return "across this facet: the border";
-        return item_name(c.item) + ": " + (c.key ? c.key->formula() : std::string(c.words));
+        if (!c.item) return Row{"across this facet: the border", Tone::faint};
+        if (!c.key) return Row{item_name(c.item) + ": " + std::string(c.words), Tone::faint};
+        return formula_row(item_name(c.item) + ": ", c);
     }
-    if (step.cell == none) return "";
-    const CellExplanation cell = explain_cell(session, step.cell);
-    if (cell.chain.empty() || !cell.chain.back().update.key) return "its key is that of a seed";
-    const ChainLink& link = cell.chain.back();
-    return "its key, from " + item_name(link.update.from) + " in step " + std::to_string(link.step) + ": " +
-           link.update.key->formula();
+    if (step.cell == none) return std::nullopt;
+    const std::optional<ChainLink> source = key_source(session, step.cell, step.digits);
+    if (!source || !source->update.key) return Row{"its key is that of a seed", Tone::faint};
+    return formula_row(
+        "its key, from " + item_name(source->update.from) + " in step " + std::to_string(source->step) + ": ",
+        source->update);
 }
 
 /// One run, or both with their names.
@@ -52,12 +65,8 @@ std::vector<Row> banner_lines(const Workbench<D>& bench) {
         return {{headline(s)}, {"step 0 of " + std::to_string(bench.session.recorded()), Tone::faint}};
     std::vector<Row> lines = results(bench, s);
     const StepExplanation step = explain_step(s, s.position());
-    const std::string of_left = bench.other ? "Left, " : "";
-    std::string did = of_left + step_line(step, tells_truth(s));
-    if (bench.other && did.size() > of_left.size()) did[of_left.size()] = 's';  // "Left, step 7 took"
-    lines.push_back({std::move(did)});
-    if (std::string formula = formula_line(bench, step); !formula.empty())
-        lines.push_back({std::move(formula), Tone::faint});
+    lines.push_back({step_line(step, tells_truth(s), bench.other ? "Left" : "")});
+    if (auto row = key_row(bench, step)) lines.push_back(std::move(*row));
     return lines;
 }
 

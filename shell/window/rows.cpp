@@ -1,5 +1,6 @@
 // Rows of a panel: wrapped text, a click runs the row's command, the mouse over a row outlines its cell.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "shell/window/formula.h"
 #include "shell/window/parts.h"
 #include "shell/window/theme.h"
 #include "shell/window/wrap.h"
@@ -12,6 +13,7 @@ Colour tone_colour(Tone tone) {
     if (tone == Tone::faint) return theme::faint;
     if (tone == Tone::good) return theme::good;
     if (tone == Tone::bad) return theme::bad;
+    if (tone == Tone::link) return theme::accent;
     return theme::ink;
 }
 
@@ -35,7 +37,9 @@ void draw_rows(Ui& ui, const std::vector<Row>& rows, std::uint32_t hovered_cell)
         };
         const bool fits = width_of(row.text) <= wrap;
         const std::string text = fits ? row.text : wrapped_at_spaces(row.text, wrap, width_of);
-        const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, wrap);
+        const FormulaLook formula{font, ImGui::GetFontSize(), wrap, row.captions};
+        ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, wrap);
+        if (!row.parts.empty()) size.y = formula_height(row.parts, formula);
         ImGui::PushID(static_cast<int>(i));
         ImGui::InvisibleButton("row", {room, std::max(size.y, 1.0f)});
         ImGui::PopID();
@@ -50,12 +54,20 @@ void draw_rows(Ui& ui, const std::vector<Row>& rows, std::uint32_t hovered_cell)
             const bool active = row.cell != none && row.cell == hovered_cell;
             if (row.tone == Tone::lit) list.AddRectFilled(at, end, colour(theme::lit));
             if (active || (hovered && !row.command.empty())) list.AddRectFilled(at, end, colour(theme::hover));
-            list.AddText(font, ImGui::GetFontSize(), {at.x + indent, at.y}, colour(tone_colour(row.tone)), text.c_str(),
-                         nullptr, wrap);
+            const ImVec2 start{at.x + indent, at.y};
+            const ImVec2 mouse = hovered ? ImGui::GetMousePos() : ImVec2(-1, -1);
+            if (row.parts.empty())
+                list.AddText(font, formula.size, start, colour(tone_colour(row.tone)), text.c_str(), nullptr, wrap);
+            else if (const KeyAbout about = draw_formula(list, start, row.parts, formula, tone_colour(row.tone), mouse);
+                     about != KeyAbout::nothing) {
+                ui.lighting = row.light;
+                ui.lighting.about = about;
+            }
         }
         ImGui::PopFont();
         if (hovered && row.cell != none) ui.hovering = row.cell;
-        if (hovered && !row.tip.empty()) {
+        if (hovered && !row.tip.empty() && !ui.lighting) {  // the picture shows it
+
             ImGui::BeginTooltip();
             ImGui::PushTextWrapPos(30 * ImGui::GetFontSize());
             ImGui::TextUnformatted(row.tip.c_str());

@@ -68,6 +68,7 @@ struct Ui {
     /// The cell under the mouse: whatever part it is over writes it here, and the next frame has it in
     /// Workbench::hovered_cell for all parts to outline.
     std::uint32_t hovering = none;
+    KeyLight lighting{};  ///< the same of the term of a key, for Workbench::lit
     /// The mouse was moved since the last key: otherwise what lies under it is not what the person looks at.
     bool mouse_awake = false;
     /// Runs commands; says what went wrong instead of throwing.

@@ -141,6 +141,7 @@ void Window<D>::lay_out() {
     bench_.hovered_cell = std::exchange(ui_.hovering, none);
     if (bench_.hovered_cell != none && bench_.hovered_cell >= bench_.session.cells().cell_count())
         bench_.hovered_cell = none;
+    bench_.lit = std::exchange(ui_.lighting, {});
     const Area middle = parts_around(size);
     const bool room = middle.w > 8 && middle.h > 8;
     if (stage.interact && room) picture_part(middle);

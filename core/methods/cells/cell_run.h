@@ -307,7 +307,7 @@ private:
             const Key key = heuristic_.key(this->problem_, a, key_a, half);
             KeyExplanation e;
             e.key = key.value;
-            e.sum = "key = " + short_number(key.value, digits);
+            e.parts = {{"key = " + short_number(key.value, digits)}};
             e.weightiest = "its key, " + short_number(key.value, digits);
             e.terms = {{"handed_on", key_a, {}}, {"key", key.value, {}}};
             return e;
@@ -319,7 +319,7 @@ private:
             heuristic_.add_key_lines(lines, explained, digits);
         } else {
             lines.push_back({"key(n, c): the " + std::string(key_title()) + " of n behind c", 0, false, {}, {}});
-            lines.push_back({"as the method computes it", 1, false, explained ? explained->sum : std::string(), {}});
+            lines.push_back({"as the method computes it", 1, false, explained ? explained->sum() : std::string(), {}});
         }
     }
 

@@ -46,6 +46,22 @@ std::vector<std::uint32_t> hops_from_seeds(const Problem<D>& problem) {
     return hops;
 }
 
+KeyAbout about_of(FormulaTerm term) {
+    switch (term) {
+        case FormulaTerm::content:
+            return KeyAbout::content;
+        case FormulaTerm::angle:
+        case FormulaTerm::area:
+            return KeyAbout::angle;
+        case FormulaTerm::handed_on:
+            return KeyAbout::handed_on;
+        case FormulaTerm::star:
+            return KeyAbout::star;
+        default:
+            return KeyAbout::own;
+    }
+}
+
 template <int D>
 double longest_side(const CellComplex<D>& cells) {
     Box<D> box;
@@ -149,16 +165,16 @@ KeyExplanation FormulaHeuristic<D>::explain(const Problem<D>& problem, std::uint
     set_terms(problem, a, key_a, half, values);
     KeyExplanation e;
     e.key = key_of(values);
-    e.sum = "key = " + formula_.text() + " = " + short_number(e.key, digits);
-    std::string with;
+    e.parts = {{"key = " + formula_.text() + " = " + short_number(e.key, digits)}};
     std::size_t largest = formula_term_words.size();
     for (const std::size_t term : formula_.used()) {
         e.terms.push_back({formula_term_words[term], values[term], {}});
-        with += (with.empty() ? " (" : ", ") + std::string(formula_term_words[term]) + " " +
-                short_number(values[term], digits);
+        e.parts.push_back({e.parts.size() == 1 ? " (" : ", "});
+        e.parts.push_back({std::string(formula_term_words[term]) + " " + short_number(values[term], digits),
+                           about_of(static_cast<FormulaTerm>(term)), formula_term_words[term]});
         if (largest == formula_term_words.size() || values[term] > values[largest]) largest = term;
     }
-    if (!with.empty()) e.sum += with + ")";
+    if (e.parts.size() > 1) e.parts.push_back({")"});
     e.terms.push_back({"key", e.key, {}});
     e.tip = "the expression, its value, and the terms in it";
     e.weightiest = largest == formula_term_words.size()

@@ -22,7 +22,9 @@ struct LayerNumber {
                            int digits) const {
         KeyExplanation e;
         e.key = key(problem, a, layer_a, half).value;
-        e.sum = "layer = " + short_number(layer_a, digits) + " + 1 = " + short_number(e.key, digits);
+        e.parts = {{"layer = "},
+                   {short_number(layer_a, digits), KeyAbout::handed_on, "layer before"},
+                   {" + 1 = " + short_number(e.key, digits)}};
         e.tip = "the layer of the cell it was reached from, plus 1";
         e.weightiest = "its way from the seed: " + short_number(e.key) + (e.key == 1 ? " facet" : " facets");
         e.terms = {{"layer_a", layer_a, {}}, {"key", e.key, {}}};
@@ -32,7 +34,9 @@ struct LayerNumber {
     void add_key_lines(std::vector<CodeLine>& lines, const KeyExplanation* explained, int) const {
         lines.push_back({"key(n, c): the layer of n, behind c", 0, false, {}, {}});
         lines.push_back({"the layer of c + 1", 1, false, {}, "gem, add_neighbors_to_front"});
-        if (explained) lines.back().values = explained->sum.substr(explained->sum.find('=') + 2);
+        if (!explained) return;
+        const std::string sum = explained->sum();
+        lines.back().values = sum.substr(sum.find('=') + 2);
     }
 };
 

@@ -34,6 +34,8 @@ const Term& term(const KeyExplanation& e, std::string_view name) {
     return e.terms.back();
 }
 
+std::string after_equals(const std::string& sum) { return sum.substr(sum.find('=') + 2); }
+
 std::string penalty_sign(const PlpParameters& parameters) {
     return parameters.penalty == Penalty::multiply ? "× " : "+ ";
 }
@@ -46,8 +48,12 @@ KeyExplanation explain_solidity(const SolidityTerms& t, const PlpParameters& par
     e.key = t.key;
     e.tested = t.star_tested;
     e.penalised = !t.star_shaped;
-    e.sum = "ρ = " + number(t.content) + " + " + number(t.angle) + " · " + number(t.handed_on) +
-            (parameters.own_content ? " + " + number(t.own_content) : "") + " = " + number(t.unpenalised);
+    e.parts = {{"ρ = "}, {number(t.content), KeyAbout::content, "content"},
+               {" + "},  {number(t.angle), KeyAbout::angle, "angle"},
+               {" · "},  {number(t.handed_on), KeyAbout::handed_on, "handed on"}};
+    if (parameters.own_content)
+        e.parts.insert(e.parts.end(), {{" + "}, {number(t.own_content), KeyAbout::own, "own content"}});
+    e.parts.push_back({" = " + number(t.unpenalised)});
     if (e.penalised)
         e.penalty =
             penalty_sign(parameters) + number(parameters.penalty_amount) + " (not star-shaped) = " + number(t.key);
@@ -103,7 +109,7 @@ void add_solidity_lines(std::vector<CodeLine>& lines, const KeyExplanation* e, c
             "docs/algorithm.md, keys of 0");
     add(
         parameters.own_content ? "ρ = content + angle · ρ of c + own content" : "ρ = content + angle · ρ of c",
-        [&] { return e->sum.substr(e->sum.find('=') + 2); }, "TVCG fig. 5, line 1");
+        [&] { return after_equals(e->sum()); }, "TVCG fig. 5, line 1");
     if (parameters.tests_star_shape) {
         add(
             "the ray from the eye to the centre of n misses the facet?",
