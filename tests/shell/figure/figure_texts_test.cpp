@@ -11,6 +11,7 @@
 
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/draw/notes.h"
 #include "core/session/state_file.h"
 #include "shell/desk/compare.h"
 #include "shell/desk/open.h"
@@ -262,6 +263,29 @@ TEST(FigureTexts, ANoteWiderThanItsPanelIsBrokenIntoLines) {
     ASSERT_EQ(smaller.labels.size(), 1u);
     EXPECT_LT(smaller.labels[0].runs.at(0).size, 10) << "what the picture says itself is set smaller";
     test::expect_tidy(figure, layout);
+}
+
+TEST_F(PrintFigure, ARunNamesNormalsAfterItsNotes) {
+    EXPECT_EQ(cell_letter(on.bench.session.notes, 27), "27") << "a sentence is no letter";
+    add(Note<2>::Kind::text, 27, "B", {0, 0});
+    EXPECT_EQ(cell_letter(on.bench.session.notes, 27), "B");
+    EXPECT_EQ(cell_letter(on.bench.session.notes, 28), "28");
+}
+
+TEST_F(PrintFigure, LinesFollowTheTextAndAPngTheResolution) {
+    const Figure figure = shot_figure(on.bench);
+    EXPECT_DOUBLE_EQ(line_scale(lay_out_at(figure, 16)), 2 * line_scale(lay_out_at(figure, 8)));
+    on.bench.figure.panels = {};
+    const fs::path file = fs::path(testing::TempDir()) / ("sightline-dpi-" + std::to_string(getpid()) + ".png");
+    for (const double dpi : {150.0, 600.0}) {
+        on.bench.figure.dpi = dpi;
+        write_shot(on.bench, file.string());
+        const std::string png = read_file(file.string());
+        const int width = static_cast<unsigned char>(png[18]) * 256 + static_cast<unsigned char>(png[19]);
+        EXPECT_NEAR(width, 84 / 25.4 * dpi, 1);
+    }
+    fs::remove(file);
+    fs::remove(file.string() + ".json");
 }
 
 }  // namespace
