@@ -310,17 +310,17 @@ TEST(Picture, AnEmptySceneHasAWorld) {
 
 const std::vector<Golden>& goldens() {
     static const std::vector<Golden> table{
-        {"bottleneck", {"ca793a7f64249f96", "e903b4b8ff0e4d9d", "16cc91f7539e121b"}},
-        {"field", {"9cf222902684e7f5", "092fc80353418843", "58adb028286883f7"}},
-        {"streets", {"66c4994f4074b868", "30b174f3fccc3c0d", "6d14aca8b3f4fe26"}},
-        {"rooms", {"4e107589bf370dd1", "c812b304c5f31fd3", "789f2d2239776ed3"}},
-        {"cars", {"7f564cfa40be54b5", "cf2dbce2571266fe", "0dd1ce2811d6bd7b"}},
-        {"jungle", {"a8b66a27e94b9514", "b04c3ff3381e2e3d", "7a6ec21d49ac0466"}},
-        {"terrain", {"750d224149af4204", "89addba885f68604", "c3c45ae191062140"}},
-        {"wallholes", {"49d2b3cae15af4e8", "868d7e61ce370751", "c1f31a128beb9f8e"}},
-        {"wall2", {"4a01d2c98e2c4e77", "f71c98c480d726e9", "183a25b6ef97e237"}},
-        {"statue", {"2234e9323885048d", "374edcb3798786b9", "a6ab518452909326"}},
-        {"forget", {"625df6677a2765a1", "be4f614887f5c112", "c4471dd312606e09"}},
+        {"bottleneck", {"ca793a7f64249f96", "e903b4b8ff0e4d9d", "f7f4ab109e5453b3"}},
+        {"field", {"9cf222902684e7f5", "092fc80353418843", "bb2b7ea858baac71"}},
+        {"streets", {"66c4994f4074b868", "30b174f3fccc3c0d", "ff3c7b22a76de3a1"}},
+        {"rooms", {"4e107589bf370dd1", "c812b304c5f31fd3", "63d4ac810ed4623e"}},
+        {"cars", {"7f564cfa40be54b5", "cf2dbce2571266fe", "10f8f22460c7b882"}},
+        {"jungle", {"a8b66a27e94b9514", "b04c3ff3381e2e3d", "79b3b22feed7e18e"}},
+        {"terrain", {"750d224149af4204", "89addba885f68604", "a23fae9c7c651c13"}},
+        {"wallholes", {"49d2b3cae15af4e8", "868d7e61ce370751", "72d8ddd26aa0c230"}},
+        {"wall2", {"4a01d2c98e2c4e77", "f71c98c480d726e9", "c670292aea42a619"}},
+        {"statue", {"2234e9323885048d", "374edcb3798786b9", "97fb8418ae0a66fc"}},
+        {"forget", {"625df6677a2765a1", "be4f614887f5c112", "de8cf0c6abb90dab"}},
     };
     return table;
 }
