@@ -31,7 +31,7 @@ void drag_view(Workbench<2>& bench, const Drag& drag, const Vec<2>& to) {
 }
 
 void drag_segment(Workbench<2>& bench, const Drag& drag, const Vec<2>& to, float unit) {
-    const std::uint32_t index = drag.before.session.selected_primitive;
+    const std::uint32_t index = drag.segment;
     const Primitive<2>& start = drag.before.session.scene().primitives[index];
     Primitive<2> segment = start;
     const Vec<2> end = snapped_to_end(bench.session, drag.camera, to, unit, index);
@@ -40,6 +40,7 @@ void drag_segment(Workbench<2>& bench, const Drag& drag, const Vec<2>& to, float
     if (drag.handle == Handle::segment)
         for (Vec<2>& p : segment) p += to - drag.from;
     if (segment != bench.session.scene().primitives[index]) move_segment(bench, index, segment, gesture);
+    bench.session.selected_primitive = index;
 }
 
 void draw_segment(Workbench<2>& bench, const Drag& drag, const Vec<2>& to, float unit) {
@@ -81,6 +82,9 @@ void drag_to(Workbench<2>& bench, const Drag& drag, const ImVec2& mouse, float u
         if (drag.kind == DragKind::draw_segment) {
             draw_segment(bench, drag, to, unit);
             hold(bench, drag.camera.world, gesture);
+        } else if (drag.kind == DragKind::cut_gap) {
+            cut_gap(bench, drag.before.session.shared_scene(), drag.segment, drag.from, to, gesture);
+            hold(bench, drag.camera.world, gesture);
         } else if (drag.handle == Handle::note_text || drag.handle == Handle::note_anchor) {
             return drag_note(bench, drag, to, unit);
         } else if (drag.handle == Handle::segment || drag.handle == Handle::segment_start ||
@@ -100,11 +104,12 @@ void drag_to(Workbench<2>& bench, const Drag& drag, const ImVec2& mouse, float u
 
 std::optional<Vec<2>> snap_point(const Workbench<2>& bench, const Drag& drag, const ImVec2& mouse, float unit) {
     std::uint32_t but = none;
+    if (drag.kind == DragKind::cut_gap) return std::nullopt;
     if (drag.kind == DragKind::draw_segment) {
         but = static_cast<std::uint32_t>(drag.before.session.scene().primitives.size());
     } else {
         if (drag.handle != Handle::segment_start && drag.handle != Handle::segment_end) return std::nullopt;
-        but = drag.before.session.selected_primitive;
+        but = drag.segment;
     }
     const Vec<2> at = drag.camera.to_scene(mouse), end = snapped_to_end(bench.session, drag.camera, at, unit, but);
     return end == at ? std::nullopt : std::optional(end);

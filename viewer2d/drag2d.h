@@ -8,7 +8,7 @@
 namespace sightline {
 
 /// What a drag does.
-enum class DragKind : std::uint8_t { pan, handle, draw_segment };
+enum class DragKind : std::uint8_t { pan, handle, draw_segment, cut_gap };
 
 /// As things were when the button went down.
 struct Drag {
@@ -18,6 +18,7 @@ struct Drag {
     Vec<2> from{};              ///< scene point under the mouse
     Camera camera;              ///< its world stays while a handle is dragged, or the picture would slip away
     Gesture<2> before;
+    std::uint32_t segment = none;  ///< whose handle it is, or that is cut
 };
 
 /// Makes the bench what the drag makes of it when the mouse is at this window point; every call starts from what was

@@ -17,7 +17,8 @@ constexpr double all_round_from = 250, narrowest = 4, widest = 179;
 /// Where the openings of an all-round view stand.
 constexpr double all_round_half = 150;
 
-void add_view(const ViewSpec<2>& view, const Camera& camera, float unit, bool frozen, std::vector<HandlePoint>& all) {
+void add_view(const ViewSpec<2>& view, const Camera& camera, float unit, bool frozen, bool edit,
+              std::vector<HandlePoint>& all) {
     const ImVec2 eye = camera.to_window(view.eye);
     const Vec<2> d = glm::normalize(view.look_at - view.eye);
     const auto at = [&](double angle, double distance) {
@@ -28,6 +29,7 @@ void add_view(const ViewSpec<2>& view, const Camera& camera, float unit, bool fr
     };
     const double half = (view.fov >= 180 ? all_round_half : view.fov / 2) / degrees;
     all.push_back({frozen ? Handle::frozen_eye : Handle::eye, eye});
+    if (!edit) return;
     all.push_back({frozen ? Handle::frozen_look : Handle::look, at(0, look_distance)});
     all.push_back({frozen ? Handle::frozen_opening : Handle::opening, at(half, opening_distance)});
     all.push_back({frozen ? Handle::frozen_opening : Handle::opening, at(-half, opening_distance)});
@@ -35,18 +37,23 @@ void add_view(const ViewSpec<2>& view, const Camera& camera, float unit, bool fr
 
 }  // namespace
 
-std::vector<HandlePoint> handle_points(const Session<2>& session, const Camera& camera, float unit) {
+std::vector<HandlePoint> handle_points(const Session<2>& session, const Camera& camera, float unit,
+                                       const EditMode& edit) {
     std::vector<HandlePoint> all;
     if (session.settings().show_view == Switch::on) {
-        add_view(session.display_view(), camera, unit, false, all);
+        add_view(session.display_view(), camera, unit, false, edit.on, all);
         if (session.frozen() && session.culling_view() != session.display_view())
-            add_view(session.culling_view(), camera, unit, true, all);
+            add_view(session.culling_view(), camera, unit, true, edit.on, all);
     }
-    if (session.selected_primitive != none) {
-        const Primitive<2>& s = session.scene().primitives[session.selected_primitive];
-        all.push_back({Handle::segment_start, camera.to_window(s[0])});
-        all.push_back({Handle::segment_end, camera.to_window(s[1])});
-    }
+    if (!edit.on) return all;
+    const auto add_ends = [&](std::uint32_t segment) {
+        const Primitive<2>& s = session.scene().primitives[segment];
+        all.push_back({Handle::segment_start, camera.to_window(s[0]), segment});
+        all.push_back({Handle::segment_end, camera.to_window(s[1]), segment});
+    };
+    const std::uint32_t selected = session.selected_primitive;
+    if (selected != none) add_ends(selected);
+    if (edit.hovered != none && edit.hovered != selected) add_ends(edit.hovered);
     return all;
 }
 

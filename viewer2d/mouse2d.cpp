@@ -2,10 +2,12 @@
 #include "viewer2d/mouse2d.h"
 
 #include <cmath>
+#include <utility>
 
 #include "core/draw/notes.h"
 #include "core/draw/palette.h"
 #include "shell/commands/arguments.h"
+#include "shell/desk/edit.h"
 #include "shell/desk/gesture.h"
 #include "shell/desk/undo.h"
 #include "shell/desk/zoom.h"
@@ -59,7 +61,8 @@ void Mouse2d::look_under(Ui& ui, std::span<const MousePane> panes) {
     const std::vector<ShownNote> notes = shown_notes(*pane_);
     for (const ShownNote& shown : notes)
         if (shown.note == bench_.selected_note) handles_.push_back({Handle::note_anchor, shown.spot->anchor});
-    pick_ = pick(*pane_->session, pane_->camera, handles_, mouse, ui.unit);
+    const bool grips = edit_mode(*pane_, ui.unit).on && bench_.desk.tool == Tool::select;
+    pick_ = pick(*pane_->session, pane_->camera, handles_, mouse, ui.unit, grips);
     if (on_paper_) pick_ = {pick_.handle == Handle::note_anchor ? Handle::note_anchor : Handle::none};
     if (pick_.handle == Handle::note_anchor) note_ = bench_.selected_note;
     if (pick_.handle != Handle::none) return;
@@ -76,11 +79,20 @@ void Mouse2d::look_at_strip(const Vec<2>& mouse) {
     if (on_paper_) strip_ = pick_strip(*pane_->strip, place, mouse);
 }
 
+EditMode Mouse2d::edit_mode(const MousePane& pane, float unit) const {
+    if (!bench_.desk.edit || !pane.lead) return {};
+    if (drag_) return {true, drag_->segment};
+    const bool here = pane_ && pane_->session == pane.session;
+    return {true, here ? segment_near(*pane.session, pane.camera, ImGui::GetIO().MousePos, unit) : none};
+}
+
 /// Those that can be seen: the bench's own, or those of the same view, and none under the strip's paper.
 std::vector<HandlePoint> Mouse2d::shown_handles(const MousePane& pane, float unit) const {
     std::vector<HandlePoint> points;
     if (pane.lead || pane.session->culling_view() == bench_.session.culling_view())
-        points = handle_points(bench_.session, pane.camera, unit);
+        points = handle_points(bench_.session, pane.camera, unit, edit_mode(pane, unit));
+    if (bench_.desk.tool != Tool::select)  // its clicks are for what it makes
+        std::erase_if(points, [](const HandlePoint& point) { return point.handle >= Handle::segment_start; });
     std::erase_if(points, [&](const HandlePoint& point) {
         const bool covered = pane.strip && pane.camera.to_scene(point.at).y < pane.strip_place().top;
         return covered || (!pane.lead && point.handle >= Handle::segment_start);
@@ -103,8 +115,13 @@ void Mouse2d::press(Ui&) {
     if (io.MouseClicked[ImGuiMouseButton_Left]) {
         drag.handle = pick_.handle;
         drag.note = note_;
+        drag.segment = pick_.segment;
+        const bool cuts = bench_.desk.tool == Tool::gap && pane_->lead && pick_.primitive != none;
+        if (cuts && drag.handle == Handle::none) drag.segment = pick_.primitive;
         if (drag.handle != Handle::none)
             drag.kind = DragKind::handle;
+        else if (cuts)
+            drag.kind = DragKind::cut_gap;
         else if (bench_.desk.tool == Tool::segment && pane_->lead)
             drag.kind = DragKind::draw_segment;
     }
@@ -133,12 +150,33 @@ void Mouse2d::click(Ui& ui) {
     }
     if (is_note_tool(bench_.desk.tool) && pane_->lead) return place_note(ui);
     if (on_paper_ && pick_.handle == Handle::none) return click_strip(ui);
+    if (bench_.desk.tool == Tool::gap && pane_->lead) return click_gap(ui);
     // A handle is there to be dragged; only a segment lies on what can be selected.
     if (pick_.handle != Handle::none && pick_.handle < Handle::segment_start) return;
     Pick under = pick_;
     if (!pane_->same_cells) under.cell = none;
     if (!pane_->lead) under.primitive = none;
     ui.act("select " + cycle_.next(choices(under), ImGui::GetIO().MousePos, drag_threshold * ui.unit));
+}
+
+/// Two clicks on one segment take away what lies between them.
+void Mouse2d::click_gap(Ui& ui) {
+    const std::uint32_t segment = pick_.primitive;
+    const std::shared_ptr<const Scene<2>> scene = bench_.session.shared_scene();
+    if (segment == none) {
+        gap_.reset();
+        return bench_.say("a gap begins on a wall: click it, or drag along it");
+    }
+    const Vec<2> at = pane_->camera.to_scene(ImGui::GetIO().MousePos);
+    if (!gap_ || gap_->of != scene || gap_->segment != segment) {
+        const bool other = gap_ && gap_->of == scene;
+        gap_ = GapStart{segment, nearest_on(scene->primitives[segment], at), scene};
+        ui.act("select primitive:" + std::to_string(segment));
+        return bench_.say(std::string(other ? "this is another segment: the gap begins here; " : "") +
+                          "now click where it ends, on the same segment");
+    }
+    const GapStart from = *std::exchange(gap_, std::nullopt);
+    ui.act("segment cut " + std::to_string(segment) + " " + point_text(from.at, *scene) + " " + point_text(at, *scene));
 }
 
 /// The segment that the band shows, where the bench has the same ones.
@@ -198,7 +236,7 @@ void Mouse2d::frame(Ui& ui, std::span<const MousePane> panes) {
 
 bool Mouse2d::cancel() {
     if (field_.close()) return true;
-    if (!drag_) return false;
+    if (!drag_) return std::exchange(gap_, std::nullopt).has_value();
     cancel_gesture(bench_, std::move(drag_->before));
     drag_.reset();
     return true;
@@ -213,7 +251,8 @@ void Mouse2d::draw_handles(Ui& ui, const MousePane& pane) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float size = (bench_.desk.projector ? 1.6f : 1.0f) * ui.unit;
     for (const HandlePoint& point : shown_handles(pane, ui.unit)) {
-        const bool lit = drag_ ? drag_->handle == point.handle : hovered_ && pick_.handle == point.handle;
+        const Handle held = drag_ ? drag_->handle : hovered_ ? pick_.handle : Handle::none;
+        const bool lit = held == point.handle && (drag_ ? drag_->segment : pick_.segment) == point.segment;
         if (pane.lead) bench_.places.push_back({handle_name(point.handle), point.at.x, point.at.y, 0, 0});
         const bool eye = point.handle == Handle::eye || point.handle == Handle::frozen_eye;
         if (eye && !lit) continue;  // the picture has a mark there
@@ -264,6 +303,33 @@ void Mouse2d::draw_strip(Ui& ui, const MousePane& pane) {
     note("strip drawn", place.drawn_low, place.drawn_high);
 }
 
+/// Where a gap would begin, or what it would take away; and a frame, so that nobody edits without knowing.
+void Mouse2d::draw_gap(Ui& ui, const MousePane& pane) {
+    if (!bench_.desk.edit || !pane.lead) return;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const Area& area = pane.camera.area;
+    const float unit = ui.unit;
+    list.AddRect({area.x + unit, area.y + unit}, {area.x + area.w - unit, area.y + area.h - unit},
+                 colour(theme::accent), 0, 0, 3 * unit);
+    if (bench_.desk.tool != Tool::gap || drag_) return;
+    const bool begun = gap_ && gap_->of == bench_.session.shared_scene();
+    const std::uint32_t wall = hovered_ && pick_.handle == Handle::none ? pick_.primitive : none;
+    if (wall != none) {
+        const Primitive<2>& s = bench_.session.scene().primitives[wall];
+        const ImVec2 mouse = ImGui::GetIO().MousePos,
+                     at = pane.camera.to_window(nearest_on(s, pane.camera.to_scene(mouse)));
+        // A wall may be several segments in a row: this is the one.
+        for (const Vec<2>& end : s) list.AddCircleFilled(pane.camera.to_window(end), 4 * unit, colour(theme::ink));
+        list.AddLine(pane.camera.to_window(s[0]), pane.camera.to_window(s[1]), colour(theme::ink), 3 * unit);
+        if (begun && gap_->segment == wall) {
+            list.AddLine(pane.camera.to_window(gap_->at), at, IM_COL32_WHITE, 8 * unit);
+            list.AddLine(pane.camera.to_window(gap_->at), at, colour(theme::accent), 2 * unit);
+        }
+        list.AddCircle(at, 6 * unit, colour(theme::accent), 0, 2 * unit);
+    }
+    if (begun) list.AddCircleFilled(pane.camera.to_window(gap_->at), 5 * unit, colour(theme::accent));
+}
+
 void Mouse2d::tooltip(Ui& ui) {
     if (!hovered_ || !ui.mouse_awake || drag_ || !pane_ || field_.is_open()) return;
     std::string text = handle_tip(pick_.handle);
@@ -283,6 +349,7 @@ void Mouse2d::draw(Ui& ui, std::span<const MousePane> panes, const Area& area) {
     for (const MousePane& pane : panes) {
         draw_strip(ui, pane);
         draw_handles(ui, pane);
+        draw_gap(ui, pane);
     }
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 mouse = ImGui::GetIO().MousePos;

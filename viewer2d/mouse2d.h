@@ -56,10 +56,13 @@ private:
     void click(Ui& ui);
     void look_at_strip(const Vec<2>& mouse);
     void click_strip(Ui& ui);
+    void click_gap(Ui& ui);
+    void draw_gap(Ui& ui, const MousePane& pane);
     void draw_strip(Ui& ui, const MousePane& pane);
     void place_note(Ui& ui);
     void edit_note(std::uint32_t note, const ImVec2& at);
     std::vector<ShownNote> shown_notes(const MousePane& pane) const;
+    EditMode edit_mode(const MousePane& pane, float unit) const;
     std::vector<HandlePoint> shown_handles(const MousePane& pane, float unit) const;
     void draw_handles(Ui& ui, const MousePane& pane);
     void tooltip(Ui& ui);
@@ -68,6 +71,13 @@ private:
     NoteField field_;
     std::optional<Drag> drag_;
     ClickCycle cycle_;
+    /// The first of the two clicks that cut a gap.
+    struct GapStart {
+        std::uint32_t segment = none;
+        Vec<2> at{};
+        std::shared_ptr<const Scene<2>> of;
+    };
+    std::optional<GapStart> gap_;
     std::uint64_t pressed_run_ = 0;  ///< Workbench::run when the button went down
     bool swallow_click_ = false;     ///< the second click of a double-click
     bool hovered_ = false;

@@ -19,18 +19,24 @@ float distance(const ImVec2& a, const ImVec2& b) { return std::hypot(a.x - b.x, 
 
 }  // namespace
 
-Pick pick(const Session<2>& session, const Camera& camera, std::span<const HandlePoint> handles, const ImVec2& mouse,
-          float unit) {
-    Pick found;
+std::uint32_t segment_near(const Session<2>& session, const Camera& camera, const ImVec2& mouse, float unit) {
     const Vec<2> at = camera.to_scene(mouse);
-    found.cell = locate(session.cells(), at);
     double reach = primitive_reach * unit / camera.scale();
+    std::uint32_t found = none;
     const auto& segments = session.scene().primitives;
     for (std::uint32_t i = 0; i < segments.size(); ++i)
         if (const double d = distance_to_segment(at, segments[i]); d <= reach) {
             reach = d;
-            found.primitive = i;
+            found = i;
         }
+    return found;
+}
+
+Pick pick(const Session<2>& session, const Camera& camera, std::span<const HandlePoint> handles, const ImVec2& mouse,
+          float unit, bool edit) {
+    Pick found;
+    found.cell = locate(session.cells(), camera.to_scene(mouse));
+    found.primitive = segment_near(session, camera, mouse, unit);
     float nearest = handle_reach * unit;
     bool any = false;
     for (const HandlePoint& point : handles)
@@ -38,9 +44,12 @@ Pick pick(const Session<2>& session, const Camera& camera, std::span<const Handl
             nearest = d;
             any = true;
             found.handle = point.handle;
+            found.segment = point.segment;
         }
-    if (!any && found.primitive != none && found.primitive == session.selected_primitive)
+    if (!any && edit && found.primitive != none) {
         found.handle = Handle::segment;
+        found.segment = found.primitive;
+    }
     return found;
 }
 

@@ -14,15 +14,19 @@ struct Pick {
     Handle handle = Handle::none;
     std::uint32_t primitive = sightline::none;  ///< the nearest within reach
     std::uint32_t cell = sightline::none;
+    std::uint32_t segment = sightline::none;  ///< what the handle is of
 };
 
 /// Window units within which a primitive is hit and ends snap, at scale 1.
 inline constexpr float primitive_reach = 6;
 
-/// The nearest of the points within handle_reach, the first of those as near. The selected segment's own line is a
-/// handle too, after the points.
+/// The nearest within reach; none when there is none.
+std::uint32_t segment_near(const Session<2>& session, const Camera& camera, const ImVec2& mouse, float unit);
+
+/// The nearest of the points within handle_reach, the first of those as near. In the edit mode the line of a segment is
+/// a handle too, after the points.
 Pick pick(const Session<2>& session, const Camera& camera, std::span<const HandlePoint> handles, const ImVec2& mouse,
-          float unit);
+          float unit, bool edit);
 
 /// `at`, or the nearest end of a segment within reach of it. `but`: a segment that does not count; none: all do.
 Vec<2> snapped_to_end(const Session<2>& session, const Camera& camera, const Vec<2>& at, float unit,

@@ -15,11 +15,12 @@ namespace {
 std::vector<SceneChoice> scene_choices() {
     std::vector<SceneChoice> all;
     add_catalogue<2>(all);
+    add_lessons<2>(all);
     for (const CatalogueRow<3>& row : catalogue<3>())
-        all.push_back({std::string("3D ") + row.id, "3D: " + std::string(row.title), row.lesson,
+        all.push_back({std::string("3D ") + row.id, row.title, row.lesson, "3D, in a window of its own",
                        "viewer3d " + std::string(row.id)});
     add_failures<2>(all);
-    for (const std::string& map : installed_maps()) all.push_back({map, map, "A level of Freedoom."});
+    for (const std::string& map : installed_maps()) all.push_back({map, map, "A level of Freedoom.", "Doom levels"});
     return all;
 }
 

@@ -12,6 +12,7 @@ namespace sightline {
 
 namespace {
 
+std::string share_text(std::optional<double> share) { return share ? short_number(*share) : "none"; }
 std::string percent(std::optional<double> share) { return share ? short_number(100 * *share) + " %" : "none"; }
 
 /// Of the text of the window: all of them fit one line of a picture 900 pixels wide.
@@ -63,8 +64,8 @@ std::vector<Counter> counters(const Session<3>& session, const std::string& titl
     const std::string later = "…";
     if (tells_truth(session))
         all.push_back(
-            {"coverage " + (measured ? percent(coverage(session.reference(), session.visible_rendered())) : later),
-             "coverage 88.8 %"});
+            {"coverage " + (measured ? share_text(coverage(session.reference(), session.visible_rendered())) : later),
+             "coverage 0.888"});
     if (tells_truth(session))
         all.push_back({"wrong pixels " + (measured ? percent(wrong_pixels(session.reference(), session.met())) : later),
                        "wrong pixels 88.8 %"});

@@ -12,6 +12,7 @@ namespace {
 std::vector<SceneChoice> scene_choices() {
     std::vector<SceneChoice> all;
     add_catalogue<3>(all);
+    add_lessons<3>(all);
     add_failures<3>(all);
     return all;
 }

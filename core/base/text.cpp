@@ -72,17 +72,18 @@ std::string clean_text(std::string_view text) {
 
 namespace {
 
-/// Levenshtein's distance, by rows of its table.
+/// Damerau and Levenshtein's distance, by rows of its table: two letters that have changed places count one.
 std::size_t letters_apart(std::string_view a, std::string_view b) {
-    std::vector<std::size_t> row(b.size() + 1);
+    std::vector<std::size_t> before, above(b.size() + 1), row(b.size() + 1);
     for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
     for (std::size_t i = 0; i < a.size(); ++i) {
-        std::size_t diagonal = row[0];
+        before = above;
+        above = row;
         row[0] = i + 1;
         for (std::size_t j = 0; j < b.size(); ++j) {
-            const std::size_t changed = diagonal + (a[i] != b[j]);
-            diagonal = row[j + 1];
-            row[j + 1] = std::min({changed, row[j] + 1, row[j + 1] + 1});
+            row[j + 1] = std::min({above[j] + (a[i] != b[j]), row[j] + 1, above[j + 1] + 1});
+            const bool swapped = i > 0 && j > 0 && a[i] == b[j - 1] && a[i - 1] == b[j];
+            if (swapped) row[j + 1] = std::min(row[j + 1], before[j - 1] + 1);
         }
     }
     return row.back();
@@ -110,6 +111,9 @@ std::string_view closest(std::string_view mistyped, std::span<const std::string_
         best = word;
         least = apart;
     }
+    // Half a word.
+    for (const std::string_view word : words)
+        if (best.empty() && mistyped.size() >= 3 && word.starts_with(mistyped)) best = word;
     return best;
 }
 

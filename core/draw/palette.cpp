@@ -76,6 +76,7 @@ Colours standard() {
                 line("note", black, 0.8),
                 area("completed", {166, 203, 187}, Hatch::cross, {90, 150, 130}),
                 area("hidden", {36, 86, 150}, Hatch::dots, {150, 190, 235}),
+                line("next", {0, 125, 105}, 1.6, Dash::dashed),
             },
             // Solid is dark: black lines stay legible on the many cells of low numbers.
             {{255, 251, 232}, {252, 222, 150}, {240, 165, 85}, {205, 90, 80}, {120, 30, 90}},
@@ -122,6 +123,7 @@ Colours paper() {
                 line("note", white, 0.8),
                 mark("completed", {0, 75, 0}, {255, 220, 0}, 0.6),
                 area("hidden", {25, 50, 170}, Hatch::dots, {90, 130, 255}),
+                line("next", white, 1.4, Dash::dashed),
             },
             {{0, 0, 90}, {60, 30, 170}, {190, 50, 120}, {240, 140, 50}, {255, 240, 120}},
             {{70, 100, 160},
@@ -167,6 +169,7 @@ Colours print() {
                 line("note", black, 0.8),
                 area("completed", {195, 195, 195}, Hatch::cross, {120, 120, 120}),
                 area("hidden", {86, 86, 86}, Hatch::dots, {215, 215, 215}),
+                line("next", black, 1.6, Dash::dashed),
             },
             {{250, 250, 250}, {205, 205, 205}, {155, 155, 155}, {110, 110, 110}, {75, 75, 75}},
             {{150, 150, 150},

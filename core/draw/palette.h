@@ -36,6 +36,7 @@ enum class Look : std::uint16_t {
     note,
     completed,  ///< projected by a round that completes the picture
     hidden,     ///< in the front, tested by a round and hidden
+    next,       ///< the cell that came next when the last one was taken
     count,
 };
 

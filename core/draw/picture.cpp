@@ -7,6 +7,7 @@
 
 #include "core/base/number.h"
 #include "core/draw/cell_number.h"
+#include "core/draw/choice.h"
 #include "core/draw/depth_strip.h"
 #include "core/draw/eye_strip.h"
 #include "core/draw/notes.h"
@@ -30,6 +31,7 @@ class Painter {
 public:
     Painter(const Session<2>& session, const PictureOptions& options)
         : session_(session), set_(session.settings()), cells_(session.cells()), colours_(colours(set_.palette)) {
+        if (set_.show_choice == Switch::on) choice_ = choice_of(session);
         list_.world = widened(options.world ? *options.world : figure_world(session), options.aspect);
         list_.styles = colours_.looks;
         const bool by_state = set_.heat == CellNumber::none && set_.show_states == Switch::on;
@@ -217,6 +219,7 @@ private:
     }
 
     void highlights() {
+        if (choice_.next != none) cell_shape(choice_.next, index(Look::next));
         if (const std::uint32_t last = last_cell(session_); last != none) cell_shape(last, index(Look::last));
         if (const auto box = last_box(session_)) box_shape(*box, Look::last);
         if (session_.selected_cell != none) cell_shape(session_.selected_cell, index(Look::selected));
@@ -281,12 +284,12 @@ private:
             if (!wanted || !list_.world.contains(cells_.centre(cell)) || cells_.centre(cell).y < paper_top()) continue;
             Label label;
             label.at = cells_.centre(cell);
-            label.text = short_number(*numbers[cell]);
+            label.text = cell_label(session_, choice_, cell, *numbers[cell]);
             label.scale = 0.8;
             label.colour = colours_.ink;
             label.halo = colours_.halo;
             label.room = room_about_centre(cell);
-            label.yields = cell != last && cell != session_.selected_cell;
+            label.yields = cell != last && cell != choice_.next && cell != session_.selected_cell;
             list_.labels.push_back(label);
         }
         // Those that must show claim their place first.
@@ -297,6 +300,7 @@ private:
     const Settings& set_;
     const CellComplex<2>& cells_;
     const Colours& colours_;
+    Choice choice_;
     DrawList list_;
 };
 

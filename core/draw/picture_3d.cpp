@@ -7,6 +7,7 @@
 
 #include "core/base/number.h"
 #include "core/draw/cell_number.h"
+#include "core/draw/choice.h"
 #include "core/draw/notes.h"
 #include "core/draw/palette.h"
 #include "core/draw/projection.h"
@@ -34,6 +35,7 @@ public:
           cells_(session.cells()),
           colours_(colours(set_.palette)),
           camera_(picture_camera(session, options.aspect)) {
+        if (set_.show_choice == Switch::on) choice_ = choice_of(session);
         list_.world = picture_plane(camera_);
         list_.styles = colours_.looks;
         if (set_.show_view == Switch::on) seen_from_outside(session) ? view() : frame();
@@ -184,6 +186,7 @@ private:
     }
 
     void highlights() {
+        if (choice_.next != none) outline_cell(choice_.next, index(Look::next));
         if (const std::uint32_t last = last_cell(session_); last != none) outline_cell(last, index(Look::last));
         if (const auto box = last_box(session_))
             for (const auto& edge : edges_of_boxes()) line(box->corner(edge[0]), box->corner(edge[1]), Look::last);
@@ -232,7 +235,7 @@ private:
         };
         std::vector<Numbered> wanted;
         for (std::uint32_t cell = 0; cell < numbers.size(); ++cell) {
-            const bool highlighted = cell == last || cell == session_.selected_cell;
+            const bool highlighted = cell == last || cell == choice_.next || cell == session_.selected_cell;
             if (!numbers[cell] || !(shown[cell] || highlighted)) continue;
             const bool in_front = session_.mark(cell).state == CellState::enqueued;
             if (set_.label_where == LabelWhere::all || cell == session_.selected_cell ||
@@ -245,7 +248,7 @@ private:
         for (const Numbered& numbered : wanted) {
             Label label;
             label.at = *project(camera_, cells_.centre(numbered.cell));
-            label.text = short_number(*numbers[numbered.cell]);
+            label.text = cell_label(session_, choice_, numbered.cell, *numbers[numbered.cell]);
             label.scale = 0.8;
             label.colour = colours_.ink;
             label.halo = colours_.halo;
@@ -260,6 +263,7 @@ private:
     const CellComplex<3>& cells_;
     const Colours& colours_;
     View<3> camera_;
+    Choice choice_;
     DrawList list_;
     std::optional<Label> star_label_;  ///< notes have theirs first
 };

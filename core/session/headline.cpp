@@ -39,8 +39,8 @@ std::string result_line(const Session<D>& session) {
     if (all == 0) return text + ", nothing is visible";
     if (found == all) return text + ", all " + std::to_string(all) + " visible found";
     const auto share = coverage(session.reference(), found);
-    return text + ", " + std::to_string(found) + " of " + std::to_string(all) + " visible found (" +
-           short_number(100 * share.value_or(0)) + " %)";
+    return text + ", " + std::to_string(found) + " of " + std::to_string(all) + " visible found, coverage " +
+           short_number(share.value_or(0));
 }
 
 std::string step_line(const StepExplanation& step, bool truth, std::string_view of) {

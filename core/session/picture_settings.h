@@ -67,6 +67,7 @@ struct PictureSettings {
     Switch show_normals = Switch::off;
     Switch show_penalties = Switch::off;
     Switch show_chain = Switch::off;
+    Switch show_choice = Switch::on;
     Switch show_depth = Switch::off;
     Switch show_eye = Switch::off;
     CellNumber label = CellNumber::none;

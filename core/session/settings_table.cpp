@@ -209,6 +209,9 @@ std::vector<SettingRow> own_rows() {
                                    "mark facets of projected cells that cost a penalty"),
         choice<&S::show_chain>("show_chain", Invalidates::picture, "docs/figures.md",
                                "draw the chain of updates from the seed to the selected cell"),
+        choice<&S::show_choice>("show_choice", Invalidates::picture, "docs/figures.md",
+                                "outline the cell that came next when the last one was taken, name both, and show how "
+                                "keys changed"),
         only_in(2, choice<&S::show_depth>("show_depth", Invalidates::picture, "docs/methods.md",
                                           "draw a strip of what the eye has before it so far, and which pixels of the "
                                           "selected or last cell or box are seen")),

@@ -37,22 +37,35 @@ void preset(Workbench<D>& bench, Text text) {
     change_settings(bench, settings);
 }
 
+constexpr std::array cycled{NamedArgument{"Heat map", "heat"},
+                            NamedArgument{"Cell labels", "label"},
+                            NamedArgument{"Penalty", "penalty"},
+                            NamedArgument{"Facet normals", "show_normals"},
+                            NamedArgument{"Penalty marks", "show_penalties"},
+                            NamedArgument{"Chain of updates", "show_chain"},
+                            NamedArgument{"Colours", "palette"},
+                            NamedArgument{"Split picture", "split"},
+                            NamedArgument{"Inset picture", "inset"},
+                            NamedArgument{"Triangles shown", "triangles"},
+                            NamedArgument{"Cells shown", "only"},
+                            NamedArgument{"Slice", "slice"}};
+
 }  // namespace
 
 template <int D>
 std::span<const Command<D>> change_commands() {
     static constexpr std::array table{
-        Command<D>{"set", "Change setting", "FIELD=VALUE", "change a setting", "", set<D>},
+        Command<D>{"set", "Set value", "FIELD=VALUE", "change a setting", "", set<D>},
         Command<D>{"cycle", "Next value", "FIELD", "change a setting to its next value",
                    D == 2 ? "H=heat L=label K=penalty N=show_normals X=show_penalties M=show_chain"
                           : "H=heat L=label K=penalty N=show_normals X=show_penalties M=show_chain Z=split "
                             "Shift+Z=inset",
-                   cycle<D>},
+                   cycle<D>, "", cycled},
         Command<D>{"preset", "Preset", "ID", "apply a named set of settings", "", preset<D>},
         Command<D>{"method", "Method", "ID", "change the method", "",
                    [](Workbench<D>& bench, Text text) { set(bench, "method=" + text); }},
         Command<D>{
-            "complete", "Complete or not", "",
+            "complete", "Complete picture", "",
             "go on from here in the rounds of cPLP, which complete the picture; in flight they do so wherever the "
             "eye rests; again: without them",
             "Shift+C", [](Workbench<D>& bench, Text) { complete(bench); }},

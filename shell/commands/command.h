@@ -10,15 +10,15 @@
 
 namespace sightline {
 
-/// An argument that a menu offers by a name of its own.
-struct MenuEntry {
+/// An argument that menus and the list of keys call by a name of its own: "seek start" is "Go to the start".
+struct NamedArgument {
     std::string_view label, argument;
 };
 
 template <int D>
 struct Command {
     std::string_view id;
-    std::string_view label;      ///< in menus, a word or two
+    std::string_view label;      ///< in menus and in the list of keys, two or three words
     std::string_view arguments;  ///< as help shows them
     std::string_view text;       ///< what it does, one line
     /// Keys of the window, separated by spaces: KEY runs it without an argument, KEY=ARGUMENT with one, and KEY=? opens
@@ -26,7 +26,7 @@ struct Command {
     std::string_view keys;
     void (*run)(Workbench<D>&, const std::string& argument);
     std::string_view slow{};  ///< what a person is told before it begins, where it takes seconds; empty: it does not
-    std::span<const MenuEntry> entries{};  ///< in menus, before the command itself
+    std::span<const NamedArgument> named{};
 };
 
 }  // namespace sightline

@@ -79,6 +79,15 @@ std::span<const Command<D>> command_table() {
 
 namespace {
 
+/// A list of all of them would help nobody.
+InputError unknown_command(const std::string& word, std::span<const std::string_view> known) {
+    if (!closest(word, known).empty()) return unknown_word("command", word, known);
+    constexpr std::size_t some = 12;
+    std::string text = "command '" + word + "' does not exist; there are ";
+    for (const std::string_view id : known.first(some)) text += std::string(id) + ", ";
+    return InputError(text + "and " + std::to_string(known.size() - some) + " more: Tab lists them, as does --help");
+}
+
 /// nullptr when there is no command of this id.
 template <int D>
 const Command<D>* find_command(std::string_view id) {
@@ -108,7 +117,7 @@ void run_commands(Workbench<D>& bench, std::string_view text) {
         if (!found) {
             std::vector<std::string_view> known;
             for (const Command<D>& command : command_table<D>()) known.push_back(command.id);
-            throw unknown_word("command", word, known);
+            throw unknown_command(word, known);
         }
         try {
             found->run(bench, argument);

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <vector>
 
 #include "core/base/error.h"
+#include "core/base/text.h"
 #include "core/methods/plp/plp_parameters.h"
 #include "core/scene/make/catalogue.h"
 #include "shell/commands/arguments.h"
@@ -22,11 +24,10 @@ struct Name {
 };
 constexpr std::array names{Name{"by distance", "centroid"}, Name{"oracle", "perfect"}, Name{"view only", "view"}};
 
-constexpr std::array<MenuEntry, 5> menu{{{"Penalty on or off", "penalty"},
-                                         {"By distance", "distance"},
-                                         {"Perfect order", "perfect order"},
-                                         {"View only", "view only"},
-                                         {"Stop comparing", "off"}}};
+constexpr std::array compared{NamedArgument{"Penalty on or off", "penalty"}, NamedArgument{"By distance", "distance"},
+                              NamedArgument{"Perfect order", "perfect order"}, NamedArgument{"View only", "view only"},
+                              NamedArgument{"Stop comparing", "off"}};
+constexpr std::array alignments{NamedArgument{"By steps", "step"}, NamedArgument{"By drawn", "drawn"}};
 
 std::string lower(std::string_view text) {
     std::string small(text);
@@ -71,7 +72,14 @@ void compare_with_file(Workbench<D>& bench, const std::string& text) try {
     std::error_code error;
     if (std::filesystem::exists(text, error) || find_in_catalogue<D>(text)) throw;
     std::string ids;
-    for (const Method<D>& method : bench.methods) ids += ", " + std::string(method.id);
+    std::vector<std::string_view> known;
+    for (const Method<D>& method : bench.methods) {
+        ids += ", " + std::string(method.id);
+        known.push_back(method.id);
+    }
+    for (const NamedArgument& named : compared) known.push_back(named.argument);
+    if (const std::string_view meant = closest(text, known); !meant.empty())
+        throw InputError("'" + text + "' cannot be compared with; did you mean " + std::string(meant) + "?");
     throw InputError("'" + text +
                      "' cannot be compared with; write penalty, distance, perfect order, view only, another method (" +
                      ids.substr(2) + "), FIELD=VALUE, preset:ID, a scene, a file, same or off");
@@ -117,9 +125,11 @@ template <int D>
 std::span<const Command<D>> compare_commands() {
     static constexpr std::array table{
         Command<D>{"compare", "Compare with", "METHOD | penalty | FIELD=VALUE,… | preset:ID | FILE | same | off",
-                   "open a second session beside this one: with one change, or from a file", "", compare<D>, "", menu},
+                   "open a second session beside this one: with one change, or from a file", "", compare<D>, "",
+                   compared},
         Command<D>{"align", "Align by", "step | drawn",
-                   "keep both sides at the same step, or at the same number of drawn primitives", "", align<D>},
+                   "keep both sides at the same step, or at the same number of drawn primitives", "", align<D>, "",
+                   alignments},
         Command<D>{"difference", "First difference", "", "go to the first step that differs, on both sides", "D",
                    [](Workbench<D>& bench, Text) { go_to_difference(bench); }},
         Command<D>{"swap", "Swap sides", "", "swap the left and right sides", "",

@@ -1,9 +1,11 @@
 // Commands that arrange the window. Without one they are kept, and do nothing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <vector>
 
 #include "core/base/error.h"
 #include "core/base/number.h"
+#include "core/base/text.h"
 #include "shell/commands/arguments.h"
 #include "shell/commands/groups.h"
 #include "shell/desk/moves.h"
@@ -24,9 +26,9 @@ void show(Workbench<D>& bench, Text text) {
     }
     const Panel<D>* panel = find_panel<D>(text);
     if (!panel) {
-        std::string known = "timeline, legend";
-        for (const Panel<D>& p : panel_table<D>()) known += ", " + std::string(p.id);
-        throw InputError("there is no panel '" + text + "'; panels: " + known);
+        std::vector<std::string_view> known{"timeline", "legend"};
+        for (const Panel<D>& p : panel_table<D>()) known.push_back(p.id);
+        throw unknown_word("panel", text, known);
     }
     std::string& column = panel->column == Column::left ? desk.left : desk.right;
     column = column == text ? "" : text;
@@ -45,8 +47,9 @@ void scale(Workbench<D>& bench, Text text) {
 template <int D>
 void tool(Workbench<D>& bench, Text text) {
     const Tool asked = static_cast<Tool>(word_argument(text, tool_words));
-    if (D == 3 && asked == Tool::segment) throw InputError("segments are drawn in 2D only");
+    if (D == 3 && edits_scene(asked)) throw InputError("segments are edited in 2D only");
     bench.desk.tool = asked;
+    if (edits_scene(asked)) bench.desk.edit = true;
 }
 
 template <int D>
@@ -78,34 +81,43 @@ void flip(Workbench<D>& bench, Text) {
     bench.desk.*flag = !(bench.desk.*flag);
 }
 
+constexpr std::array tools{NamedArgument{"Select", "select"},        NamedArgument{"Draw wall", "segment"},
+                           NamedArgument{"Cut a gap", "gap"},        NamedArgument{"Write text", "text"},
+                           NamedArgument{"Draw arrow", "arrow"},     NamedArgument{"Draw ring", "ring"},
+                           NamedArgument{"Numbered note", "callout"}};
+constexpr std::array scales{NamedArgument{"Larger", "up"}, NamedArgument{"Smaller", "down"},
+                            NamedArgument{"Usual size", "1"}};
+
 }  // namespace
 
 template <int D>
 std::span<const Command<D>> desk_commands() {
     static constexpr std::array table{
-        Command<D>{"scenes", "Scenes", "", "choose a scene", "O", flip<&Desk::chooser, D>},
+        Command<D>{"scenes", "Open scene", "", "choose a scene from pictures, or by typing a part of its name", "O",
+                   flip<&Desk::chooser, D>},
         Command<D>{"show", "Show panel", "PANEL", "show or hide a panel, the timeline or the legend",
                    "1=why 2=code 3=run 4=inversions 5=compare 6=trade-off 7=notes 8=words 9=front Shift+S=settings "
                    "Tab=timeline "
                    "E=legend",
                    show<D>},
-        Command<D>{
-            "tool", "Tool",
-            D == 2 ? "select | segment | text | arrow | ring | callout" : "select | text | arrow | ring | callout",
-            "choose what the mouse does in the picture",
-            D == 2 ? "V=select G=segment T=text A=arrow R=ring C=callout" : "V=select T=text A=arrow R=ring C=callout",
-            tool<D>},
+        Command<D>{"tool", "Tool",
+                   D == 2 ? "select | segment | gap | text | arrow | ring | callout"
+                          : "select | text | arrow | ring | callout",
+                   "choose what the mouse does in the picture",
+                   D == 2 ? "V=select G=segment Shift+G=gap T=text A=arrow R=ring C=callout"
+                          : "V=select T=text A=arrow R=ring C=callout",
+                   tool<D>, "", tools},
         Command<D>{"axis", "Timeline axis", "steps | primitives", "choose what the timeline counts", "", axis<D>},
         Command<D>{"zoom-timeline", "Timeline range", "FROM-TO | all", "choose which steps the timeline shows", "",
                    zoom_timeline<D>},
-        Command<D>{"projector", "Projector mode", "", "hide the panels; large text and a banner with the formula",
-                   "P F11", flip<&Desk::projector, D>},
-        Command<D>{"fullscreen", "Full screen", "", "switch full screen on or off", "Alt+Enter",
-                   flip<&Desk::fullscreen, D>},
+        Command<D>{"projector", "Projector", "", "no panels; large text and a banner with the formula", "P",
+                   flip<&Desk::projector, D>},
+        Command<D>{"fullscreen", "Full screen", "", "let the window cover the whole screen, or give it its size back",
+                   "F11 Alt+Enter", flip<&Desk::fullscreen, D>},
         Command<D>{"scale", "Scale", "up | down | N", "make text and controls larger or smaller",
-                   "Ctrl+Plus=up Ctrl+Minus=down Ctrl+0=1", scale<D>},
+                   "Ctrl+Plus=up Ctrl+Minus=down Ctrl+0=1", scale<D>, "", scales},
         Command<D>{"console", "Command line", "", "type a command", ": Ctrl+P", flip<&Desk::console, D>},
-        Command<D>{"help", "Keys", "", "show all keys", "F1", flip<&Desk::help, D>},
+        Command<D>{"help", "Keys", "", "show all keys and what they do", "F1", flip<&Desk::help, D>},
     };
     return table;
 }

@@ -17,7 +17,7 @@ Primitive<2> parse_segment(Text text, const Scene<2>& scene) {
 }
 
 void edit_segment(Workbench<2>& bench, Text text) {
-    constexpr auto words = std::to_array<std::string_view>({"add", "move", "delete"});
+    constexpr auto words = std::to_array<std::string_view>({"add", "move", "delete", "cut"});
     const auto [what, rest] = split_word(text);
     const std::size_t word = word_argument(what, words);
     const Scene<2>& scene = bench.session.scene();
@@ -25,6 +25,10 @@ void edit_segment(Workbench<2>& bench, Text text) {
     const auto [id, ends] = split_word(rest);
     const std::uint32_t index = primitive_argument(bench, id.empty() ? "selected" : id);
     if (word == 1) return move_segment(bench, index, parse_segment(ends, scene));
+    if (word == 3) {
+        const auto [from, to] = parse_segment(ends, scene);
+        return cut_gap(bench, bench.session.shared_scene(), index, from, to);
+    }
     if (!ends.empty()) throw InputError("unexpected '" + ends + "'");
     delete_segment(bench, index);
 }
@@ -42,17 +46,34 @@ void edit_scene(Workbench<2>& bench, Text text) {
     bench.say("wrote " + file);
 }
 
+/// Without its tools: they would go on changing the scene.
+void edit(Workbench<2>& bench, Text text) {
+    constexpr auto words = std::to_array<std::string_view>({"off", "on"});
+    Desk& desk = bench.desk;
+    desk.edit = text.empty() ? !desk.edit : word_argument(text, words) == 1;
+    if (!desk.edit && edits_scene(desk.tool)) desk.tool = Tool::select;
+    bench.say(desk.edit ? "edit mode: drag a wall, its ends, or the handles of the view; G draws a wall, Shift+G cuts "
+                          "a gap, Delete removes, W ends this"
+                        : "edit mode is off: walls stay where they are");
+}
+
+constexpr std::array scene_files{NamedArgument{"New scene", "new"}};
+
 }  // namespace
 
 template <>
 std::span<const Command<2>> edit_commands<2>() {
     static constexpr std::array table{
-        Command<2>{"segment", "Edit segments", "add X,Y X,Y | move ID X,Y X,Y | delete [ID]",
-                   "add, move or delete a segment; ID is a number or selected; delete alone deletes the selected one",
-                   "", edit_segment},
+        Command<2>{"edit", "Edit walls", "[on | off]",
+                   "give walls and the view handles to drag, or take them away so that nothing moves by accident", "W",
+                   edit},
+        Command<2>{
+            "segment", "Edit segment", "add X,Y X,Y | move ID X,Y X,Y | cut ID X,Y X,Y | delete [ID]",
+            "add, move, cut or delete a segment; cut removes what lies between two points; ID is a number or selected",
+            "", edit_segment},
         Command<2>{"delete", "Delete", "", "delete the selected note or segment", "Delete", delete_selected},
         Command<2>{"scene", "Scene file", "new | save FILE", "start an empty scene, or save this one", "Ctrl+N=new",
-                   edit_scene},
+                   edit_scene, "", scene_files},
     };
     return table;
 }

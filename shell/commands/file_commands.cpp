@@ -85,7 +85,8 @@ void other_viewer(Workbench<D>& bench, Text text) {
 template <int D>
 std::span<const Command<D>> file_commands() {
     static constexpr std::array table{
-        Command<D>{"open", "Open", "SCENE | FILE", "open a scene (catalogue id or file) or a state file", "Ctrl+O=?",
+        Command<D>{"open", "Open file", "SCENE | FILE", "open a scene (catalogue id or file) or a state file",
+                   "Ctrl+O=?",
                    [](Workbench<D>& bench, Text text) {
                        open(bench, file_argument(text));
                        note_opened<D>(bench.recent, text);

@@ -141,6 +141,14 @@ void path(Workbench<3>& bench, Text text) {
     found != path_words.end() ? found->run(bench, rest) : choose_path(bench, word);
 }
 
+constexpr std::array orbits{NamedArgument{"Orbit right", "15,0"}, NamedArgument{"Orbit left", "-15,0"},
+                            NamedArgument{"Orbit up", "0,15"}, NamedArgument{"Orbit down", "0,-15"}};
+constexpr std::array flying_speeds{NamedArgument{"Fly faster", "x2"}, NamedArgument{"Fly slower", "x0.5"}};
+constexpr std::array path_moves{NamedArgument{"Play path", "toggle"},    NamedArgument{"Next frame", "step"},
+                                NamedArgument{"Previous frame", "back"}, NamedArgument{"Start of path", "start"},
+                                NamedArgument{"Repeat path", "loop"},    NamedArgument{"Record path", "record"},
+                                NamedArgument{"Save path", "save"}};
+
 }  // namespace
 
 template <>
@@ -152,21 +160,21 @@ template <>
 std::span<const Command<3>> flight_commands<3>() {
     static constexpr std::array table{
         Command<3>{"orbit", "Orbit", "RIGHT,UP", "circle about the point that the display view looks at, in degrees",
-                   "Ctrl+Right=15,0 Ctrl+Left=-15,0 Ctrl+Up=0,15 Ctrl+Down=0,-15", orbit},
+                   "Ctrl+Right=15,0 Ctrl+Left=-15,0 Ctrl+Up=0,15 Ctrl+Down=0,-15", orbit, "", orbits},
         Command<3>{"turn", "Turn", "RIGHT,UP", "turn the display view in place, in degrees", "", turn},
         Command<3>{"walk", "Walk", "RIGHT,UP,FORWARD", "move the display view, in scene units", "", walk},
-        Command<3>{"through", "Frozen eye", "", "look through the frozen eye", "I", through},
+        Command<3>{"through", "Frozen eye view", "", "look through the frozen eye", "I", through},
         Command<3>{"fly", "Fly", "[on | off]", "fly: keys and mouse move the eye, and the traversal follows it", "G",
                    fly},
         Command<3>{"fly-speed", "Flying speed", "UNITS | xFACTOR", "set the flying speed, in scene units per second",
-                   "}=x2 {=x0.5", set_speed},
+                   "}=x2 {=x0.5", set_speed, "", flying_speeds},
         Command<3>{"path", "Flight path",
                    "[ID | frame N | start | step [N] | back [N] | play | stop | toggle | loop | record | save FILE | "
                    "open FILE]",
                    "show the path bar; choose, replay, record, save or open a flight path (frames count from 0)",
                    "Shift+P Shift+Space=toggle Shift+PageDown=step Shift+PageUp=back Shift+Home=start Shift+L=loop "
                    "Shift+R=record",
-                   path},
+                   path, "", path_moves},
     };
     return table;
 }

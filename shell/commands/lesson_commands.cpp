@@ -78,19 +78,22 @@ void truth(Workbench<D>& bench, Text text) {
     bench.say(tell ? "what is visible is told" : "what is visible is hidden, in the picture and in words");
 }
 
+constexpr std::array lesson_end{NamedArgument{"End lesson", "end"}};
+
 }  // namespace
 
 template <int D>
 std::span<const Command<D>> lesson_commands() {
     static constexpr std::array table{
         Command<D>{"lesson", "Lessons", "[ID [PART] | FILE.json [ID [PART]] | end]",
-                   "list the lessons, give one from a part on, or end it", "F2", give_lesson<D>},
-        Command<D>{"next", "Next", "", "the next beat of a lesson; without one, a step", "PageDown", forward<D>},
-        Command<D>{"previous", "Previous", "", "one beat of a lesson back; without one, a step", "PageUp", backward<D>},
-        Command<D>{"speaker", "Speaker's window", "",
+                   "list the lessons, give one from a part on, or end it", "F2", give_lesson<D>, "", lesson_end},
+        Command<D>{"next", "Next beat", "", "the next beat of a lesson; without one, a step", "PageDown", forward<D>},
+        Command<D>{"previous", "Previous beat", "", "one beat of a lesson back; without one, a step", "PageUp",
+                   backward<D>},
+        Command<D>{"speaker", "Speaker notes", "",
                    "open or close a second window with your notes, what comes next, and the time", "F3",
                    [](Workbench<D>& bench, Text) { bench.desk.speaker = !bench.desk.speaker; }},
-        Command<D>{"truth", "Tell or hide the truth", "[tell | hide]",
+        Command<D>{"truth", "Tell or hide", "[tell | hide]",
                    "tell what is visible, in the picture and in words, or hide it until the class has guessed",
                    "Shift+H", truth<D>},
     };

@@ -85,18 +85,21 @@ void mark_all(Workbench<D>& bench, Text text) {
     bench.say(std::to_string(bench.marked.size()) + " steps match " + condition.text());
 }
 
+constexpr std::array selectable{NamedArgument{"Select last cell", "last"}, NamedArgument{"Select nothing", "none"}};
+constexpr std::array stops{NamedArgument{"Break at selection", "selected"}, NamedArgument{"Break here", "here"},
+                           NamedArgument{"No breakpoints", "none"}};
+
 }  // namespace
 
 template <int D>
 std::span<const Command<D>> mark_commands() {
     static constexpr std::array table{
         Command<D>{"select", "Select", "ID | last | primitive:ID | note:N | none",
-                   "select a cell, a primitive or a note", "J=last", select<D>},
+                   "select a cell, a primitive or a note", "J=last", select<D>, "", selectable},
         Command<D>{"bookmark", "Bookmark", "LABEL", "give this step a name", "B=?", bookmark<D>},
         Command<D>{"break", "Breakpoint", "CONDITION | selected | here | none", "set or remove a breakpoint",
-                   "F9=? Shift+F9=selected", set_breakpoint<D>},
-        Command<D>{"break-switch", "Breakpoint on or off", "N", "switch a breakpoint off or on", "",
-                   switch_breakpoint<D>},
+                   "F9=? Shift+F9=selected", set_breakpoint<D>, "", stops},
+        Command<D>{"break-switch", "Switch breakpoint", "N", "switch a breakpoint off or on", "", switch_breakpoint<D>},
         Command<D>{"mark", "Mark steps", "CONDITION | none", "mark all matching steps on the timeline", "",
                    mark_all<D>},
     };

@@ -80,32 +80,41 @@ void speed(Workbench<D>& bench, Text text) {
     bench.say("speed: " + short_number(speed) + " steps a second");
 }
 
+constexpr std::array ten_steps{NamedArgument{"Ten steps", "10"}};
+constexpr std::array ten_back{NamedArgument{"Ten steps back", "10"}};
+constexpr std::array places{NamedArgument{"Go to the start", "start"}, NamedArgument{"Go to the end", "end"}};
+constexpr std::array selected_cell{NamedArgument{"Run to selection", "selected"}};
+constexpr std::array in_time{NamedArgument{"Play in 20 s", "20s"}};
+constexpr std::array speeds{NamedArgument{"Play slower", "half"}, NamedArgument{"Play faster", "double"}};
+
 }  // namespace
 
 template <int D>
 std::span<const Command<D>> move_commands() {
     static constexpr std::array table{
-        Command<D>{"step", "Step", "[N]", "go one step forward, or N steps", "Right Shift+Right=10", step<D>},
-        Command<D>{"back", "Step back", "[N]", "go one step back, or N steps", "Left Shift+Left=10", back<D>},
+        Command<D>{"step", "Step", "[N]", "go one step forward, or N steps", "Right Shift+Right=10", step<D>, "",
+                   ten_steps},
+        Command<D>{"back", "Step back", "[N]", "go one step back, or N steps", "Left Shift+Left=10", back<D>, "",
+                   ten_back},
         Command<D>{"into", "Step into", "", "into the step: one substep forward", "Down",
                    [](Workbench<D>& bench, Text) { step_into(bench); }},
         Command<D>{"out", "Step out", "", "one substep back; before the first one the step is undone", "Up",
                    [](Workbench<D>& bench, Text) { step_out(bench); }},
         Command<D>{"seek", "Go to step", "N | start | end | @LABEL", "go to a step, the start, the end or a bookmark",
-                   "Home=start", seek<D>},
+                   "Home=start", seek<D>, "", places},
         Command<D>{"run", "Run to end", "", "run to the end: the budget is used up or the front is empty", "End",
                    [](Workbench<D>& bench, Text) { run_to_end(bench); }},
         Command<D>{"until", "Run until", "CONDITION", "run until step:N, cell:ID or an expression holds", "U=?",
                    [](Workbench<D>& bench, Text text) { run_until(bench, condition_for(bench.session, text)); }},
         Command<D>{"reach", "Run to cell", "ID | selected", "go to the step that projects a cell, forward or back",
-                   "Enter=selected", reach<D>},
+                   "Enter=selected", reach<D>, "", selected_cell},
         Command<D>{"continue", "Continue", "", "run to the next breakpoint", "F5", run_on<D>},
         Command<D>{"play", "Play", "[20s]", "play at the chosen speed, or so that the whole run takes this long",
-                   "Y=20s", start_playing<D>},
+                   "Y=20s", start_playing<D>, "", in_time},
         Command<D>{"pause", "Pause", "", "stop playing", "", [](Workbench<D>& bench, Text) { pause(bench); }},
-        Command<D>{"toggle", "Play or pause", "", "play or pause", "Space", toggle_playing<D>},
+        Command<D>{"toggle", "Play or pause", "", "play the run step by step, or stop", "Space", toggle_playing<D>},
         Command<D>{"speed", "Speed", "half | double | N", "halve, double or set the steps per second",
-                   "[=half ]=double", speed<D>},
+                   "[=half ]=double", speed<D>, "", speeds},
     };
     return table;
 }

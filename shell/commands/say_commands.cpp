@@ -154,6 +154,8 @@ void panels(Workbench<D>& bench, Text text) {
     bench.say(panels_text(bench));
 }
 
+constexpr std::array written{NamedArgument{"Write panels", "panels.txt"}};
+
 }  // namespace
 
 template <int D>
@@ -172,7 +174,8 @@ std::span<const Command<D>> say_commands() {
                    "list penalties, inversions, the first wrong pixel, budget ticks, pops and bookmarks", "",
                    markers<D>},
         Command<D>{"glossary", "Glossary", "[TERM]", "explain the terms used here", "", say_glossary<D>},
-        Command<D>{"panels", "Panels as text", "[FILE]", "print the text of all panels", "F12=panels.txt", panels<D>},
+        Command<D>{"panels", "Panels as text", "[FILE]", "print the text of all panels", "F12=panels.txt", panels<D>,
+                   "", written},
     };
     return table;
 }

@@ -64,6 +64,10 @@ void eye_strip(Workbench<D>& bench, Text) {
     change_settings(bench, settings);
 }
 
+constexpr std::array zooms{NamedArgument{"Zoom in", "1.25"}, NamedArgument{"Zoom out", "0.8"}};
+constexpr std::array pans{NamedArgument{"Pan right", "0.1,0"}, NamedArgument{"Pan left", "-0.1,0"},
+                          NamedArgument{"Pan up", "0,0.1"}, NamedArgument{"Pan down", "0,-0.1"}};
+
 }  // namespace
 
 template <int D>
@@ -74,16 +78,16 @@ std::span<const Command<D>> view_commands() {
         Command<D>{"look", "Look at", D == 2 ? "X,Y" : "X,Y,Z", "turn the view towards a point", "", look<D>},
         Command<D>{"fov", "Field of view", "DEGREES",
                    D == 2 ? "set the field of view; 360 looks all around" : "set the field of view", "", fov<D>},
-        Command<D>{"fit", "Fit scene", "", "show the whole scene again", "0",
+        Command<D>{"fit", "Whole scene", "", "show the whole scene again", "0",
                    [](Workbench<D>& bench, Text) { fit(bench); }},
         Command<D>{"zoom", "Zoom", "FACTOR", "zoom about the centre of the picture", "+=1.25 -=0.8",
-                   [](Workbench<D>& bench, Text text) { zoom(bench, number_argument(text, "a factor")); }},
+                   [](Workbench<D>& bench, Text text) { zoom(bench, number_argument(text, "a factor")); }, "", zooms},
         Command<D>{"pan", "Pan", "DX,DY", "pan by a share of the picture: 0.1,0 moves to the right",
-                   "Alt+Right=0.1,0 Alt+Left=-0.1,0 Alt+Up=0,0.1 Alt+Down=0,-0.1", pan_by<D>},
-        Command<D>{"freeze", "Freeze", "[all | eye | direction]",
+                   "Alt+Right=0.1,0 Alt+Left=-0.1,0 Alt+Up=0,0.1 Alt+Down=0,-0.1", pan_by<D>, "", pans},
+        Command<D>{"freeze", "Freeze view", "[all | eye | direction]",
                    "freeze the culling view, or only its eye or direction; then only the display view moves", "F",
                    freeze<D>},
-        Command<D>{"unfreeze", "Unfreeze", "", "end the freeze: one view for culling and display", "Shift+F",
+        Command<D>{"unfreeze", "End freeze", "", "end the freeze: one view for culling and display", "Shift+F",
                    unfreeze<D>},
         Command<D>{"eye-strip", "What the eye sees", "",
                    "show or hide a strip under the plan: exact above, drawn so far below, red where they differ", "Z",

@@ -11,9 +11,12 @@
 namespace sightline {
 
 /// What a press of the mouse on the picture does.
-enum class Tool : std::uint8_t { select, segment, text, arrow, ring, callout };
+enum class Tool : std::uint8_t { select, segment, gap, text, arrow, ring, callout };
 inline constexpr auto tool_words =
-    std::to_array<std::string_view>({"select", "segment", "text", "arrow", "ring", "callout"});
+    std::to_array<std::string_view>({"select", "segment", "gap", "text", "arrow", "ring", "callout"});
+
+/// Tools that change the scene: of the edit mode alone.
+constexpr bool edits_scene(Tool tool) { return tool == Tool::segment || tool == Tool::gap; }
 
 /// What the timeline's horizontal axis counts.
 enum class TimelineAxis : std::uint8_t { steps, primitives };
@@ -29,7 +32,9 @@ struct Desk {
     std::string projector_panel;  ///< the one that stays in projector mode; empty: none
     bool blank = false;           ///< nothing but a dark window: the class looks at the lecturer
     bool speaker = false;         ///< notes and clock in a window of their own
+    bool edit = false;            ///< 2D: walls and the view have handles; otherwise a drag moves the eye or pans
     bool chooser = false;         ///< the scenes, over the picture
+    std::string chooser_text;     ///< what its list is filtered by
     bool lessons = false;         ///< the lessons, over the picture
     bool help = false;            ///< all keys, over the picture
     bool console = false;         ///< a line to type commands into

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shell/desk/edit.h"
 
+#include <algorithm>
 #include <numeric>
 
 #include "core/base/error.h"
@@ -15,11 +16,19 @@ namespace sightline {
 namespace {
 
 /// A copy to edit.
-Scene<2> edited(const Workbench<2>& bench) {
-    Scene<2> scene = bench.session.scene();
+Scene<2> edited(const Scene<2>& of) {
+    Scene<2> scene = of;
     scene.source = "edited";
     scene.name.clear();  // what lies under that name is another scene now
     return scene;
+}
+
+Scene<2> edited(const Workbench<2>& bench) { return edited(bench.session.scene()); }
+
+/// How far along the segment the point nearest to `at` lies: 0 at its start, 1 at its end.
+double share_along(const Primitive<2>& segment, const Vec<2>& at) {
+    const Vec<2> d = segment[1] - segment[0];
+    return std::clamp(glm::dot(at - segment[0], d) / glm::dot(d, d), 0.0, 1.0);
 }
 
 /// Throws InputError unless the segment of that number is one that a reader of files would keep.
@@ -68,6 +77,32 @@ void delete_segment(Workbench<2>& bench, std::uint32_t index) {
     numbers.at(index) = none;
     scene.primitives.erase(scene.primitives.begin() + index);
     put(bench, std::move(scene), "", numbers);
+}
+
+Vec<2> nearest_on(const Primitive<2>& segment, const Vec<2>& at) {
+    const double t = share_along(segment, at);
+    return t == 0 ? segment[0] : t == 1 ? segment[1] : segment[0] + (segment[1] - segment[0]) * t;
+}
+
+void cut_gap(Workbench<2>& bench, const std::shared_ptr<const Scene<2>>& before, std::uint32_t index,
+             const Vec<2>& from, const Vec<2>& to, const std::string& gesture) {
+    const Primitive<2> whole = before->primitives.at(index);
+    Vec<2> first = nearest_on(whole, from), second = nearest_on(whole, to);
+    if (share_along(whole, from) > share_along(whole, to)) std::swap(first, second);
+    if (first == second) throw InputError("segment: a gap needs two different points of one segment");
+    std::vector<Primitive<2>> left;
+    if (whole[0] != first) left.push_back({whole[0], first});
+    if (second != whole[1]) left.push_back({second, whole[1]});
+    if (left.empty()) throw InputError("segment: nothing would be left; delete removes all of it");
+    Scene<2> scene = edited(*before);
+    scene.primitives[index] = left[0];
+    check(scene, index);
+    if (left.size() == 2) {
+        scene.primitives.push_back(left[1]);
+        check(scene, static_cast<std::uint32_t>(scene.primitives.size() - 1));
+    }
+    put(bench, std::move(scene), gesture);
+    bench.session.selected_primitive = index;
 }
 
 void new_scene(Workbench<2>& bench) {

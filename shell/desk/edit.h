@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <string>
 
 #include "shell/desk/workbench.h"
@@ -18,6 +19,16 @@ void add_segment(Workbench<2>& bench, const Primitive<2>& segment, const std::st
 void move_segment(Workbench<2>& bench, std::uint32_t index, const Primitive<2>& segment,
                   const std::string& gesture = "");
 void delete_segment(Workbench<2>& bench, std::uint32_t index);
+
+/// Takes away what lies between the two points of a segment that are nearest to `from` and `to`, and selects what is
+/// left of it. `before` is the scene to cut: while a drag goes on, the one that it began with. What lies before the gap
+/// keeps the number, what lies behind it gets a new one; ends that are left keep their coordinates bit for bit. Throws
+/// InputError where nothing would be left out.
+void cut_gap(Workbench<2>& bench, const std::shared_ptr<const Scene<2>>& before, std::uint32_t index,
+             const Vec<2>& from, const Vec<2>& to, const std::string& gesture = "");
+
+/// The point of the segment that is nearest to `at`.
+Vec<2> nearest_on(const Primitive<2>& segment, const Vec<2>& at);
 
 /// An empty scene, looked at from its middle, without notes and bookmarks. Undo brings the old one back.
 void new_scene(Workbench<2>& bench);

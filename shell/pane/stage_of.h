@@ -6,7 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "core/base/error.h"
+#include "core/base/text.h"
 #include "core/scene/make/catalogue.h"
+#include "shell/lesson/lesson.h"
 #include "shell/pane/thumbnails.h"
 #include "shell/window/stage.h"
 
@@ -32,14 +35,27 @@ Stage stage_of(const std::shared_ptr<Held>& held, std::vector<SceneChoice> scene
 /// The catalogue's scenes.
 template <int D>
 void add_catalogue(std::vector<SceneChoice>& scenes) {
-    for (const CatalogueRow<D>& row : catalogue<D>()) scenes.push_back({row.id, row.title, row.lesson});
+    for (const CatalogueRow<D>& row : catalogue<D>()) scenes.push_back({row.id, row.title, row.lesson, "Scenes"});
 }
 
 /// Those in which methods fail.
 template <int D>
 void add_failures(std::vector<SceneChoice>& scenes) {
     for (const CatalogueRow<D>& row : failure_scenes<D>())
-        scenes.push_back({row.id, "Gallery: " + std::string(row.title), row.lesson});
+        scenes.push_back({row.id, row.title, row.lesson, "Gallery: where methods fail"});
+}
+
+/// The lessons of this dimension.
+template <int D>
+void add_lessons(std::vector<SceneChoice>& scenes) try {
+    for (const Lesson& lesson : read_lessons(lessons_of_the_project())) {
+        if (lesson.dimension != D) continue;
+        const std::string what = counted(lesson.parts.size(), "part") + ", " + counted(lesson.minutes(), "minute") +
+                                 ": " + lesson.parts.front().title + " …";
+        scenes.push_back({"lesson " + lesson.id, lesson.title, what, "Lessons", "lesson " + lesson.id,
+                          opens(lesson, lesson.parts.front())});
+    }
+} catch (const InputError&) {  // the command `lesson` says what is wrong with them
 }
 
 }  // namespace sightline

@@ -15,7 +15,7 @@ GLuint Thumbnails::texture(const SceneChoice& scene, int width, int height) {
     std::unique_ptr<GlTarget>& target = made_[scene.name];
     target.reset();
     try {
-        target = make_(scene.name, width, height);
+        target = make_(scene.picture.empty() ? scene.name : scene.picture, width, height);
     } catch (const std::exception&) {
         return 0;  // the chooser shows an empty frame; opening the scene says why
     }

@@ -3,7 +3,8 @@
 #include <algorithm>
 
 #include "shell/commands/command_table.h"
-#include "shell/window/keys.h"
+#include "shell/commands/key_bindings.h"
+#include "shell/commands/menus.h"
 #include "shell/window/parts.h"
 #include "shell/window/theme.h"
 
@@ -23,7 +24,7 @@ std::vector<HelpLine> help_lines() {
         lines.push_back({"", std::string(group.title)});
         for (const Command<D>& command : group.commands)
             for (const KeyBinding& binding : key_bindings(command.id, command.keys)) {
-                const std::string text = binding.command == command.id ? std::string(command.text) : binding.command;
+                const std::string text = spoken<D>(binding.command).label;
                 if (lines.back().text == text)
                     lines.back().key += ", " + binding.key;
                 else
@@ -43,12 +44,14 @@ void help_sheet(Ui& ui, const Area& area) {
     ImGui::TextUnformatted("Keys");
     ImGui::PopFont();
     ImGui::SameLine();
+    ImGui::PushTextWrapPos(0);
     ImGui::TextDisabled(
         "%s", D == 2 ? "Esc closes this. Mouse: click selects, double click runs to a cell, drag pans, wheel zooms."
                      : "Esc closes this. Mouse: click selects, drag orbits, right drag turns, Shift+drag pans, wheel "
                        "zooms. In flight W A S D move, Q and E go down and up.");
+    ImGui::PopTextWrapPos();
     const float size = ImGui::GetFontSize(), step = ImGui::GetTextLineHeightWithSpacing(), key_width = 9.5f * size;
-    const auto columns = std::max(1, static_cast<int>(area.w / (26 * size)));
+    const auto columns = std::max(1, static_cast<int>(area.w / (20 * size)));
     const float w = (area.w - 2 * ImGui::GetStyle().WindowPadding.x) / static_cast<float>(columns);
     const auto lines = help_lines<D>();
     const float room = w - key_width - size;

@@ -1,20 +1,38 @@
-// The command table as menus.
+// The menus.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shell/commands/command_table.h"
+#include <optional>
+
+#include "shell/commands/menus.h"
 #include "shell/commands/prompt.h"
-#include "shell/window/keys.h"
 #include "shell/window/parts.h"
 
 namespace sightline {
 
 namespace {
 
-/// "Right, PageDown"
-std::string keys_of(std::string_view id, std::string_view keys) {
-    std::string text;
-    for (const KeyBinding& binding : key_bindings(id, keys))
-        if (binding.command == id) text += (text.empty() ? "" : ", ") + binding.key;
-    return text;
+/// What is chosen runs when the menu is done: it may change what the rows are made of.
+template <int D>
+void draw_menu(const Workbench<D>& bench, const std::vector<MenuRow>& rows, std::optional<MenuRow>& chosen,
+               float unit) {
+    for (const MenuRow& row : rows) {
+        if (row.kind == MenuRow::Kind::line) {
+            ImGui::Separator();
+            continue;
+        }
+        if (row.kind != MenuRow::Kind::command) {
+            const std::vector<MenuRow> inside = rows_inside(bench, row);
+            if (!ImGui::BeginMenu(row.says.label.c_str(), !inside.empty())) continue;
+            draw_menu(bench, inside, chosen, unit);
+            ImGui::EndMenu();
+            continue;
+        }
+        if (ImGui::MenuItem(row.says.label.c_str(), row.says.keys.c_str())) chosen = row;
+        if (!ImGui::IsItemHovered()) continue;
+        // Beside the menu, not over its rows.
+        const ImVec2 menu = ImGui::GetWindowPos();
+        ImGui::SetNextWindowPos({menu.x + ImGui::GetWindowWidth() + 3 * unit, ImGui::GetItemRectMin().y});
+        ImGui::SetTooltip("%s", row.says.text.c_str());
+    }
 }
 
 }  // namespace
@@ -23,42 +41,17 @@ template <int D>
 float menu_bar(Ui& ui, Workbench<D>& bench) {
     if (!ImGui::BeginMainMenuBar()) return 0;
     const float height = ImGui::GetWindowHeight();
-    for (const CommandGroup<D>& group : command_groups<D>()) {
-        const std::string title(group.title);
+    std::optional<MenuRow> chosen;
+    for (const Menu& menu : menus<D>()) {
+        const std::string title(menu.title);
         const bool open = ImGui::BeginMenu(title.c_str());
         note_place(bench, "menu " + title);
         if (!open) continue;
-        for (const Command<D>& command : group.commands) {
-            ImGui::PushFont(ui.fonts.bold);
-            for (const MenuEntry& entry : command.entries)
-                if (ImGui::MenuItem(std::string(entry.label).c_str()))
-                    ui.act(std::string(command.id) + " " + std::string(entry.argument));
-            ImGui::PopFont();
-            const bool needs = !command.arguments.empty() && !command.arguments.starts_with('[');
-            const std::string label = std::string(command.label) + (needs ? " …" : "");
-            ImGui::PushFont(ui.fonts.bold);
-            const bool chosen = ImGui::MenuItem(label.c_str(), keys_of(command.id, command.keys).c_str());
-            ImGui::PopFont();
-            if (chosen) {
-                if (needs)
-                    ask(bench, std::string(command.id));
-                else
-                    ui.act(std::string(command.id));
-            }
-            if (ImGui::IsItemHovered())
-                ImGui::SetTooltip("%s %s", std::string(command.id).c_str(), std::string(command.arguments).c_str());
-            ImGui::TextDisabled("  %s", std::string(command.text).c_str());
-        }
-        if (title == "File" && !bench.recent.empty()) {
-            ImGui::Separator();
-            std::string chosen;
-            for (const std::string& name : bench.recent)
-                if (ImGui::MenuItem(name.c_str())) chosen = name;
-            if (!chosen.empty()) ui.act("open \"" + chosen + "\"");  // changes the list
-        }
+        draw_menu(bench, menu.rows, chosen, ui.unit);
         ImGui::EndMenu();
     }
     ImGui::EndMainMenuBar();
+    if (chosen) chosen->asks ? ask(bench, chosen->command) : ui.act(chosen->command);
     return height;
 }
 

@@ -42,4 +42,16 @@ void MouseState::give(ImGuiIO& io) const {
 #endif
 }
 
+void take_modifiers(const SDL_Event& event, ImGuiIO& io) {
+#if IMGUI_VERSION_NUM < 18700
+    if (event.type != SDL_KEYDOWN && event.type != SDL_KEYUP) return;
+    io.KeyCtrl = event.key.keysym.mod & KMOD_CTRL;
+    io.KeyShift = event.key.keysym.mod & KMOD_SHIFT;
+    io.KeyAlt = event.key.keysym.mod & KMOD_ALT;
+#else
+    (void)event;
+    (void)io;
+#endif
+}
+
 }  // namespace sightline

@@ -31,4 +31,8 @@ private:
     bool moved_ = false, changed_ = false;
 };
 
+/// Ctrl, Shift and Alt as they were when the key was pressed. Older backends ask which are held now, and a quick Ctrl+A
+/// is over by then. To be called after the backend has taken the event.
+void take_modifiers(const SDL_Event& event, ImGuiIO& io);
+
 }  // namespace sightline

@@ -1,6 +1,7 @@
-// What comes over the picture: scene chooser and console; the help sheet is help_sheet.cpp.
+// What comes over the picture. The console is here; the scene chooser and the sheets have files of their own.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <imgui.h>
+#include <imgui_internal.h>
 #include <imgui_stdlib.h>
 
 #include <algorithm>
@@ -15,53 +16,6 @@
 namespace sightline {
 
 namespace {
-
-template <int D>
-void chooser(Ui& ui, Workbench<D>& bench, const Stage& stage, const Area& area) {
-    begin_overlay("scenes", area);
-    ImGui::PushFont(ui.fonts.bold);
-    ImGui::TextUnformatted("Choose a scene");
-    ImGui::PopFont();
-    ImGui::SameLine();
-    ImGui::TextDisabled("Esc closes this");
-    ImGui::BeginChild("list");
-    const float thumb_w = 150 * ui.unit, thumb_h = 100 * ui.unit, gap = 12 * ui.unit;
-    const float least = 420 * ui.unit;
-    const int columns = std::max(1, static_cast<int>(ImGui::GetContentRegionAvail().x / least));
-    const float w =
-        (ImGui::GetContentRegionAvail().x - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns);
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    for (std::size_t i = 0; i < stage.scenes.size(); ++i) {
-        const SceneChoice& choice = stage.scenes[i];
-        if (i % static_cast<std::size_t>(columns) != 0) ImGui::SameLine(0, gap);
-        const ImVec2 at = ImGui::GetCursorScreenPos();
-        const float h = thumb_h + 14 * ui.unit;
-        if (ImGui::InvisibleButton(choice.name.c_str(), {w, h})) {
-            bench.desk.chooser = false;
-            ui.act(choice.command.empty() ? "open " + choice.name : choice.command);
-        }
-        note_place(bench, "scene " + choice.name);
-        if (!ImGui::IsItemVisible()) continue;
-        if (ImGui::IsItemHovered()) list.AddRectFilled(at, {at.x + w, at.y + h}, colour(theme::hover), 3 * ui.unit);
-        const float pad = 7 * ui.unit;
-        const ImVec2 min{at.x + pad, at.y + pad}, max{min.x + thumb_w, min.y + thumb_h};
-        const GLuint texture = stage.thumbnail ? stage.thumbnail(choice, static_cast<int>(thumb_w * ui.framebuffer),
-                                                                 static_cast<int>(thumb_h * ui.framebuffer))
-                                               : 0;
-        list.AddRectFilled(min, max, IM_COL32_WHITE);
-        if (texture != 0)
-            list.AddImage(reinterpret_cast<ImTextureID>(std::uintptr_t{texture}), min, max, {0, 1}, {1, 0});
-        list.AddRect(min, max, colour(theme::line));
-        const float x = max.x + pad, room = at.x + w - pad - x;
-        list.AddText(ui.fonts.bold, ImGui::GetFontSize(), {x, min.y}, colour(theme::ink), choice.title.c_str());
-        list.PushClipRect({x, min.y}, {x + room, at.y + h - pad}, true);
-        list.AddText(ui.fonts.text, ImGui::GetFontSize() * 0.9f, {x, min.y + 1.3f * ImGui::GetFontSize()},
-                     colour(theme::faint), choice.sentence.c_str(), nullptr, room);
-        list.PopClipRect();
-    }
-    ImGui::EndChild();
-    ImGui::End();
-}
 
 /// Until the keyboard has come to a line, whose text Dear ImGui marks then.
 constexpr int frames_to_open = 5;
@@ -97,8 +51,9 @@ struct Typing {
     }
     void recall(ImGuiInputTextCallbackData& data) const {
         const auto count = static_cast<int>(ui.typed.size());
+        if (ui.recalled == 0) ui.draft.assign(data.Buf, static_cast<std::size_t>(data.BufTextLen));
         ui.recalled = std::clamp(ui.recalled + (data.EventKey == ImGuiKey_UpArrow ? 1 : -1), 0, count);
-        replace(data, ui.recalled == 0 ? "" : ui.typed[static_cast<std::size_t>(count - ui.recalled)]);
+        replace(data, ui.recalled == 0 ? ui.draft : ui.typed[static_cast<std::size_t>(count - ui.recalled)]);
     }
     static int event(ImGuiInputTextCallbackData* data) {
         const Typing& typing = *static_cast<const Typing*>(data->UserData);
@@ -109,6 +64,10 @@ struct Typing {
         }
         if (data->EventFlag == ImGuiInputTextFlags_CallbackAlways && typing.ui.line_opens > 0)
             data->CursorPos = data->SelectionStart = data->SelectionEnd = data->BufTextLen;
+        if (data->EventFlag == ImGuiInputTextFlags_CallbackAlways && std::exchange(typing.ui.line_failed, false)) {
+            data->SelectionStart = 0;
+            data->SelectionEnd = data->CursorPos = data->BufTextLen;
+        }
         return 0;
     }
 };
@@ -125,6 +84,7 @@ void run_typed(Ui& ui, Workbench<D>& bench) {
     // What one line cannot say stays open to be read, what was wrong to be mended.
     const bool bad = ui.messages.size() > before && ui.messages.back().bad;
     if (bad) bench.desk.console_text = commands;
+    ui.line_failed = bad;
     if (bad || ui.messages.size() > before + 1) {
         bench.desk.console = true;
         ImGui::SetKeyboardFocusHere(-1);
@@ -148,6 +108,7 @@ void console(Ui& ui, Workbench<D>& bench, const Area& area) {
         ImGui::SetKeyboardFocusHere();
         ui.recalled = 0;
         ui.line_opens = frames_to_open;
+        ui.line_failed = false;
     }
     ui.line_opens = std::max(0, ui.line_opens - 1);
     ImGui::SetNextItemWidth(-1);
@@ -159,15 +120,28 @@ void console(Ui& ui, Workbench<D>& bench, const Area& area) {
                                      ImGuiInputTextFlags_CallbackHistory | ImGuiInputTextFlags_CallbackCompletion,
                                  Typing<D>::event, &typing))
         run_typed(ui, bench);
+    note_place(bench, "console " + bench.desk.console_text);
     suggestions(ui, bench, bench.desk.console_text);
     ImGui::End();
 }
 
 }  // namespace
 
+bool close_topmost(Desk& desk) {
+    if (const int dropped = ImGui::GetCurrentContext()->OpenPopupStack.Size; dropped > 0) {
+        ImGui::ClosePopupToLevel(dropped - 1, true);
+        return true;
+    }
+    if (desk.console) desk.console_text.clear();
+    if (!desk.console && desk.chooser) desk.chooser_text.clear();
+    for (bool* const open : {&desk.blank, &desk.console, &desk.help, &desk.lessons, &desk.chooser})
+        if (std::exchange(*open, false)) return true;
+    return false;
+}
+
 template <int D>
 void overlays(Ui& ui, Workbench<D>& bench, const Stage& stage, const Area& area) {
-    if (bench.desk.chooser) chooser(ui, bench, stage, area);
+    if (bench.desk.chooser) scene_chooser(ui, bench, stage, area);
     if (bench.desk.lessons) lesson_sheet(ui, bench, area);
     if (bench.desk.help) help_sheet<D>(ui, area);
     if (bench.desk.console) console(ui, bench, area);

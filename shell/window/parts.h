@@ -52,6 +52,14 @@ void timeline(Ui& ui, Workbench<D>& bench, const Area& area);
 template <int D>
 void overlays(Ui& ui, Workbench<D>& bench, const Stage& stage, const Area& area);
 
+/// Closes one thing, the one in front: a menu or a list that has dropped down, the console, a sheet. False: there is
+/// none.
+bool close_topmost(Desk& desk);
+
+/// The scenes to choose from; takes the keyboard.
+template <int D>
+void scene_chooser(Ui& ui, Workbench<D>& bench, const Stage& stage, const Area& area);
+
 /// All keys with what they do.
 template <int D>
 void help_sheet(Ui& ui, const Area& area);

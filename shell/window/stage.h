@@ -16,7 +16,9 @@ namespace sightline {
 struct SceneChoice {
     std::string name;  ///< what the command `open` takes
     std::string title, sentence;
+    std::string group{};    ///< the heading that it stands under
     std::string command{};  ///< what a click runs; empty: "open NAME"
+    std::string picture{};  ///< the scene or state file that its thumbnail shows; empty: NAME
 };
 
 struct Stage {

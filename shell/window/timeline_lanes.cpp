@@ -132,7 +132,8 @@ TimelineLayout timeline_layout(const Ui& ui, const Area& area) {
     const float plot = area.x + left, w = std::max(area.w - left, 1.0f);
     layout.header = {area.x, area.y, left, area.h};
     layout.ruler = {plot, area.y, w, layout.text + 5 * unit};
-    layout.marks = {plot, layout.ruler.y + layout.ruler.h, w, mark_rows * layout.mark_row + 2 * unit};
+    layout.budgets = {plot, layout.ruler.y + layout.ruler.h, w, layout.text + 2 * unit};
+    layout.marks = {plot, layout.budgets.y + layout.budgets.h, w, mark_rows * layout.mark_row + 2 * unit};
     std::array share{1.45f, 1.0f, 1.0f, 1.15f};
     const float top = layout.marks.y + layout.marks.h + gap, room = area.y + area.h - top;
     // Two titles need two lines.
@@ -238,13 +239,18 @@ void draw_ruler(ImDrawList& list, const Ui& ui, const TimelineLayout& layout, co
             list.AddRectFilled({x - unit / 2, y}, {x + unit / 2, std::min(y + 2 * unit, layout.bottom())},
                                colour(theme::faint));
     }
-    for (const RulerLabel& label : ruler_labels(data.axis, data.budgets, width, 9 * unit)) {
-        const bool budget = label.kind == RulerLabel::Kind::budget, number = label.kind == RulerLabel::Kind::number;
+    for (const RulerLabel& label : budget_labels(data.axis, data.budgets, width, 9 * unit)) {
+        const Area& row = layout.budgets;
+        list.AddRectFilled({label.left - 3 * unit, row.y + unit}, {label.left + label.w + 3 * unit, row.y + row.h},
+                           colour(theme::lit), 2 * unit);
+        small_text(list, ui, label.left, row.y, label.text, theme::ink);
+    }
+    if (!data.budgets.empty())
+        small_text(list, ui, layout.header.x, layout.budgets.y, "budget of primitives", theme::faint);
+    for (const RulerLabel& label : ruler_labels(data.axis, width, 9 * unit)) {
+        const bool number = label.kind == RulerLabel::Kind::number;
         const float y = ruler.y, handle = x_of_step(data.axis, data.position), half = handle_half(ui, data);
         if (label.left - 3 * unit < handle + half && label.left + label.w + 3 * unit > handle - half) continue;
-        if (budget)
-            list.AddRectFilled({label.left - 3 * unit, y}, {label.left + label.w + 3 * unit, y + layout.text + unit},
-                               colour(theme::lit), 2 * unit);
         small_text(list, ui, label.left, y, label.text, number ? theme::faint : theme::ink);
         list.AddRectFilled({label.at - unit / 2, foot - 4 * unit}, {label.at + unit / 2, foot}, colour(theme::faint));
     }
@@ -278,8 +284,8 @@ void draw_marks(ImDrawList& list, const Ui& ui, const TimelineLayout& layout, co
     key(MarkKind::mis_ranked, "mis-ranked", 1, 0);
     key(MarkKind::unreached, "unreached", 1, 1);
     key(MarkKind::first_wrong, "wrong", 0, 1);
-    key(MarkKind::pop, "pop", 1, 2);
-    key(MarkKind::bookmark, "yours", 0, 2);
+    key(MarkKind::pop, "pop", 0, 2);
+    key(MarkKind::bookmark, "bookmarks", 1, 2);
 }
 
 void draw_position(ImDrawList& list, const Ui& ui, const TimelineLayout& layout, const TimelineData& data,

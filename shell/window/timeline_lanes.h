@@ -11,7 +11,7 @@ namespace sightline {
 /// Where everything stands, in the window's units.
 struct TimelineLayout {
     Area header;  ///< titles and scales, left of the plot
-    Area ruler, marks;
+    Area ruler, budgets, marks;
     enum Lane : std::uint8_t { rendered, key, front, coverage, lane_count };
     std::array<Area, lane_count> lanes;  ///< h = 0: left out, there is no room for it
     float text = 0;                      ///< height of the small text

@@ -17,16 +17,20 @@ struct BudgetTick {
 };
 
 struct RulerLabel {
-    enum class Kind : std::uint8_t { number, budget, end };
+    enum class Kind : std::uint8_t { number, end };
     Kind kind = Kind::number;
     std::string text;
     float at = 0;           ///< what it names
     float left = 0, w = 0;  ///< where the text goes
 };
 
-/// The end of the run first, then the budgets, which join their words where they would overlap, then as many numbers as
-/// have room. All lie between the ends of the axis if they fit; `width` measures a text, `gap` is kept between two.
-std::vector<RulerLabel> ruler_labels(const StepAxis& axis, const std::vector<BudgetTick>& budgets,
-                                     const std::function<float(const std::string&)>& width, float gap);
+/// The end of the run first, then as many numbers as have room. All lie between the ends of the axis if they fit;
+/// `width` measures a text, `gap` is kept between two.
+std::vector<RulerLabel> ruler_labels(const StepAxis& axis, const std::function<float(const std::string&)>& width,
+                                     float gap);
+
+/// The budgets, on a line of their own; they join their words where they would overlap.
+std::vector<RulerLabel> budget_labels(const StepAxis& axis, const std::vector<BudgetTick>& budgets,
+                                      const std::function<float(const std::string&)>& width, float gap);
 
 }  // namespace sightline

@@ -48,6 +48,13 @@ struct ShownRows {
     std::vector<Row> rows;
 };
 
+/// Where the arrow keys stand in the list of scenes (scene_filter.h).
+struct SceneList {
+    std::string filter;
+    std::size_t row = 0, column = 0;
+    bool moved = false;  ///< to be brought into view
+};
+
 struct Ui {
     float unit = 1;         ///< ImGui units per pixel of the layout at scale 1
     float framebuffer = 1;  ///< framebuffer pixels per ImGui unit
@@ -57,7 +64,9 @@ struct Ui {
     Completion completion;
     std::vector<std::string> typed;  ///< command lines, oldest first
     int line_opens = 0;              ///< so many frames from now on what was in the line is not marked
+    bool line_failed = false;        ///< it stays to be read, marked: what is typed replaces it
     int recalled = 0;                ///< so many back in them the line stands; 0: what is being typed
+    std::string draft;               ///< what was being typed before the first of them came back
     std::size_t said_before = 0;     ///< so many of them belong to an earlier action than the last
     /// Counts what may have changed the bench; what is drawn from it is made again when this differs.
     std::uint64_t revision = 1;
@@ -73,6 +82,7 @@ struct Ui {
     bool mouse_awake = false;
     /// Runs commands; says what went wrong instead of throwing.
     std::function<void(const std::string& commands)> act;
+    SceneList scenes;
 };
 
 inline ImU32 colour(const Colour& c) { return IM_COL32(c.r, c.g, c.b, c.a); }

@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/base/stopwatch.h"
 #include "shell/commands/command_table.h"
+#include "shell/commands/key_bindings.h"
 #include "shell/commands/prompt.h"
 #include "shell/commands/teach.h"
 #include "shell/desk/fly.h"
@@ -17,6 +18,7 @@
 #include "shell/desk/what_if.h"
 #include "shell/window/imgui_backend.h"
 #include "shell/window/keys.h"
+#include "shell/window/parts.h"
 #include "shell/window/screen_density.h"
 #include "shell/window/theme.h"
 
@@ -36,6 +38,9 @@ constexpr float projector_text_pixels = 32.4f, projector_label_pixels = 32.4f;
 
 /// What clickers send beside PageDown and PageUp: a blank screen, and the start of a show, which does nothing here.
 bool is_presenter_key(const std::string& key) { return key == "B" || key == "." || key == "F5"; }
+
+/// A letter, a digit or a sign, with or without Shift: what acts on a picture that has to be seen for it.
+bool is_character(const std::string& key) { return key.size() == 1 || (key.size() == 7 && key.starts_with("Shift+")); }
 
 bool is_no_letter(SDL_Keycode key) { return key < SDLK_SPACE || (key & SDLK_SCANCODE_MASK) != 0; }
 
@@ -179,24 +184,25 @@ void Window<D>::act(const std::string& commands) {
 
 template <int D>
 void Window<D>::escape() {
-    Desk& desk = bench_.desk;
-    if (desk.help || desk.chooser || desk.console || desk.lessons || desk.blank) {
-        desk.help = desk.chooser = desk.console = desk.lessons = desk.blank = false;
-        desk.console_text.clear();
-        return;
-    }
+    const Desk& desk = bench_.desk;
+    if (close_topmost(bench_.desk)) return;
     if (stage.cancel && stage.cancel()) {
         ++ui_.revision;
         return;
     }
+    if (ImGui::GetIO().WantTextInput) return;  // a field of the settings takes back what was typed
     if (bench_.flight.replaying)
         act("path stop");
     else if (bench_.transport.playing)
         act("pause");
     else if (desk.tool != Tool::select)
         act("tool select");
+    else if (desk.edit)
+        act("edit off");
     else if (desk.projector)
         act("projector");
+    else if (desk.fullscreen)
+        act("fullscreen");
     else
         act("select none");
 }
@@ -204,6 +210,8 @@ void Window<D>::escape() {
 template <int D>
 void Window<D>::press(const std::string& key) {
     if (key == "Escape") return escape();
+    const bool covered = bench_.desk.help || bench_.desk.lessons;
+    if (covered && is_character(key) && key != "P") return;  // the sheet of lessons speaks of P
     if (bench_.desk.projector && is_presenter_key(key)) {
         bench_.desk.blank = key != "F5" && !bench_.desk.blank;
         return;
@@ -218,7 +226,7 @@ void Window<D>::press(const std::string& key) {
 
 template <int D>
 bool Window<D>::expects_text() const {
-    return bench_.desk.console || ui_.awaits_text;
+    return bench_.desk.console || bench_.desk.chooser || ui_.awaits_text;
 }
 
 /// Dear ImGui sees the state of keys and mouse once a frame: a press and its release, or a release and the next press,
@@ -270,7 +278,10 @@ void Window<D>::handle(const SDL_Event& event) {
     // What was said belongs to what was done before.
     if (event.type == SDL_KEYDOWN || event.type == SDL_MOUSEBUTTONDOWN) ui_.said_before = ui_.messages.size();
     const bool typing = ImGui::GetIO().WantTextInput || expects_text();
+    if (event.type == SDL_KEYDOWN) opening_letter_ = false;
+    if (event.type == SDL_TEXTINPUT && std::exchange(opening_letter_, false)) return;
     ImGui_ImplSDL2_ProcessEvent(&event);
+    take_modifiers(event, ImGui::GetIO());
     if (event.type == SDL_QUIT) bench_.quit = true;
     if (event.type == SDL_WINDOWEVENT && event.window.event == SDL_WINDOWEVENT_CLOSE) {
         const bool notes = speaker_ && event.window.windowID == speaker_->id();
@@ -281,9 +292,11 @@ void Window<D>::handle(const SDL_Event& event) {
         SDL_free(event.drop.file);
     }
     const std::string key = key_name(event);
-    // While text is typed, keys are letters; only Escape leaves.
+    // While text is typed, keys are letters; Escape leaves.
     const bool taken = stage.takes_key && stage.takes_key(key);
-    if (!key.empty() && !taken && (!typing || key == "Escape")) press(key);
+    const bool always = key == "Escape" || key == "F12";  // F12: the text dump
+    if (!key.empty() && !taken && (!typing || always)) press(key);
+    opening_letter_ = event.type == SDL_KEYDOWN && !typing && expects_text();
 }
 
 /// Fonts and sizes follow the window and the desk.

@@ -84,8 +84,10 @@ private:
     std::optional<std::string> after_frame_;  ///< a command that takes seconds, until its word has been drawn
     bool expected_text_ = false;              ///< in the frame before
     int frames_in_between_ = 0;  ///< since a text field was opened or closed and the keyboard has not followed
-    bool was_touched_ = false;   ///< by keys or mouse, in this frame
-    int lively_frames_ = 0;      ///< ImGui needs a few frames after an event
+    /// A key has opened a text field: the letter that it sends as well is not for the field.
+    bool opening_letter_ = false;
+    bool was_touched_ = false;  ///< by keys or mouse, in this frame
+    int lively_frames_ = 0;     ///< ImGui needs a few frames after an event
 };
 
 }  // namespace sightline

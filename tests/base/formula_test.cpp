@@ -264,7 +264,9 @@ TEST(Text, ClosestIsAWordFewLettersAway) {
     EXPECT_EQ(closest("renderednow", words), "rendered_now");
     EXPECT_EQ(closest("rhoo", words), "rho");
     EXPECT_EQ(closest("frnot", words), "front");
-    EXPECT_EQ(closest("fortn", words), "");
+    EXPECT_EQ(closest("fortn", words), "front") << "letters that have changed places count once";
+    EXPECT_EQ(closest("rend", words), "rendered") << "half a word";
+    EXPECT_EQ(closest("qzxfk", words), "");
     EXPECT_EQ(closest("b", words), "");
     EXPECT_EQ(closest("", words), "");
     EXPECT_EQ(closest("xyz", {}), "");

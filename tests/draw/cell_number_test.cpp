@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/base/number.h"
+#include "core/draw/choice.h"
 #include "tests/draw/picture_support.h"
 
 namespace sightline {
@@ -31,7 +32,7 @@ TEST(CellNumbers, LabelsAreTheNumbersOfTheCells) {
                 const bool front = session.mark(cell).state == CellState::enqueued;
                 const bool wanted = where == LabelWhere::all || cell == last || (where == LabelWhere::front && front);
                 if (numbers[cell] && wanted && world.contains(session.cells().centre(cell)))
-                    expected.insert(short_number(*numbers[cell]));
+                    expected.insert(cell_label(session, choice_of(session), cell, *numbers[cell]));
             }
             const DrawList list = make_picture(session);
             for (const Label& label : list.labels) found.insert(label.text);

@@ -10,14 +10,14 @@ namespace sightline::test {
 using Goldens = std::vector<std::array<const char*, 6>>;
 
 inline const Goldens picture_3d_goldens{
-    {"69bb8ce7a76361c6", "6ccfc050f2ab912a", "ef51d2f4b8e8c1e2", "a9b80f3fa4013a92", "e37fd0c6db0c161d",
-     "29b6c3d7d1e5ba80"},
-    {"4e65bb5032bfcc5d", "d7772c05cea9e12a", "1833dbc762955a57", "59bd23e970d70bcf", "96cc74b633942d4a",
-     "e178e1c0b021d9a4"},
-    {"edc1af6354a59721", "3878422fd94d800d", "f81882d90dc8f424", "db3fa7e8a178210d", "3f6420d4252e4a85",
-     "da20e1169ce53118"},
-    {"ab7fafc81e503023", "e5c8377c08f00040", "c37c30a21dd0a090", "0feebe868db36c2c", "e2514e0ab96a3c5e",
-     "0ffa6554b893bcd6"},
+    {"69bb8ce7a76361c6", "64ce5bf306cdf36c", "ef51d2f4b8e8c1e2", "d7e36d55f5f781d9", "e37fd0c6db0c161d",
+     "b164a3602f3c7253"},
+    {"4e65bb5032bfcc5d", "cd2c2518ab8aa942", "1833dbc762955a57", "983e08bbc9bc4d67", "96cc74b633942d4a",
+     "627bd56cb3a7b76f"},
+    {"edc1af6354a59721", "e7162fcddeda3160", "f81882d90dc8f424", "c984eced9f3696d5", "3f6420d4252e4a85",
+     "34e5b74a2d67884d"},
+    {"ab7fafc81e503023", "d936053031664365", "c37c30a21dd0a090", "deac729234c98c2a", "e2514e0ab96a3c5e",
+     "e062adbdaf2eccc9"},
 };
 
 }  // namespace sightline::test

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/draw/picture_3d.h"
+#include "core/draw/choice.h"
 #include "core/session/settings_table.h"
 
 #include <gtest/gtest.h>
@@ -315,17 +316,18 @@ TEST(Picture3, NumbersStandOnTheShownCellsTheNearestFirst) {
         const DrawList list = make_picture(session);
         const View<3> camera = picture_camera(session);
         const auto numbers = cell_numbers(session, settings.label);
+        const Choice choice = settings.show_choice == Switch::on ? choice_of(session) : Choice{};
         const auto shown = shown_cells(session, slice_of(session));
         std::multimap<double, std::string> by_depth;
         std::multiset<std::string> first, expected;
         for (std::uint32_t cell = 0; cell < numbers.size(); ++cell) {
-            const bool must = cell == last_cell(session) || cell == session.selected_cell;
+            const bool must = cell == last_cell(session) || cell == choice.next || cell == session.selected_cell;
             const bool front = session.mark(cell).state == CellState::enqueued;
             const bool asked = settings.label_where == LabelWhere::all || cell == session.selected_cell ||
                                (settings.label_where == LabelWhere::front && (front || cell == last_cell(session)));
             const auto at = project(camera, session.cells().centre(cell));
             if (!numbers[cell] || !asked || !(must || shown[cell]) || !at || !list.world.contains(*at)) continue;
-            const std::string text = short_number(*numbers[cell]);
+            const std::string text = cell_label(session, choice, cell, *numbers[cell]);
             expected.insert(text);
             if (must) first.insert(text);
         }

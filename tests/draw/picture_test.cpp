@@ -310,17 +310,17 @@ TEST(Picture, AnEmptySceneHasAWorld) {
 
 const std::vector<Golden>& goldens() {
     static const std::vector<Golden> table{
-        {"bottleneck", {"ca793a7f64249f96", "e903b4b8ff0e4d9d", "f7f4ab109e5453b3"}},
-        {"field", {"9cf222902684e7f5", "092fc80353418843", "bb2b7ea858baac71"}},
-        {"streets", {"66c4994f4074b868", "30b174f3fccc3c0d", "ff3c7b22a76de3a1"}},
-        {"rooms", {"4e107589bf370dd1", "c812b304c5f31fd3", "63d4ac810ed4623e"}},
-        {"cars", {"7f564cfa40be54b5", "cf2dbce2571266fe", "10f8f22460c7b882"}},
-        {"jungle", {"a8b66a27e94b9514", "b04c3ff3381e2e3d", "79b3b22feed7e18e"}},
-        {"terrain", {"750d224149af4204", "89addba885f68604", "a23fae9c7c651c13"}},
-        {"wallholes", {"49d2b3cae15af4e8", "868d7e61ce370751", "72d8ddd26aa0c230"}},
-        {"wall2", {"4a01d2c98e2c4e77", "f71c98c480d726e9", "c670292aea42a619"}},
-        {"statue", {"2234e9323885048d", "374edcb3798786b9", "97fb8418ae0a66fc"}},
-        {"forget", {"625df6677a2765a1", "be4f614887f5c112", "de8cf0c6abb90dab"}},
+        {"bottleneck", {"29445b57142cfbb7", "b816f85cca3dd9d6", "16cd6423d2ea884d"}},
+        {"field", {"30cfa8d8ce2d752e", "8932e2d06febd3a6", "d627d2bbcb6f7dba"}},
+        {"streets", {"32d70951b548c343", "3667882b76b7a243", "d0e324b83299692d"}},
+        {"rooms", {"e2895e98c6b64779", "9ba314d599b63317", "012b9f5c495223a3"}},
+        {"cars", {"db9b0eb573ff3c13", "8c07eae5714e4991", "07b496df985aead3"}},
+        {"jungle", {"f2f019e7813474cd", "530a89ac66299beb", "8d9faa139f4c5d81"}},
+        {"terrain", {"5b793e925453a7aa", "a5cc19cd4dbc58ff", "360e97dc07ba8b61"}},
+        {"wallholes", {"11105ef272387af3", "a804ce803100c7d6", "af20ccbe4812ea41"}},
+        {"wall2", {"aa4c53b45e1f674c", "6887952cd4c99258", "d95738c47f891e96"}},
+        {"statue", {"c2ad67406fb79289", "a4367a9c2f8e3453", "438297d431b014e8"}},
+        {"forget", {"ca08d4f2a9fa6f34", "44ac56829990d6c5", "2a0ac1284e5163bc"}},
     };
     return table;
 }

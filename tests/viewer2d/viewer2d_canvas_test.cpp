@@ -33,13 +33,19 @@ protected:
 
     Camera camera() const { return {widened(shown_world(bench.session), area.w / area.h), area}; }
     Drag begin(Handle handle, const ImVec2& at, DragKind kind = DragKind::handle) {
-        return {kind, handle, none, camera().to_scene(at), camera(), begin_gesture(bench)};
+        return {kind,
+                handle,
+                none,
+                camera().to_scene(at),
+                camera(),
+                begin_gesture(bench),
+                bench.session.selected_primitive};
     }
     Pick pick_at(const ImVec2& at) const {
-        return pick(bench.session, camera(), handle_points(bench.session, camera(), 1), at, 1);
+        return pick(bench.session, camera(), handle_points(bench.session, camera(), 1, edit), at, 1, edit.on);
     }
     ImVec2 handle(Handle what) const {
-        for (const HandlePoint& point : handle_points(bench.session, camera(), 1))
+        for (const HandlePoint& point : handle_points(bench.session, camera(), 1, edit))
             if (point.handle == what) return point.at;
         ADD_FAILURE() << handle_name(what);
         return {};
@@ -47,6 +53,7 @@ protected:
 
     test::Bench made;
     Workbench<2>& bench;
+    EditMode edit{true};
 };
 
 float distance(const ImVec2& a, const ImVec2& b) { return std::hypot(a.x - b.x, a.y - b.y); }
@@ -105,7 +112,7 @@ TEST_F(Canvas, HandlesComeFirstAndTheNearestWins) {
     Settings settings = bench.session.settings();
     settings.show_view = Switch::off;
     change_settings(bench, settings);
-    EXPECT_EQ(handle_points(bench.session, camera(), 1).size(), 2u);  // what is not shown is not hit
+    EXPECT_EQ(handle_points(bench.session, camera(), 1, edit).size(), 2u);  // what is not shown is not hit
 }
 
 TEST_F(Canvas, ClicksAtOnePlaceGoThroughWhatLiesThere) {

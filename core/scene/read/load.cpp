@@ -6,6 +6,7 @@
 #include "core/base/file.h"
 #include "core/base/text.h"
 #include "core/scene/make/catalogue.h"
+#include "core/scene/read/no_scene.h"
 #include "core/scene/read/parsed_scene.h"
 #include "core/scene/read/read_wad.h"
 
@@ -58,7 +59,7 @@ Scene<2> find_scene(const std::string& name, const LoadOptions& options) {
             throw input_error(name, "", path + " is missing: install Debian's package freedoom (apt install freedoom)");
         return read_any(path, map, base, options);
     }
-    throw input_error(name, "", "no such file, and no scene of the catalogue has this id");
+    throw no_scene<2>(name);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include "core/base/text.h"
 #include "core/scene/make/catalogue.h"
 #include "core/scene/read/load.h"
+#include "core/scene/read/no_scene.h"
 #include "core/scene/read/read_mesh.h"
 
 namespace sightline {
@@ -34,7 +35,7 @@ Scene<3> find_scene(const std::string& name, const LoadOptions& options) {
     const MeshOptions mesh{options.two_sided, options.progress};
     if (exists(name)) return read_mesh(name, name, mesh);
     if (name.find(';') != std::string::npos) return read_meshes(split(name), name, mesh);
-    throw input_error(name, "", "no such file, and no scene of the catalogue has this id");
+    throw no_scene<3>(name);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "core/session/state_file.h"
 #include "shell/desk/moves.h"
 #include "shell/panels/panel.h"
+#include "tests/scene/scene_support.h"
 #include "tests/shell/commands/commands_support.h"
 
 namespace sightline {
@@ -36,9 +37,11 @@ TEST_F(EachCommand, compare) {
     run("set penalty=multiply; set star_shaped=off; compare penalty");
     EXPECT_EQ(other().session.settings().parameters.text(star_shaped_row()), "on") << "off is without a penalty, too";
     run("undo; undo");
+    test::expect_input_error([&] { run("compare distanc"); },
+                             "command 'compare distanc': 'distanc' cannot be compared with; did you mean distance?");
     try {
-        run("compare distanc");
-        ADD_FAILURE() << "there is no distanc";
+        run("compare zzzzzz");
+        ADD_FAILURE() << "there is no zzzzzz";
     } catch (const InputError& error) {
         for (const char* word : {"penalty", "distance", "perfect order", "view only", "layers", "preset:ID"})
             EXPECT_NE(std::string(error.what()).find(word), std::string::npos) << error.what();

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "shell/commands/command_table.h"
+#include "shell/commands/key_bindings.h"
 
 namespace sightline {
 namespace {

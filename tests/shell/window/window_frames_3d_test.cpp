@@ -10,7 +10,6 @@
 #include "shell/commands/command_table.h"
 #include "shell/desk/open_scene.h"
 #include "shell/panels/panel.h"
-#include "shell/window/keys.h"
 #include "tests/scene/random_scene.h"
 #include "tests/session/session_3d_support.h"
 #include "tests/shell/window/window_driver.h"

@@ -15,7 +15,6 @@
 #include "shell/desk/open_scene.h"
 #include "shell/desk/undo.h"
 #include "shell/panels/panel.h"
-#include "shell/window/keys.h"
 #include "tests/shell/desk/bench_support.h"
 #include "tests/shell/window/window_driver.h"
 #include "viewer2d/stage2d.h"

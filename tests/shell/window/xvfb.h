@@ -10,6 +10,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
@@ -157,6 +158,23 @@ public:
     bool lost_window(const std::string& title) {
         const bool gone = await([&] { return output({"search", "--onlyvisible", "--name", title}).empty(); });
         return gone && xdotool({"windowfocus", "--sync", window_});
+    }
+    /// Whether a window manager minds the screen.
+    bool has_manager() {
+        return await([&] { return xdotool({"get_num_desktops"}); }, 20);
+    }
+    /// Left, top, width and height of the window on the screen, without a frame.
+    std::array<int, 4> geometry() {
+        std::array<int, 4> numbers{-1, -1, -1, -1};
+        const std::filesystem::path file = folder_ / "geometry.txt";
+        Process({"xdotool", "getwindowgeometry", "--shell", window_}, {{display_}, ".", file}).wait();
+        std::ifstream in(file);
+        for (std::string line; std::getline(in, line);)
+            for (std::size_t i = 0; i < numbers.size(); ++i) {
+                const std::string name = std::array{"X=", "Y=", "WIDTH=", "HEIGHT="}[i];
+                if (line.starts_with(name)) numbers[i] = std::stoi(line.substr(name.size()));
+            }
+        return numbers;
     }
     bool key(const std::string& name) { return xdotool({"key", name}); }
     bool down(const std::string& name) { return xdotool({"keydown", name}); }
