@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <compare>
 #include <functional>
 #include <span>
 #include <vector>
 
+#include "core/draw/label_pass.h"
 #include "shell/window/ui.h"
 
 namespace sightline {
@@ -29,20 +29,7 @@ struct LabelPaper {
     std::function<ImVec2(const std::string&)> measure;
 };
 
-/// The point of a label that was shown, and which of its places it had.
-struct ShownLabel {
-    double x = 0, y = 0;
-    std::size_t shift = 0;
-    auto operator<=>(const ShownLabel&) const = default;
-};
-
-/// The labels that were shown last, sorted. They keep their places before others take one, so that while stepping
-/// numbers change but do not move, come or go.
-using LabelMemory = std::vector<ShownLabel>;
-
-/// Labels that do not yield take their places first, then those in `memory`, then the others in their order; one that
-/// yields moves within its room, and is left out where it would still lie on a taken place or on one of `taken`. About
-/// linear in the labels.
+/// As stand_labels says, each at its own size; those that must show stand where they want.
 std::vector<LabelSpot> place_labels(std::span<const Label> labels, const LabelPaper& paper, std::span<const Area> taken,
                                     LabelMemory& memory);
 

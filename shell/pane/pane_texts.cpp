@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "core/draw/legend.h"
+
 namespace sightline {
 
 void PaneTexts::begin(const Area& area, const PaneSize& size) {
@@ -19,8 +21,9 @@ void PaneTexts::add_legend(const Ui& ui, std::span<const LegendRow> rows, const 
                            const Colours& colours, std::span<const ImVec2> busy) {
     LabelPaper paper = label_paper(ui, area_, {});
     whole_ = points_at_legend(ui);
-    const std::vector<LegendRow> shown =
-        whole_ ? std::vector<LegendRow>(rows.begin(), rows.end()) : short_legend({rows.begin(), rows.end()});
+    std::vector<LegendRow> shown(rows.begin(), rows.end());
+    if (!whole_) shown = short_legend(std::move(shown));
+    if (shown.size() < rows.size()) shown.emplace_back().text = "point here for all";
     legend_ = make_legend(shown, bar, colours, paper.measure, ui.unit, size_.line_scale);
     if (legend_.h > area_.h - 20 * ui.unit || legend_.w > area_.w * 0.6f) legend_ = {};
     legend_area_ = {};
