@@ -43,6 +43,7 @@ std::vector<LabelSpot> place_labels(std::span<const Label> labels, const LabelPa
     ground.frame = box_of(paper.area);
     ground.pt = paper.pt;
     ground.least_room = 2 * paper.halo;
+    ground.keep_apart = paper.keep_apart;
     ground.to_paper = [&](const Vec<2>& p) { return vec(paper.to_window(p)); };
     ground.size = [&](const Label& label, std::size_t form) -> std::optional<LabelSize> {
         if (form > 0) return std::nullopt;
@@ -61,7 +62,8 @@ std::vector<LabelSpot> place_labels(std::span<const Label> labels, const LabelPa
         spots.push_back({standing.label,
                          {low.x, low.y, across.x, across.y},
                          {std::round(centre.x - extent.x / 2), std::round(centre.y - extent.y / 2)},
-                         window(standing.anchor),
+                         window(standing.leader ? standing.tip : standing.anchor),
+                         label.leader || standing.leader,
                          radius_of(label, extent)});
     }
     return spots;
@@ -70,7 +72,7 @@ std::vector<LabelSpot> place_labels(std::span<const Label> labels, const LabelPa
 LabelPaper label_paper(const Ui& ui, const Area& area, std::function<ImVec2(const Vec<2>&)> to_window) {
     ImFont* const font = ui.fonts.label;
     const float size = font->FontSize / ui.framebuffer;
-    return {area, 4.0f / 3 * ui.unit, 2 * ui.unit, std::move(to_window), [font, size](const std::string& text) {
+    return {area, 4.0f / 3 * ui.unit, 2 * ui.unit, false, std::move(to_window), [font, size](const std::string& text) {
                 return font->CalcTextSizeA(size, 1e9f, 0, text.data(), text.data() + text.size());
             }};
 }
@@ -79,7 +81,7 @@ void draw_labels(ImDrawList& list, const Ui& ui, std::span<const Label> labels, 
     ImFont* const font = ui.fonts.label;
     const float size = font->FontSize / ui.framebuffer;
     for (const LabelSpot& spot : spots)
-        if (const Label& label = labels[spot.label]; label.leader)
+        if (const Label& label = labels[spot.label]; spot.leader)
             draw_leader(list, spot, colour(label.colour), colour(label.halo), ui.unit);
     list.PushTextureID(ui.fonts.label_halo->texture());
     for (const LabelSpot& spot : spots)

@@ -17,6 +17,7 @@ struct LabelSpot {
     Area box;               ///< of text, halo and disc
     ImVec2 text{};          ///< the text's upper left corner
     ImVec2 anchor{};        ///< what it speaks of
+    bool leader = false;  ///< to the anchor
     float radius = 0;       ///< of the disc behind it; 0 without one
 };
 
@@ -25,11 +26,12 @@ struct LabelPaper {
     Area area;                                       ///< labels whose point lies outside are left out, others moved in
     float pt = 4.0f / 3;                             ///< ImGui units to the point
     float halo = 2;                                  ///< width around the glyphs, ImGui units
+    bool keep_apart = false;                         ///< LabelGround::keep_apart
     std::function<ImVec2(const Vec<2>&)> to_window;  ///< of Label::at
     std::function<ImVec2(const std::string&)> measure;
 };
 
-/// As stand_labels says, each at its own size; those that must show stand where they want.
+/// As stand_labels says, each at its own size.
 std::vector<LabelSpot> place_labels(std::span<const Label> labels, const LabelPaper& paper, std::span<const Area> taken,
                                     LabelMemory& memory);
 

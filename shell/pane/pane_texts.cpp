@@ -42,7 +42,9 @@ void PaneTexts::place(const Ui& ui, std::span<const Label> labels, std::function
                       std::span<const Area> taken) {
     std::vector<Area> all(taken.begin(), taken.end());
     if (legend_.w > 0) all.push_back(legend_area_);
-    spots_ = place_labels(labels, label_paper(ui, area_, std::move(to_window)), all, memory_);
+    LabelPaper paper = label_paper(ui, area_, std::move(to_window));
+    paper.keep_apart = true;
+    spots_ = place_labels(labels, paper, all, memory_);
 }
 
 void PaneTexts::draw_legend() {

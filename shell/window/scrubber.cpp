@@ -14,6 +14,7 @@
 #include "shell/window/buttons.h"
 #include "shell/window/parts.h"
 #include "shell/window/theme.h"
+#include "shell/window/wrap.h"
 
 namespace sightline {
 
@@ -157,9 +158,11 @@ void scrubber(Ui& ui, Workbench<D>& bench, const Area& area) {
     const bool has_button = behind > button + 2 * gap;  // its key is there in any case
     const float room = behind - (has_button ? button + 2 * gap : gap);
     if (room > 40 * ui.unit) track(ui, bench, {at.x + gap, at.y, room, ImGui::GetFrameHeight()});
-    ImGui::SetCursorScreenPos({at.x + std::max(room, 0.0f) + 2 * gap, at.y});
+    ImGui::SetCursorScreenPos({at.x + std::max(room, 0.0f) + (has_button ? 2 : 1) * gap, at.y});
     ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(position.c_str());
+    ImGui::TextUnformatted(shortened(position, text + std::min(room, 0.0f), [](std::string_view part) {
+                               return ImGui::CalcTextSize(part.data(), part.data() + part.size()).x;
+                           }).c_str());
     const std::string state =
         session.flying() ? "flying" : std::string(transport_words[static_cast<std::size_t>(transport_state(bench))]);
     note_place(bench, "state " + state);
