@@ -112,6 +112,7 @@ void Pane2d::render(const Session<2>& session, const PictureOptions& options) {
 
 void Pane2d::draw() const {
     if (picture_) quad_.draw(picture_->texture(), size_.x, size_.y, size_.w, size_.h, false);
+    texts_.draw_legend_beside();
 }
 
 void Pane2d::draw_texts(ImDrawList& list, const Ui& ui) const { texts_.draw(list, ui, above_.labels); }

@@ -95,6 +95,7 @@ void Pane3d::render(bool moving) {
 
 void Pane3d::draw() const {
     if (picture_) quad_.draw(picture_->texture(), size_.x, size_.y, size_.w, size_.h, false);
+    texts_.draw_legend_beside();
 }
 
 void Pane3d::draw_texts(ImDrawList& list, const Ui& ui) const { texts_.draw(list, ui, over_.labels); }

@@ -17,7 +17,7 @@ struct LabelSpot {
     Area box;               ///< of text, halo and disc
     ImVec2 text{};          ///< the text's upper left corner
     ImVec2 anchor{};        ///< what it speaks of
-    bool leader = false;  ///< to the anchor
+    bool leader = false;    ///< to the anchor
     float radius = 0;       ///< of the disc behind it; 0 without one
 };
 

@@ -70,7 +70,7 @@ void draw_axes(ImDrawList& list, const Ui& ui, const TradeOffPlot& plot) {
     for (const TradeOffPlot::Tick& tick : plot.times) {
         list.AddLine({tick.at, a.y}, {tick.at, a.y + a.h}, colour(theme::line));
         const float half = small_width(ui, tick.text) / 2;
-        if (tick.at - half < free_from) continue;
+        if (tick.at - half < free_from || tick.at + half > a.x + a.w + 6 * ui.unit) continue;
         small_text(list, ui, tick.at, a.y + a.h + 2 * ui.unit, tick.text, theme::faint, 0.5f);
         free_from = tick.at + half + text / 2;
     }
