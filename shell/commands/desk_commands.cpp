@@ -81,6 +81,14 @@ void flip(Workbench<D>& bench, Text) {
     bench.desk.*flag = !(bench.desk.*flag);
 }
 
+/// A lesson on the projector has the whole screen.
+template <int D>
+void projector(Workbench<D>& bench, Text) {
+    Desk& desk = bench.desk;
+    desk.projector = !desk.projector;
+    if (bench.teaching) desk.fullscreen = desk.projector;
+}
+
 constexpr std::array tools{NamedArgument{"Select", "select"},        NamedArgument{"Draw wall", "segment"},
                            NamedArgument{"Cut a gap", "gap"},        NamedArgument{"Write text", "text"},
                            NamedArgument{"Draw arrow", "arrow"},     NamedArgument{"Draw ring", "ring"},
@@ -110,8 +118,8 @@ std::span<const Command<D>> desk_commands() {
         Command<D>{"axis", "Timeline axis", "steps | primitives", "choose what the timeline counts", "", axis<D>},
         Command<D>{"zoom-timeline", "Timeline range", "FROM-TO | all", "choose which steps the timeline shows", "",
                    zoom_timeline<D>},
-        Command<D>{"projector", "Projector", "", "no panels; large text and a banner with the formula", "P",
-                   flip<&Desk::projector, D>},
+        Command<D>{"projector", "Projector", "",
+                   "no panels; large text and a banner with the formula; in a lesson full screen", "P", projector<D>},
         Command<D>{"fullscreen", "Full screen", "", "let the window cover the whole screen, or give it its size back",
                    "F11 Alt+Enter", flip<&Desk::fullscreen, D>},
         Command<D>{"scale", "Scale", "up | down | N", "make text and controls larger or smaller",

@@ -45,7 +45,15 @@ TEST_F(EachCommand, zoom_timeline) {
     EXPECT_EQ(bench->desk.timeline_to, 1);
 }
 
-TEST_F(EachCommand, projector) { flips("projector", bench->desk.projector); }
+TEST_F(EachCommand, projector) {
+    flips("projector", bench->desk.projector);
+    EXPECT_FALSE(bench->desk.fullscreen);
+    run("lesson plp; projector");
+    EXPECT_TRUE(bench->desk.projector);
+    EXPECT_TRUE(bench->desk.fullscreen) << "a lesson has the whole screen";
+    run("projector");
+    EXPECT_FALSE(bench->desk.fullscreen);
+}
 
 TEST_F(EachCommand, animate) { flips("animate", bench->desk.animate); }
 
