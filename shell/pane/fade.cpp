@@ -7,12 +7,14 @@ namespace sightline {
 
 void Fade::next(std::optional<GlTarget>& picture, const FadeOf& what, double now) {
     const bool same_place = what.run == shown_.run && what.size == shown_.size;
-    const bool steps = same_place && what.position != shown_.position && picture && what.animate;
-    if (steps) {
+    const bool steps = same_place && what.position != shown_.position;
+    const bool rested = now - started_ >= seconds;
+    if (steps) started_ = now;
+    if (steps && rested && picture && what.animate) {
         std::swap(picture, before_);
-        started_ = now;
-    } else if (!same_place || !what.animate) {
-        before_.reset();
+        fading_ = true;
+    } else if (steps || !same_place || !what.animate) {
+        fading_ = false;
     }
     shown_ = what;
 }

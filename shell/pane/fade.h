@@ -21,17 +21,19 @@ struct FadeOf {
 
 class Fade {
 public:
-    /// Before a picture is drawn anew. Where it will fade in, takes the one before out of `picture`.
+    /// Before a picture is drawn anew. Where it will fade in, takes the one before out of `picture`. Steps that follow
+    /// each other faster than they would fade in are shown at once.
     void next(std::optional<GlTarget>& picture, const FadeOf& what, double now);
     /// Over the new picture, in the default framebuffer. `now` in seconds.
     void draw(const TextureQuad& quad, const PaneSize& size, double now) const;
-    bool running(double now) const { return before_ && now - started_ < seconds; }
+    bool running(double now) const { return fading_ && now - started_ < seconds; }
 
     static constexpr double seconds = 0.15;
 
 private:
     std::optional<GlTarget> before_;
-    double started_ = 0;
+    bool fading_ = false;
+    double started_ = -seconds;  ///< when the last step came
     FadeOf shown_;
 };
 

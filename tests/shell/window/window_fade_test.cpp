@@ -37,6 +37,11 @@ TEST(WindowFade, AStepFadesInAndNothingElseDoes) {
     EXPECT_TRUE(does("step"));
     EXPECT_TRUE(does("back"));
     EXPECT_TRUE(does("run"));
+    driver->window().ui().act("back");
+    driver->frames(1);
+    driver->window().ui().act("back");
+    driver->frames(1);
+    EXPECT_FALSE(driver->window().stage.lively()) << "a run that plays fast is not drawn twice";
     EXPECT_FALSE(does("set show_normals=on")) << "the place in the run is the same";
     EXPECT_FALSE(does("method layers")) << "another run";
     driver->resize(700, 600);
