@@ -37,14 +37,14 @@ ListView Pane2d::view(const Box<2>& world) const {
     return {world, 0, 0, size_.w, size_.h, size_.px_per_pt, size_.line_scale};
 }
 
-void Pane2d::update(const Ui& ui, const Session<2>& session, const PictureOptions& options, std::uint64_t revision,
-                    const Area& area, bool projector, bool with_legend) {
-    const PaneSize size = pane_size(ui, area, projector);
-    const bool as_before =
-        revision == revision_ && size == size_ && same(*options.world, camera_.world) && !texts_.legend_turned(ui);
+void Pane2d::update(const Ui& ui, const Session<2>& session, const PictureOptions& options, const PaneFrame& frame,
+                    const Area& area) {
+    const PaneSize size = pane_size(ui, area, frame.projector);
+    const bool as_before = frame.revision == revision_ && size == size_ && same(*options.world, camera_.world) &&
+                           !texts_.legend_turned(ui);
     camera_ = {*options.world, area};
     if (as_before) return;
-    revision_ = revision;
+    revision_ = frame.revision;
     size_ = size;
 
     PictureOptions part = options;
@@ -56,8 +56,9 @@ void Pane2d::update(const Ui& ui, const Session<2>& session, const PictureOption
     part.eye = strip();
     above_ = make_picture(session, part);
     texts_.begin(area, size);
-    if (with_legend) add_legend(ui, session, options);
+    if (frame.with_legend) add_legend(ui, session, options);
     texts_.place(ui, above_.labels, [this](const Vec<2>& p) { return camera_.to_window(p); });
+    fade_.next(picture_, {frame.run, session.position(), size, frame.animate}, ImGui::GetTime());
     render(session, options);
 }
 
@@ -111,7 +112,10 @@ void Pane2d::render(const Session<2>& session, const PictureOptions& options) {
 }
 
 void Pane2d::draw() const {
-    if (picture_) quad_.draw(picture_->texture(), size_.x, size_.y, size_.w, size_.h, false);
+    if (!picture_) return;
+    quad_.draw(picture_->texture(), size_.x, size_.y, size_.w, size_.h, false);
+    fade_.draw(quad_, size_, ImGui::GetTime());
+    texts_.draw_legend_beside();
 }
 
 void Pane2d::draw_texts(ImDrawList& list, const Ui& ui) const { texts_.draw(list, ui, above_.labels); }

@@ -7,6 +7,7 @@
 #include "shell/gl/list_renderer.h"
 #include "shell/gl/target.h"
 #include "shell/gl/texture_quad.h"
+#include "shell/pane/fade.h"
 #include "shell/pane/pane_texts.h"
 #include "viewer2d/camera.h"
 
@@ -14,13 +15,14 @@ namespace sightline {
 
 class Pane2d {
 public:
-    /// Brings everything up to date. `options.world` fills the area. A new `revision` says that the session or the
-    /// options may have changed. Draws off screen; leaves the default framebuffer bound.
-    void update(const Ui& ui, const Session<2>& session, const PictureOptions& options, std::uint64_t revision,
-                const Area& area, bool projector, bool with_legend);
+    /// Brings everything up to date. `options.world` fills the area. Draws off screen; leaves the default framebuffer
+    /// bound.
+    void update(const Ui& ui, const Session<2>& session, const PictureOptions& options, const PaneFrame& frame,
+                const Area& area);
 
     /// Lays the picture onto the default framebuffer.
     void draw() const;
+    bool fading() const { return fade_.running(ImGui::GetTime()); }
     /// Labels of the picture and texts of the legend.
     void draw_texts(ImDrawList& list, const Ui& ui) const;
 
@@ -53,6 +55,7 @@ private:
     ListRenderer below_renderer_, border_renderer_, above_renderer_;
     TextureQuad quad_;
     std::optional<GlTarget> picture_, border_picture_;
+    Fade fade_;
     Borders borders_;
     PaneTexts texts_;
 };

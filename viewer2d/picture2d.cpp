@@ -44,8 +44,9 @@ void Picture2d::update(const Ui& ui, const Area& area) {
         const Session<2>& session = i == 0 ? *shown : sessions_[i];
         auto options = sessions_.options<PictureOptions>(i);
         options.world = panes[i].camera.world;
-        panes_[i].update(ui, session, options, ui.revision, panes[i].camera.area, bench_.desk.projector,
-                         i == 0 && bench_.desk.legend);
+        const PaneFrame frame{ui.revision, bench_.run, bench_.desk.projector, i == 0 && bench_.desk.legend,
+                              bench_.desk.animate};
+        panes_[i].update(ui, session, options, frame, panes[i].camera.area);
     }
 }
 

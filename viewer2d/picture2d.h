@@ -22,6 +22,8 @@ public:
     void interact(Ui& ui, const Area& area);
     void draw(Ui& ui, const Area& area);
     bool cancel() { return mouse_.cancel(); }
+    /// Whether it moves by itself.
+    bool lively() const { return panes_[0].fading() || panes_[1].fading(); }
 
     /// The left or only pane's, as of the last frame.
     const Camera& camera() const { return panes_[0].camera(); }

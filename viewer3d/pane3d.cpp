@@ -41,22 +41,22 @@ void Pane3d::make_solid_list(const Session<3>& session, const PictureOptions3& o
     solid_.camera = picture_camera(session, options.aspect);
 }
 
-bool Pane3d::update(const Ui& ui, const Session<3>& session, const PictureOptions3& options, std::uint64_t revision,
-                    std::uint64_t run, const Area& area, bool projector, bool with_legend, bool moving,
-                    std::span<const Area> insets) {
-    const PaneSize size = pane_size(ui, area, projector);
+bool Pane3d::update(const Ui& ui, const Session<3>& session, const PictureOptions3& options, const PaneFrame& frame,
+                    const Area& area, bool moving, std::span<const Area> insets) {
+    const PaneSize size = pane_size(ui, area, frame.projector);
     area_ = area;
-    if (revision == revision_ && size == size_ && !texts_.legend_turned(ui)) return false;
-    revision_ = revision;
+    if (frame.revision == revision_ && size == size_ && !texts_.legend_turned(ui)) return false;
+    revision_ = frame.revision;
     size_ = size;
 
     const Stopwatch drawing;
-    make_solid_list(session, options, run);
+    make_solid_list(session, options, frame.run);
     over_ = make_picture(session, options);
     texts_.begin(area, size);
-    if (with_legend) add_legend(ui, session, options, insets);
+    if (frame.with_legend) add_legend(ui, session, options, insets);
     texts_.place(
         ui, over_.labels, [this](const Vec<2>& p) { return to_window(p); }, insets);
+    fade_.next(picture_, {frame.run, session.position(), size, frame.animate && !session.flying()}, ImGui::GetTime());
     render(moving);
     draw_ms_ = drawing.milliseconds();
     return true;
@@ -94,7 +94,10 @@ void Pane3d::render(bool moving) {
 }
 
 void Pane3d::draw() const {
-    if (picture_) quad_.draw(picture_->texture(), size_.x, size_.y, size_.w, size_.h, false);
+    if (!picture_) return;
+    quad_.draw(picture_->texture(), size_.x, size_.y, size_.w, size_.h, false);
+    fade_.draw(quad_, size_, ImGui::GetTime());
+    texts_.draw_legend_beside();
 }
 
 void Pane3d::draw_texts(ImDrawList& list, const Ui& ui) const { texts_.draw(list, ui, over_.labels); }

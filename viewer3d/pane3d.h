@@ -7,21 +7,21 @@
 #include "shell/gl/solid_renderer.h"
 #include "shell/gl/target.h"
 #include "shell/gl/texture_quad.h"
+#include "shell/pane/fade.h"
 #include "shell/pane/pane_texts.h"
 
 namespace sightline {
 
 class Pane3d {
 public:
-    /// Brings everything up to date. A new `revision` says that the session or the options may have changed; `run`
-    /// counts its traversals (Workbench::run). `moving`: fast rather than smooth. Draws off screen; leaves the default
+    /// Brings everything up to date. `moving`: fast rather than smooth. Draws off screen; leaves the default
     /// framebuffer bound. Labels and legend keep off the insets. False: there was nothing to draw again.
-    bool update(const Ui& ui, const Session<3>& session, const PictureOptions3& options, std::uint64_t revision,
-                std::uint64_t run, const Area& area, bool projector, bool with_legend, bool moving,
-                std::span<const Area> insets);
+    bool update(const Ui& ui, const Session<3>& session, const PictureOptions3& options, const PaneFrame& frame,
+                const Area& area, bool moving, std::span<const Area> insets);
 
     /// Lays the picture onto the default framebuffer.
     void draw() const;
+    bool fading() const { return fade_.running(ImGui::GetTime()); }
     /// Labels of the picture and texts of the legend.
     void draw_texts(ImDrawList& list, const Ui& ui) const;
 
@@ -64,6 +64,7 @@ private:
     ListRenderer over_renderer_;
     TextureQuad quad_;
     std::optional<GlTarget> picture_;
+    Fade fade_;
     PaneTexts texts_;
     double draw_ms_ = 0;
 };

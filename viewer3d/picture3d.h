@@ -25,7 +25,9 @@ public:
     void draw(Ui& ui, const Area& area);
     bool cancel() { return mouse_.cancel(); }
     bool takes_key(const std::string& key) const;
-    bool lively() const { return bench_.flight.on || bench_.flight.replaying; }
+    bool lively() const {
+        return bench_.flight.on || bench_.flight.replaying || panes_[0].fading() || panes_[1].fading();
+    }
 
     const Pane3d& pane() const { return panes_[0]; }
 

@@ -37,7 +37,6 @@ Stage stage3d(Workbench<3>& bench, const std::shared_ptr<Renderers>& renderers) 
     const auto held = std::make_shared<Held>(bench, renderers);
     Stage stage = stage_of(held, scene_choices());
     stage.takes_key = [held](const std::string& key) { return held->picture.takes_key(key); };
-    stage.lively = [held] { return held->picture.lively(); };
     return stage;
 }
 

@@ -98,15 +98,18 @@ std::vector<Figure::Panel> draw_panels(std::span<const PanelSource<D>> sources, 
     return panels;
 }
 
-/// What the legend has to explain.
+/// What the legend has to explain, and which notes lie outside.
 template <int D>
-void note_use(std::span<const PanelSource<D>> sources, std::span<const Figure::Panel> panels, Common<D>& common) {
+void note_use(std::span<const PanelSource<D>> sources, std::span<Figure::Panel> panels, Common<D>& common) {
     for (std::size_t i = 0; i < sources.size(); ++i) {
         add_used(panels[i].list, common.used);
         if (panels[i].solid) add_used(*panels[i].solid, common.used);
         for (const Note<D>& note : current_notes(sources[i].session)) {
             const auto at = place_of(panels[i], anchor_point(sources[i].session, note));
-            if (at && panels[i].list.world.contains(*at)) common.notes.push_back(note);
+            if (at && panels[i].list.world.contains(*at))
+                common.notes.push_back(note);
+            else
+                panels[i].notes_outside.push_back(note.text);
         }
     }
 }
@@ -116,11 +119,12 @@ template <int D>
 Figure empty_figure(const Common<D>& common) {
     const Settings& settings = common.settings;
     Figure figure;
-    figure.legend_place = settings.legend == Legend::inside    ? LegendPlace::inside
-                          : settings.legend == Legend::outside ? LegendPlace::outside
-                                                               : LegendPlace::off;
-    figure.legend = legend_rows(common.used, settings, common.notes);
-    if (common.range)
+    figure.legend_place = settings.legend == Legend::inside ? LegendPlace::inside : LegendPlace::outside;
+    figure.legend = settings.legend == Legend::off ? callout_rows<D>(common.notes)
+                                                   : legend_rows(common.used, settings, common.notes);
+    if (settings.legend == Legend::brief) figure.legend = short_legend(std::move(figure.legend));
+    if (figure.legend.empty() && settings.legend == Legend::off) figure.legend_place = LegendPlace::off;
+    if (common.range && settings.legend != Legend::off)
         figure.bar =
             ColourBar{std::string(number_title(settings.heat, common.used.key_title)), short_number((*common.range)[0]),
                       short_number((*common.range)[1]), colours(settings.palette).heat};

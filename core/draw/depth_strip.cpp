@@ -108,6 +108,7 @@ public:
         label.align = TextAlign::left;
         label.text = std::move(text);
         label.scale = 0.8;
+        label.fixed = true;
         label.colour = colours.ink;
         label.halo = colours.halo;
         list_.labels.push_back(std::move(label));

@@ -69,8 +69,11 @@ struct Label {
     Colour halo = transparent;   ///< drawn 1 pt around the glyphs, for contrast
     std::optional<Colour> disc;  ///< numbered callouts: a filled circle behind the text
     bool leader = false;         ///< an arrow from the text to `at`, in the text's colour
+    bool note = false;           ///< what an author wrote
+    bool fixed = false;          ///< part of a drawing: stands where it is, and others keep off
     bool yields = false;         ///< left out where it would overlap an earlier label
     double room = 0;             ///< scene units by which it may leave `at` rather than be left out
+    Vec<2> fits{};  ///< of a fixed one: scene units to fit into, 0: any; figures set it smaller, down to half
 };
 
 /// Shapes are drawn in order, then the labels.
@@ -127,6 +130,7 @@ struct Figure {
         std::string title;                         ///< e.g. "(a) step 12"; may be empty
         std::shared_ptr<const SolidList> solid{};  ///< 3D: lies under the list and fills its world
         std::vector<Inset> insets{};
+        std::vector<std::string> notes_outside{};  ///< texts of notes of this moment that lie beside the picture
     };
     std::vector<Panel> panels;
     std::vector<LegendRow> legend;

@@ -101,6 +101,7 @@ public:
             text += std::to_string(strip_.wrong) + " of " + std::to_string(strip_.pixels) + " pixels wrong";
         label({place_.left, (place_.exact_high + place_.top) / 2}, TextAlign::left, std::move(text),
               strip_.wrong > 0 ? between({colours_.wrong, colours_.ink}, 0.2) : colours_.ink);
+        list_.labels.back().fits.x = place_.right - place_.left;
     }
 
 private:
@@ -148,6 +149,7 @@ private:
     void name(const char* text, double low, double high) {
         label({place_.left, (low + high) / 2}, TextAlign::right, text, colours_.ink);
         list_.labels.back().offset_pt = {-3, 0};
+        list_.labels.back().fits = {0.85 * (place_.left - list_.world.min.x), 1.25 * (high - low)};
     }
     void label(const Vec<2>& at, TextAlign align, std::string text, Colour colour) {
         Label label;
@@ -155,6 +157,7 @@ private:
         label.align = align;
         label.text = std::move(text);
         label.scale = 0.8;
+        label.fixed = true;
         label.colour = colour;
         list_.labels.push_back(std::move(label));
     }

@@ -137,23 +137,49 @@ LegendRow solid_row(const SolidStyle& look, const UsedStyles::Solid& use, const 
     return {use.faces ? ShapeKind::polygon : ShapeKind::polyline, style, text};
 }
 
+/// Panels may carry the same note.
+void add_text(std::string text, std::vector<LegendRow>& rows) {
+    if (std::any_of(rows.begin(), rows.end(), [&](const LegendRow& row) { return row.text == text; })) return;
+    LegendRow row;
+    row.text = std::move(text);
+    rows.push_back(std::move(row));
+}
+
 /// What the texts of a picture stand for.
 template <int D>
 void add_texts(const Settings& settings, std::string_view key_title, std::span<const Note<D>> notes,
                std::vector<LegendRow>& rows) {
-    const auto add = [&](std::string text) {
-        // Panels may carry the same note.
-        if (std::any_of(rows.begin(), rows.end(), [&](const LegendRow& row) { return row.text == text; })) return;
-        LegendRow row;
-        row.text = std::move(text);
-        rows.push_back(std::move(row));
-    };
-    if (settings.label != CellNumber::none) add("number: " + std::string(number_title(settings.label, key_title)));
-    for (const Note<D>& note : notes)
-        if (note.kind == Note<D>::Kind::callout) add(std::to_string(note.number) + ": " + note.text);
+    if (settings.label != CellNumber::none)
+        add_text("number: " + std::string(number_title(settings.label, key_title)), rows);
+    for (const LegendRow& row : callout_rows(notes)) add_text(row.text, rows);
 }
 
+/// Of a short legend.
+constexpr std::size_t short_rows = 5;
+/// Styles that can be left out, the first first: what they are can be guessed, or is seldom asked.
+constexpr auto seldom_asked =
+    std::to_array<std::string_view>({"view", "other", "rest", "eye", "clean", "seed", "unseen", "display_view", "last",
+                                     "plain", "hidden", "completed", "wasted"});
+
 }  // namespace
+
+template <int D>
+std::vector<LegendRow> callout_rows(std::span<const Note<D>> notes) {
+    std::vector<LegendRow> rows;
+    for (const Note<D>& note : notes)
+        if (note.kind == Note<D>::Kind::callout) add_text(std::to_string(note.number) + ": " + note.text, rows);
+    return rows;
+}
+template std::vector<LegendRow> callout_rows<2>(std::span<const Note<2>>);
+template std::vector<LegendRow> callout_rows<3>(std::span<const Note<3>>);
+
+std::vector<LegendRow> short_legend(std::vector<LegendRow> rows) {
+    for (const std::string_view name : seldom_asked) {
+        if (rows.size() <= short_rows) break;
+        std::erase_if(rows, [&](const LegendRow& row) { return row.style.name == name; });
+    }
+    return rows;
+}
 
 void add_used(const DrawList& list, UsedStyles& used) {
     used.looks.resize(style_index(Look::count));

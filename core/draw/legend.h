@@ -30,6 +30,13 @@ void add_used(const SolidList& solid, UsedStyles& used);
 std::vector<LegendRow> legend_rows(const UsedStyles& used, const Settings& settings, std::span<const Note<2>> notes);
 std::vector<LegendRow> legend_rows(const UsedStyles& used, const Settings& settings, std::span<const Note<3>> notes);
 
+/// What the callouts say.
+template <int D>
+std::vector<LegendRow> callout_rows(std::span<const Note<D>> notes);
+
+/// The rows of a legend without room: five, those that are needed first, and all that nothing else explains.
+std::vector<LegendRow> short_legend(std::vector<LegendRow> rows);
+
 /// The same for pictures that stand beside each other; `key_title` as in UsedStyles.
 std::vector<LegendRow> legend_rows(std::span<const DrawList* const> lists, const Settings& settings,
                                    std::string_view key_title, std::span<const Note<2>> notes);

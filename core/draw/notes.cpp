@@ -22,6 +22,26 @@ std::vector<Note<D>> current_notes(const Session<D>& session) {
 }
 
 template <int D>
+std::string cell_letter(std::span<const Note<D>> notes, std::uint32_t cell) {
+    for (const Note<D>& note : notes)
+        if (note.kind == Note<D>::Kind::text && note.anchor == Note<D>::Anchor::cell && note.index == cell &&
+            !note.text.empty() && note.text.size() <= 2)
+            return note.text;
+    return std::to_string(cell);
+}
+
+void name_line(const Vec<2>& at, std::string name, DrawList& list, const Colours& colours) {
+    Label label;
+    label.at = at;
+    label.text = std::move(name);
+    label.scale = 0.8;
+    label.colour = colours.ink;
+    label.halo = colours.halo;
+    label.yields = true;
+    list.labels.push_back(std::move(label));
+}
+
+template <int D>
 void draw_notes(const Session<D>& session, const std::function<std::optional<Vec<2>>(const Vec<D>&)>& place,
                 const Colours& colours, std::uint16_t style, DrawList& list) {
     for (const Note<D>& note : current_notes(session)) {
@@ -33,14 +53,15 @@ void draw_notes(const Session<D>& session, const std::function<std::optional<Vec
         label.text = note.text;
         label.colour = colours.ink;
         label.halo = colours.halo;
+        label.note = true;
         label.leader = note.kind == Note<D>::Kind::arrow;
         if (note.kind == Note<D>::Kind::ring) list.add(ShapeKind::ring, style, {*at}, 7);
         if (note.kind == Note<D>::Kind::callout) {
             label.text = std::to_string(note.number);
-            label.offset_pt = {0, 0};
             label.colour = colours.background;
             label.disc = colours.ink;
             label.halo = transparent;
+            label.leader = note.offset_pt != Vec<2>(0);
         }
         list.labels.push_back(label);
     }
@@ -48,6 +69,8 @@ void draw_notes(const Session<D>& session, const std::function<std::optional<Vec
 
 template Vec<2> anchor_point<2>(const Session<2>&, const Note<2>&);
 template Vec<3> anchor_point<3>(const Session<3>&, const Note<3>&);
+template std::string cell_letter<2>(std::span<const Note<2>>, std::uint32_t);
+template std::string cell_letter<3>(std::span<const Note<3>>, std::uint32_t);
 template std::vector<Note<2>> current_notes<2>(const Session<2>&);
 template std::vector<Note<3>> current_notes<3>(const Session<3>&);
 template void draw_notes<2>(const Session<2>&, const std::function<std::optional<Vec<2>>(const Vec<2>&)>&,

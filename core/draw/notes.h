@@ -4,6 +4,8 @@
 
 #include <functional>
 #include <optional>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "core/draw/draw_list.h"
@@ -19,6 +21,17 @@ Vec<D> anchor_point(const Session<D>& session, const Note<D>& note);
 /// The notes whose step range holds the session's position.
 template <int D>
 std::vector<Note<D>> current_notes(const Session<D>& session);
+
+/// The letter or two that a text note gives a cell, as in figures that speak of A and B; else its number.
+template <int D>
+std::string cell_letter(std::span<const Note<D>> notes, std::uint32_t cell);
+template <int D>
+std::string cell_letter(const std::vector<Note<D>>& notes, std::uint32_t cell) {
+    return cell_letter<D>(std::span(notes), cell);
+}
+
+/// A short name beside a line, which yields to all else that is written.
+void name_line(const Vec<2>& at, std::string name, DrawList& list, const Colours& colours);
 
 /// Adds the current notes, a label for each in their order, where `place` puts their anchors; nothing for those that it
 /// puts nowhere. Pictures have these labels before all others.

@@ -158,7 +158,7 @@ Colours print() {
                 line("view", black, 0.8, Dash::dashed),
                 line("display_view", dark, 0.7, Dash::dotted),
                 mark("eye", white, black, 0.9),
-                line("seed", black, 1.6, Dash::dashed),
+                line("seed", {120, 120, 120}, 2.8),
                 line("selected", black, 2.2),
                 line("last", black, 1.6),
                 line("eye_ray", dark, 0.6, Dash::dotted),

@@ -206,6 +206,10 @@ private:
             const Vec<2> tip = facet.centroid + n * (0.07 * list_.world.longest_side());
             list_.add(ShapeKind::arrow, halo, {facet.centroid, tip}, 4);
             list_.add(ShapeKind::arrow, index(Look::normal), {facet.centroid, tip}, 4);
+            name_line(tip + n * (0.015 * list_.world.longest_side()),
+                      "n_" + cell_letter(session_.notes, half.neighbour), list_, colours_);
+            // Where the rays have drawn apart.
+            name_line(facet.centroid + (eye - facet.centroid) * 0.2, "v", list_, colours_);
         }
     }
 

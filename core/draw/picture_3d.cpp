@@ -136,6 +136,11 @@ private:
             line(session_.culling_view().eye, facet.centroid, Look::eye_ray);
             arrow(facet.centroid, tip, rim);
             arrow(facet.centroid, tip, index(Look::normal));
+            const Vec<3> beyond = tip + (tip - facet.centroid) * 0.2;
+            if (const auto at = in_picture(beyond))
+                name_line(*at, "n_" + cell_letter(session_.notes, half.neighbour), list_, colours_);
+            if (const auto at = in_picture(facet.centroid + (session_.culling_view().eye - facet.centroid) * 0.2))
+                name_line(*at, "v", list_, colours_);
         }
     }
 

@@ -55,11 +55,11 @@ std::vector<SolidStyle> paper_solids() {
 std::vector<SolidStyle> print_solids() {
     const auto grey = [](std::uint8_t v) { return Colour{v, v, v}; };
     return {
-        solid("clean", grey(165), 0.5), solid("enqueued", grey(60)),     solid("projected", grey(205)),
+        solid("clean", grey(165), 0.5), solid("enqueued", grey(60)),     solid("projected", grey(225)),
         solid("unseen", grey(125)),     edge("only_here", grey(0), 1.6), edge("only_there", grey(90), 0.6),
         edge("border", grey(110), 0.5), solid("plain", grey(190)),       solid("rest", grey(235)),
-        solid("rendered", grey(190)),   solid("missed", grey(30)),       solid("wasted", grey(130)),
-        solid("other", grey(235)),      solid("fresh", grey(80)),        solid("completed", grey(175)),
+        solid("rendered", grey(175)),   solid("missed", grey(30)),       solid("wasted", grey(120)),
+        solid("other", grey(235)),      solid("fresh", grey(70)),        solid("completed", grey(175)),
         solid("hidden", grey(100)),     solid("added", grey(175)),
     };
 }

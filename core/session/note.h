@@ -19,7 +19,7 @@ struct Note {
     Anchor anchor = Anchor::point;
     Vec<D> point{};            ///< anchor point, scene units
     std::uint32_t index = 0;   ///< anchored cell (its centre) or primitive (its middle)
-    Vec<2> offset_pt{0, 12};   ///< where the text stands from the anchor: x right, y up, points of the final size
+    Vec<2> offset_pt{0, 12};   ///< where the text, or a callout's number, stands from the anchor: x right, y up, points
     std::string text;          ///< callout: what is explained beside its number
     std::uint32_t number = 0;  ///< callout
     std::uint32_t first_step = 0, last_step = 0xffffffffu;  ///< shown in these steps only

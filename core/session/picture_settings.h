@@ -24,7 +24,7 @@ struct CellNumber {
 enum class LabelWhere : std::uint8_t { front, all, selected };
 enum class Palette : std::uint8_t { standard, paper, print };
 enum class ZoomAt : std::uint8_t { view, last, selected, point };
-enum class Legend : std::uint8_t { outside, inside, off };
+enum class Legend : std::uint8_t { outside, inside, off, brief };
 enum class DrawnAs : std::uint8_t { off, solid, wireframe, translucent };
 enum class SliceAcross : std::uint8_t { off, x, y, z, view };
 enum class OnlyCells : std::uint8_t { all, front, around };
@@ -42,7 +42,7 @@ inline constexpr auto words<Palette> = std::to_array<std::string_view>({"default
 template <>
 inline constexpr auto words<ZoomAt> = std::to_array<std::string_view>({"view", "last", "selected", "point"});
 template <>
-inline constexpr auto words<Legend> = std::to_array<std::string_view>({"outside", "inside", "off"});
+inline constexpr auto words<Legend> = std::to_array<std::string_view>({"outside", "inside", "off", "short"});
 template <>
 inline constexpr auto words<DrawnAs> = std::to_array<std::string_view>({"off", "solid", "wireframe", "translucent"});
 template <>

@@ -97,6 +97,8 @@ OrderedJson note_json(const Note<D>& note) {
     else
         json["index"] = note.index;
     if (note.kind == Note<D>::Kind::callout) json["number"] = note.number;
+    // Files from before callouts could be moved have an offset that meant nothing.
+    if (note.kind == Note<D>::Kind::callout) json["moved"] = note.offset_pt != Vec<2>(0);
     if (note.first_step > 0) json["first_step"] = note.first_step;
     if (note.last_step != none) json["last_step"] = note.last_step;
     return json;
@@ -117,6 +119,7 @@ Note<D> read_note(const Json& json) {
     note.anchor = read_word<typename Note<D>::Anchor>(json.at("anchor"), note_anchor_words);
     note.text = json.at("text").get<std::string>();
     note.offset_pt = read_point<2>(json.at("offset_pt"));
+    if (note.kind == Note<D>::Kind::callout && !json.value("moved", false)) note.offset_pt = {0, 0};
     if (note.anchor == Note<D>::Anchor::point)
         note.point = read_point<D>(json.at("point"));
     else
@@ -237,6 +240,8 @@ OpenedState<D> read_state(const Json& json, const std::string& name, std::span<c
         opened.figure.size = figure.at("size").get<std::string>();
         opened.figure.font_pt = figure.at("font_pt").get<double>();
         opened.figure.panels = figure.at("panels").get<std::vector<std::string>>();
+        opened.figure.dpi = figure.value("dpi", FigureSpec{}.dpi);
+        opened.figure.columns = read_count(figure, "columns", 0);
     }
     session.selected_cell = read_selected(json, "selected_cell", session.cells().cell_count());
     session.selected_primitive = read_selected(json, "selected_primitive", session.scene().primitives.size());
@@ -330,7 +335,11 @@ std::string state_json(const Session<D>& session, const FigureSpec& figure, cons
     if (D == 3) head["dimension"] = D;
     OrderedJson json = head;
     json["scene"] = scene_part(session.scene());
-    json["figure"] = {{"size", figure.size}, {"font_pt", figure.font_pt}, {"panels", figure.panels}};
+    json["figure"] = {{"size", figure.size},
+                      {"font_pt", figure.font_pt},
+                      {"dpi", figure.dpi},
+                      {"panels", figure.panels},
+                      {"columns", figure.columns}};
     json.update(session_part(session));
     if (other) {
         OrderedJson beside = head;

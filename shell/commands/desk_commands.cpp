@@ -116,6 +116,8 @@ std::span<const Command<D>> desk_commands() {
                    "F11 Alt+Enter", flip<&Desk::fullscreen, D>},
         Command<D>{"scale", "Scale", "up | down | N", "make text and controls larger or smaller",
                    "Ctrl+Plus=up Ctrl+Minus=down Ctrl+0=1", scale<D>, "", scales},
+        Command<D>{"animate", "Fade steps in", "", "let what a step changes fade in, or show it at once", "",
+                   flip<&Desk::animate, D>},
         Command<D>{"console", "Command line", "", "type a command", ": Ctrl+P", flip<&Desk::console, D>},
         Command<D>{"help", "Keys", "", "show all keys and what they do", "F1", flip<&Desk::help, D>},
     };

@@ -97,6 +97,7 @@ std::vector<Menu> make_menus() {
                                "scale down",
                                "scale 1",
                                "-",
+                               "animate",
                                "projector",
                                "fullscreen"})},
         {"Run",

@@ -68,6 +68,7 @@ void note(Workbench<D>& bench, Text text) {
     note.kind = static_cast<typename Note<D>::Kind>(word_argument(kind, note_kind_words));
     auto [anchor, words] = split_word(rest);
     set_anchor(bench, note, anchor);
+    if (note.kind == Note<D>::Kind::callout) note.offset_pt = {0, 0};
     if (const auto offset = take_offset(words)) note.offset_pt = *offset;
     if (const auto steps = take_steps(words)) std::tie(note.first_step, note.last_step) = std::tuple_cat(*steps);
     note.text = words;
@@ -111,8 +112,8 @@ std::span<const Command<D>> note_commands() {
     static constexpr std::array table{
         Command<D>{
             "note", "Add note", "KIND ANCHOR [[DX,DY]] [{FROM-TO}] TEXT",
-            "add a text, arrow, ring or callout at X,Y, cell:ID, cell:last or primitive:ID; DX,DY moves its text, "
-            "in points; FROM-TO are the steps that show it",
+            "add a text, arrow, ring or callout at X,Y, cell:ID, cell:last or primitive:ID; DX,DY moves its text or "
+            "number, in points; FROM-TO are the steps that show it",
             "", note<D>},
         Command<D>{"note-edit", "Edit note", "N TEXT | N [DX,DY] | N {FROM-TO} | N at ANCHOR | N delete",
                    "change, move or delete note N (its number, or selected)", "", edit_note<D>},

@@ -30,6 +30,7 @@ struct Desk {
     double scale = 1;        ///< of everything, on top of what the screen asks for
     bool fullscreen = false;
     std::string projector_panel;  ///< the one that stays in projector mode; empty: none
+    bool animate = true;          ///< what a step changes fades in
     bool blank = false;           ///< nothing but a dark window: the class looks at the lecturer
     bool speaker = false;         ///< notes and clock in a window of their own
     bool edit = false;            ///< 2D: walls and the view have handles; otherwise a drag moves the eye or pans

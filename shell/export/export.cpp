@@ -2,6 +2,8 @@
 #include "shell/export/export.h"
 
 #include <iostream>
+#include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "core/base/error.h"
 #include "core/base/file.h"
@@ -13,6 +15,7 @@
 #include "core/session/state_file.h"
 #include "core/space/cells_file.h"
 #include "shell/desk/compare.h"
+#include "shell/figure/lay_out.h"
 
 namespace sightline {
 
@@ -66,11 +69,21 @@ void add_panels(const Workbench<D>& bench, const Session<D>& session, bool with_
     add(other, session, titles[1]);
 }
 
+/// The state file with what its figure does not show, for who reads it; opening it looks at the figure afresh.
+std::string with_left_out(const std::string& state, const std::vector<std::string>& missing) {
+    if (missing.empty()) return state;
+    auto json = nlohmann::ordered_json::parse(state);
+    json["figure"]["left_out"] = missing;
+    return json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
 }  // namespace
 
 FigureSize figure_size(const FigureSpec& spec) {
     FigureSize size;
     size.font_pt = spec.font_pt;
+    size.dpi = spec.dpi;
+    size.columns = spec.columns;
     const std::string_view text = spec.size;
     if (text.ends_with("mm")) {
         const auto width = parse_number(text.substr(0, text.size() - 2));
@@ -92,14 +105,28 @@ FigureSize figure_size(const FigureSpec& spec) {
 template <int D>
 void set_figure_size(Workbench<D>& bench, const std::string& size) {
     FigureSpec spec = bench.figure;
-    spec.size = size;
-    figure_size(spec);
+    std::istringstream words(size);
+    if (size.find_first_not_of(' ') == std::string::npos) spec.size.clear();  // and so it is refused
+    for (std::string word; words >> word;) {
+        const std::string what = word;
+        const auto number = [&](std::string_view unit) {
+            const auto value = parse_number(std::string_view(what).substr(0, what.size() - unit.size()));
+            if (!value) throw InputError("size '" + what + "': not a number");
+            return *value;
+        };
+        if (word.ends_with("dpi"))
+            spec.dpi = number("dpi");
+        else if (word.ends_with("pt"))
+            spec.font_pt = number("pt");
+        else
+            spec.size = word;
+    }
+    check_size(figure_size(spec));
     bench.figure = std::move(spec);
 }
 
 template <int D>
-void write_shot(Workbench<D>& bench, const std::string& file) {
-    const Stopwatch drawing;
+Figure shot_figure(const Workbench<D>& bench) {
     std::vector<PanelSource<D>> panels;
     if (bench.figure.panels.empty()) add_panels(bench, bench.session, false, panels);
     for (const std::string& place : bench.figure.panels) {
@@ -107,13 +134,23 @@ void write_shot(Workbench<D>& bench, const std::string& file) {
         go_to_place(session, place);
         add_panels(bench, session, true, panels);
     }
+    return make_figure(std::span<const PanelSource<D>>(panels));
+}
+
+template <int D>
+void write_shot(Workbench<D>& bench, const std::string& file) {
+    const Stopwatch drawing;
+    const Figure figure = shot_figure(bench);
+    const FigureSize size = figure_size(bench.figure);
+    const std::vector<std::string> missing = left_out(figure, size);
     OutputFile sidecar(file + ".json");
-    sidecar.write(bench_state(bench));  // a disk that has no room for it keeps the old figure
-    write_figure(make_figure(std::span<const PanelSource<D>>(panels)), figure_size(bench.figure), file,
-                 bench.graphics.draw_solid);
+    sidecar.write(with_left_out(bench_state(bench), missing));  // a disk without room for it keeps the old figure
+    write_figure(figure, size, file, bench.graphics.draw_solid);
     sidecar.commit();
     bench.session.times().draw += drawing.milliseconds();
-    bench.say("wrote " + file + " and " + file + ".json");
+    std::string said = "wrote " + file + " and " + file + ".json";
+    for (const std::string& remark : missing) said += "; " + remark;
+    bench.say(said);
 }
 
 template <int D>
@@ -140,6 +177,7 @@ void write_text(const std::string& file, const std::string& text) {
 #define SIGHTLINE_INSTANTIATE(D)                                         \
     template void set_figure_size<D>(Workbench<D>&, const std::string&); \
     template void write_cells<D>(Workbench<D>&, const std::string&);     \
+    template Figure shot_figure<D>(const Workbench<D>&);                 \
     template void write_shot<D>(Workbench<D>&, const std::string&);      \
     template std::string bench_state<D>(const Workbench<D>&);
 SIGHTLINE_INSTANTIATE(2)

@@ -10,11 +10,17 @@ namespace sightline {
 /// The size that a figure's words ask for ("84mm", "1280x720"). Throws InputError for what is none.
 FigureSize figure_size(const FigureSpec& spec);
 
-/// Sets the size of figures. Throws InputError for what is none; the old size stays.
+/// Sets the size of figures, with "8pt" that of their text, with "600dpi" the resolution of PNGs in millimetres. Throws
+/// InputError for what is none; the old size stays.
 template <int D>
 void set_figure_size(Workbench<D>& bench, const std::string& size);
 
-/// Writes the figure and beside it FILE.json, a state file that opens the same again.
+/// The figure of what is on the bench.
+template <int D>
+Figure shot_figure(const Workbench<D>& bench);
+
+/// Writes the figure and beside it FILE.json, a state file that opens the same again. Says, there too, what the figure
+/// does not show as it was asked for.
 template <int D>
 void write_shot(Workbench<D>& bench, const std::string& file);
 

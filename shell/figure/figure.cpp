@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/base/output_file.h"
 #include "shell/figure/cairo_canvas.h"
+#include "shell/figure/label.h"
 #include "shell/figure/lay_out.h"
 #include "shell/figure/paint.h"
 #include "shell/figure/png.h"
@@ -36,7 +37,7 @@ Format format_of(const std::filesystem::path& path) {
 bool in_pixels(const FigureSize& size) { return size.width_px > 0; }
 
 /// Three decimals and no trailing zeros.
-std::string short_number(double value) {
+std::string decimal_text(double value) {
     std::string text = std::to_string(std::round(value * 1000) / 1000);
     text.erase(text.find_last_not_of('0') + 1);
     if (text.back() == '.') text.pop_back();
@@ -47,7 +48,7 @@ std::string svg_of(const Figure& figure, const FigureSize& size, const Layout& l
                    const DrawSolid& draw_solid) {
     SvgCanvas canvas(size.dpi, font);
     paint(canvas, figure, layout, font, draw_solid);
-    const auto length = [](double pt) { return short_number(pt * 25.4 / 72) + "mm"; };
+    const auto length = [](double pt) { return decimal_text(pt * 25.4 / 72) + "mm"; };
     if (in_pixels(size))
         return canvas.document(std::to_string(size.width_px), std::to_string(size.height_px), layout.width,
                                layout.height);
@@ -60,8 +61,8 @@ std::string png_of(const Figure& figure, const FigureSize& size, const Layout& l
     const double width = in_pixels(size) ? size.width_px : std::max(1.0, std::round(layout.width * scale));
     const double height = in_pixels(size) ? size.height_px : std::ceil(layout.height * scale - 1e-6);
     if (std::max(width, height) > 20000)
-        throw InputError("a PNG of " + short_number(width) + "x" + short_number(height) + " px at " +
-                         short_number(dpi) + " dpi is too large: at most 20000 px a side; lower the dpi or the size");
+        throw InputError("a PNG of " + decimal_text(width) + "x" + decimal_text(height) + " px at " +
+                         decimal_text(dpi) + " dpi is too large: at most 20000 px a side; lower the dpi or the size");
     const cairo_format_t format = figure.background.a == 255 ? CAIRO_FORMAT_RGB24 : CAIRO_FORMAT_ARGB32;
     const CairoSurface surface(cairo_image_surface_create(format, static_cast<int>(width), static_cast<int>(height)));
     CairoCanvas canvas(surface.get(), scale, scale, font);
@@ -79,8 +80,8 @@ std::string pdf_of(const MakePage& page, std::span<const Layout> layouts, double
                    const DrawSolid& draw_solid) {
     // Acrobat reads no page beyond 200 inches.
     if (std::max(layouts.front().width, layouts.front().height) > 14400)
-        throw InputError("a PDF page of " + short_number(layouts.front().width) + "x" +
-                         short_number(layouts.front().height) + " pt is too large: at most 14400 pt a side");
+        throw InputError("a PDF page of " + decimal_text(layouts.front().width) + "x" +
+                         decimal_text(layouts.front().height) + " pt is too large: at most 14400 pt a side");
     std::string data;
     {
         const CairoSurface surface(
@@ -122,6 +123,11 @@ void write_figure(const Figure& figure, const FigureSize& size, const std::files
         case Format::pdf:
             return save(path, pdf_of([&](std::size_t) { return figure; }, layouts, size.dpi, font, draw_solid));
     }
+}
+
+std::vector<std::string> left_out(const Figure& figure, const FigureSize& size) {
+    const Font font = find_font();
+    return left_out(figure, lay_out({&figure, 1}, size, font).front(), font, size.font_pt);
 }
 
 void write_figure_pages(std::span<const Figure> plan, const MakePage& page, const FigureSize& size,

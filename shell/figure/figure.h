@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <functional>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "core/draw/draw_list.h"
 #include "core/draw/solid_list.h"
@@ -12,14 +14,19 @@
 
 namespace sightline {
 
-/// Writes the figure; the ending of the name (.png, .svg, .pdf, any case) chooses the format. Lines are at least 0.5
-/// pt; text stays text; fonts are embedded in SVG and PDF. Texts shrink, down to half their size, where few pixels
-/// would leave no room for the panels. The file is written to a temporary name and renamed. The same figure gives the
-/// same bytes. Solids become images of at most largest_solid_picture a side, whatever lies on them stays vectors.
-/// Throws InputError for another ending, an impossible size or one too small for the content; WorkError when the file
-/// cannot be written, the font is not installed, or there is a solid and nothing that draws it.
+/// Writes the figure; the ending of the name (.png, .svg, .pdf, any case) chooses the format. Lines follow the
+/// size of the text and are at least 0.5 pt wide; text stays text; fonts are embedded in SVG and PDF. Texts shrink,
+/// down to half their size, where few pixels would leave no room for the panels. The file is written to a temporary
+/// name and renamed. The same figure gives the same bytes. Solids become images of at most largest_solid_picture a
+/// side, whatever lies on them stays vectors. Throws InputError for another ending, an impossible size or one too small
+/// for the content; WorkError when the file cannot be written, the font is not installed, or there is a solid and
+/// nothing that draws it.
 void write_figure(const Figure& figure, const FigureSize& size, const std::filesystem::path& path,
                   const DrawSolid& draw_solid = {});
+
+/// What the figure does not show as it was asked for: labels without room, notes that lie outside, smaller text.
+/// Throws as write_figure does.
+std::vector<std::string> left_out(const Figure& figure, const FigureSize& size);
 
 /// Makes page i; asked for once, in order.
 using MakePage = std::function<Figure(std::size_t)>;

@@ -71,6 +71,8 @@ Grid place(const Table& t, std::span<const Vec<2>> extents, double scale, double
             grid.title_boxes.push_back(h > 0 ? Rect{x, y + title_h - h, cells[c], h} : Rect{});
             x += cells[c] + gap;
         }
+        if (r + 1 == t.rows && extents.size() < t.columns * t.rows)
+            grid.free = {x, top, grid.w - x, t.row_h[r] * scale};
         y = top + t.row_h[r] * scale + gap;
     }
     grid.h = y - gap;

@@ -16,6 +16,7 @@ struct Grid {
     std::vector<Rect> frames;       ///< relative to the grid's top left corner
     std::vector<Rect> title_boxes;  ///< zero without a title
     std::vector<Slot> titles;
+    Rect free;  ///< what the last row leaves, from the height of its frames on; zero where it is full
 };
 
 enum class GridAim : std::uint8_t {

@@ -12,8 +12,8 @@ namespace {
 constexpr double slack = 1e-6;
 
 /// Rows spread evenly over columns, filled column by column.
-Key place_rows(std::vector<Key::Row> rows, std::size_t columns, double size) {
-    const double swatch_w = 2.2 * size, swatch_h = 0.85 * size, swatch_gap = 0.5 * size, column_gap = 1.5 * size;
+Key place_rows(std::vector<Key::Row> rows, std::size_t columns, double size, double text_x) {
+    const double swatch_w = 2.2 * size, swatch_h = 0.85 * size, column_gap = 1.5 * size;
     const auto first_of = [&](std::size_t c) {
         return c * (rows.size() / columns) + std::min(c, rows.size() % columns);
     };
@@ -24,16 +24,17 @@ Key place_rows(std::vector<Key::Row> rows, std::size_t columns, double size) {
             h = std::max(h, static_cast<double>(rows[i].text.rows) * line_pitch * size);
         }
     Key key;
+    key.text_x = text_x;
     double x = 0;
     for (std::size_t c = 0; c < columns; ++c) {
         if (c > 0) x += column_gap;
         double column_w = 0, y = 0;
         for (std::size_t i = first_of(c); i < first_of(c + 1); ++i) {
-            const double w = swatch_w + swatch_gap + rows[i].text.width, h = heights[i - first_of(c)];
+            const double w = text_x + rows[i].text.width, h = heights[i - first_of(c)];
             rows[i].box = {x, y, w, h};
             // Beside the first line of a long text.
             const double line_h = rows[i].text.rows > 1 ? line_pitch * size : h;
-            rows[i].swatch = {x, y + (line_h - swatch_h) / 2, swatch_w, swatch_h};
+            if (text_x > 0) rows[i].swatch = {x, y + (line_h - swatch_h) / 2, swatch_w, swatch_h};
             column_w = std::max(column_w, w);
             y += h + 0.1 * size;
         }
@@ -48,7 +49,7 @@ Key place_rows(std::vector<Key::Row> rows, std::size_t columns, double size) {
 std::optional<Key> arrange_rows(const Font& font, const KeyTexts& texts, double size, double max_w, double max_h,
                                 KeyShape shape) {
     if (texts.rows.empty()) return Key{};
-    const double text_w = max_w - 2.7 * size;
+    const double text_x = texts.swatches ? 2.7 * size : 0, text_w = max_w - text_x;
     std::vector<Key::Row> rows;
     for (const auto& text : texts.rows) {
         rows.push_back({{}, {}, fit_text(font, text, size, text_w)});
@@ -56,7 +57,7 @@ std::optional<Key> arrange_rows(const Font& font, const KeyTexts& texts, double 
     }
     std::optional<Key> best;
     for (std::size_t columns = 1; columns <= std::min<std::size_t>(rows.size(), 100); ++columns) {
-        Key key = place_rows(rows, columns, size);
+        Key key = place_rows(rows, columns, size, text_x);
         if (key.w > max_w + slack) break;
         // Another column that makes it no lower would only make it wider.
         if (key.h <= max_h + slack && (!best || key.h < best->h - slack)) best = std::move(key);
@@ -124,7 +125,11 @@ KeyTexts key_texts(std::span<const Figure> pages) {
     for (auto& row : texts.rows) row.resize(pages.size());
     for (auto* slot : {&texts.title, &texts.low, &texts.high}) slot->resize(pages.size());
     for (std::size_t p = 0; p < pages.size(); ++p) {
-        for (std::size_t r = 0; r < pages[p].legend.size(); ++r) texts.rows[r][p] = clean_text(pages[p].legend[r].text);
+        for (std::size_t r = 0; r < pages[p].legend.size(); ++r) {
+            const Style& style = pages[p].legend[r].style;
+            texts.rows[r][p] = clean_text(pages[p].legend[r].text);
+            texts.swatches |= style.fill.a > 0 || style.stroke.a > 0 || style.hatch_colour.a > 0;
+        }
         if (!pages[p].bar) continue;
         texts.title[p] = clean_text(pages[p].bar->title);
         texts.low[p] = clean_text(pages[p].bar->low);

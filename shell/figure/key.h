@@ -25,8 +25,8 @@ Slot fit_text(const Font& font, std::span<const std::string> texts, double size,
 /// What the key says, cleaned, for each page.
 struct KeyTexts {
     std::vector<std::vector<std::string>> rows;  ///< [row][page]
-    bool bar = false;
-    std::vector<std::string> title, low, high;  ///< [page]
+    bool bar = false, swatches = false;          ///< whether there are any
+    std::vector<std::string> title, low, high;   ///< [page]
 
     bool empty() const { return rows.empty() && !bar; }
 };
@@ -44,6 +44,7 @@ struct Key {
         Slot title, low, high;
     };
     double w = 0, h = 0;
+    double text_x = 0;  ///< of a row's text from its left end
     std::vector<Row> rows;
     std::optional<Bar> bar;
 };

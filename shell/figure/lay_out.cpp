@@ -23,7 +23,11 @@ struct Content {
     KeyTexts key;
     std::vector<std::string> captions;  ///< [page]
     LegendPlace place = LegendPlace::outside;
+    std::size_t columns = 0;  ///< asked for; 0: free
 };
+
+/// Where a key outside the panels stands.
+enum class KeySide : std::uint8_t { right, below, slot };  // slot: what the last row of panels leaves
 
 /// The page before its parts are in place; millimetres leave the height open.
 struct Page {
@@ -38,9 +42,10 @@ Box<2> finite_box(const Box<2>& box) {
     return {glm::clamp(box.min, Vec<2>(-limit), Vec<2>(limit)), glm::clamp(box.max, Vec<2>(-limit), Vec<2>(limit))};
 }
 
-Content collect(std::span<const Figure> pages) {
+Content collect(std::span<const Figure> pages, std::size_t columns) {
     Content c;
     c.place = pages.front().legend_place;
+    c.columns = columns;
     if (c.place != LegendPlace::off) c.key = key_texts(pages);
     std::size_t panels = 0;
     for (const Figure& page : pages) panels = std::max(panels, page.panels.size());
@@ -64,6 +69,7 @@ Content collect(std::span<const Figure> pages) {
     for (const Vec<2>& e : c.extents) longest = std::max({longest, e.x, e.y});
     const double least = longest > 1e-290 ? longest / 20 : 1;
     for (Vec<2>& e : c.extents) e = glm::max(e, Vec<2>(least));
+    c.columns = std::min(c.columns, panels);
     return c;
 }
 
@@ -72,30 +78,33 @@ struct Draft {
     Grid grid;
     std::optional<Key> key;
     LegendPlace place = LegendPlace::off;
-    bool key_right = false;
+    KeySide side = KeySide::below;
     Slot caption;
     double caption_h = 0, body_w = 0, body_h = 0;
     bool roomy = true;  ///< texts leave the panels a fair share of the page
 };
 
+/// The longest side of a panel.
+double widest(const Grid& grid) {
+    double side = 0;
+    for (const Rect& f : grid.frames) side = std::max({side, f.w, f.h});
+    return side;
+}
+
 /// Panels in a room. On a page of open height the columns are those of a figure wider than tall, if the panels stay
 /// readable; then the panels take the width, up to a figure somewhat taller than wide or, for many, a printed page.
-std::optional<Grid> panels_in(const Content& c, const Font& font, double size, double w, std::optional<double> h) {
+std::optional<Grid> panels_in(const Content& c, const Font& font, double size, double w, std::optional<double> h,
+                              std::size_t columns) {
     if (w <= 0 || (h && *h <= 0)) return std::nullopt;
-    const auto arrange = [&](double height, GridAim aim, std::size_t columns) {
-        return arrange_panels(font, c.extents, c.titles, size, {w, height}, aim, columns);
+    const auto arrange = [&](double height, GridAim aim, std::size_t n) {
+        return arrange_panels(font, c.extents, c.titles, size, {w, height}, aim, n);
     };
-    if (h) return arrange(*h, GridAim::largest, 0);
+    if (h) return arrange(*h, GridAim::largest, columns);
     const double readable = 10 * size, tall = 1.25 * w, printed_page = std::max(680.0, tall);
-    const auto widest = [](const Grid& g) {
-        double side = 0;
-        for (const Rect& f : g.frames) side = std::max({side, f.w, f.h});
-        return side;
-    };
     std::optional<Grid> grid;
     for (const auto& [choose_in, fit_in] :
          {std::pair(0.75 * w, tall), std::pair(tall, tall), std::pair(printed_page, printed_page)}) {
-        const auto choice = arrange(choose_in, GridAim::full, 0);
+        const auto choice = arrange(choose_in, GridAim::full, columns);
         if (!choice) continue;
         auto fitted = arrange(fit_in, GridAim::full, choice->columns);
         if (fitted && (!grid || widest(*fitted) > widest(*grid) * 1.001)) grid = std::move(fitted);
@@ -105,10 +114,10 @@ std::optional<Grid> panels_in(const Content& c, const Font& font, double size, d
 }
 
 std::optional<Draft> draft(const Content& c, const Font& font, double size, const Page& page, LegendPlace place,
-                           bool key_right) {
+                           KeySide side, std::size_t columns) {
     Draft d;
     d.place = place;
-    d.key_right = key_right;
+    d.side = side;
     const double inner_w = page.w - 2 * page.margin, gap = size;
     std::optional<double> body_h;
     d.caption = fit_text(font, c.captions, size, inner_w);
@@ -118,37 +127,70 @@ std::optional<Draft> draft(const Content& c, const Font& font, double size, cons
 
     double room_w = inner_w;
     std::optional<double> room_h = body_h;
-    const bool panels = !c.extents.empty();
-    if (place == LegendPlace::outside) {
-        const double max_w = key_right && panels ? 0.4 * inner_w : inner_w;
-        d.key =
-            arrange_key(font, c.key, size, max_w, body_h.value_or(1e9), key_right ? KeyShape::tall : KeyShape::wide);
+    const bool panels = !c.extents.empty(), right = side == KeySide::right;
+    const auto key_in = [&](double w, double h, KeyShape shape) { return arrange_key(font, c.key, size, w, h, shape); };
+    if (place == LegendPlace::outside && side != KeySide::slot) {
+        const double max_w = right && panels ? 0.4 * inner_w : inner_w;
+        d.key = key_in(max_w, body_h.value_or(1e9), right ? KeyShape::tall : KeyShape::wide);
         if (!d.key) return std::nullopt;
-        if (key_right) room_w -= d.key->w + 1.5 * gap;
-        if (!key_right && room_h) *room_h -= d.key->h + gap;
+        if (right) room_w -= d.key->w + 1.5 * gap;
+        if (!right && room_h) *room_h -= d.key->h + gap;
     }
     if (panels) {
-        auto grid = panels_in(c, font, size, room_w, room_h);
+        auto grid = panels_in(c, font, size, room_w, room_h, columns);
         if (!grid) return std::nullopt;
         d.grid = std::move(*grid);
         d.roomy = room_w > 0.35 * page.w && (!page.h || *room_h > 0.35 * *page.h);
     }
     d.body_w = d.grid.w;
     d.body_h = d.grid.h;
-    if (d.key && place == LegendPlace::outside) {
-        const double between = panels ? (key_right ? 1.5 : 1) * gap : 0;
-        d.body_w = key_right ? d.body_w + between + d.key->w : std::max(d.body_w, d.key->w);
-        d.body_h = key_right ? std::max(d.body_h, d.key->h) : d.body_h + between + d.key->h;
+    if (place == LegendPlace::outside && side == KeySide::slot) {
+        if (d.grid.free.w <= 0) return std::nullopt;
+        d.key = key_in(d.grid.free.w, body_h ? d.grid.free.h : 1e9, KeyShape::tall);
+        if (!d.key) return std::nullopt;
+        d.body_h = std::max(d.body_h, d.grid.free.y + d.key->h);
+    } else if (d.key && place == LegendPlace::outside) {
+        const double between = panels ? (right ? 1.5 : 1) * gap : 0;
+        d.body_w = right ? d.body_w + between + d.key->w : std::max(d.body_w, d.key->w);
+        d.body_h = right ? std::max(d.body_h, d.key->h) : d.body_h + between + d.key->h;
     }
     if (body_h && d.body_h > *body_h + 1e-6) return std::nullopt;
     return d;
 }
 
+/// How much of the page its panels take.
+double panel_share(const Draft& d) {
+    double area = 0;
+    for (const Rect& f : d.grid.frames) area += f.w * f.h;
+    return d.body_h > 0 ? area / d.body_h : 0;
+}
+
+/// The best place for a key outside panels in so many columns.
+std::optional<Draft> draft_outside(const Content& c, const Font& font, double size, const Page& page,
+                                   std::size_t columns) {
+    const auto beside = [&](KeySide side) { return draft(c, font, size, page, LegendPlace::outside, side, columns); };
+    if (c.key.empty()) return draft(c, font, size, page, LegendPlace::off, KeySide::below, columns);
+    std::optional<Draft> right = beside(KeySide::right), below = beside(KeySide::below), slot = beside(KeySide::slot);
+    std::optional<Draft> best;
+    if (!below || !right) {
+        best = below ? std::move(below) : std::move(right);
+    } else if (right->roomy != below->roomy) {
+        best = right->roomy ? std::move(right) : std::move(below);
+    } else {
+        // With an open height, panels beside the key could only be larger by making the figure taller.
+        const bool taller = !page.h && right->body_h > below->body_h;
+        best = right->grid.scale >= below->grid.scale * 0.999 && !taller ? std::move(right) : std::move(below);
+    }
+    if (!slot || (best && best->roomy && !slot->roomy)) return best;
+    const auto worth = [&](const Draft& d) { return page.h ? d.grid.scale : panel_share(d); };
+    return !best || worth(*slot) > worth(*best) ? std::move(slot) : std::move(best);
+}
+
 /// The best draft with texts of this size.
 std::optional<Draft> best_draft(const Content& c, const Font& font, double size, const Page& page) {
-    if (c.key.empty()) return draft(c, font, size, page, LegendPlace::off, false);
-    if (c.place == LegendPlace::inside && !c.extents.empty()) {
-        auto d = draft(c, font, size, page, LegendPlace::inside, false);
+    const std::size_t panels = c.extents.size();
+    if (!c.key.empty() && c.place == LegendPlace::inside && panels > 0) {
+        auto d = draft(c, font, size, page, LegendPlace::inside, KeySide::below, c.columns);
         if (d) {
             Vec<2> largest(0);
             for (const Rect& f : d->grid.frames)
@@ -159,13 +201,12 @@ std::optional<Draft> best_draft(const Content& c, const Font& font, double size,
             if (d->key) return d;
         }
     }
-    auto right = draft(c, font, size, page, LegendPlace::outside, true);
-    auto below = draft(c, font, size, page, LegendPlace::outside, false);
-    if (!below || !right) return below ? below : right;
-    if (right->roomy != below->roomy) return right->roomy ? right : below;
-    // With an open height, panels beside the key could only be larger by making the figure taller.
-    const bool taller = !page.h && right->body_h > below->body_h;
-    return right->grid.scale >= below->grid.scale * 0.999 && !taller ? right : below;
+    std::optional<Draft> best = draft_outside(c, font, size, page, c.columns);
+    if (page.h || c.columns > 0 || !best || best->grid.free.w <= 0) return best;
+    // Rather than with an empty place, in one row, where that makes better use of the page.
+    auto row = draft_outside(c, font, size, page, panels);
+    const double readable = 8.5 * size;
+    return row && row->roomy && widest(row->grid) >= readable && panel_share(*row) > panel_share(*best) ? row : best;
 }
 
 std::vector<TextRun> place_text(const Slot& slot, std::size_t page, const Rect& box, double size, const Font& font,
@@ -191,7 +232,7 @@ void place_key(Layout& out, const Key& key, const Vec<2>& at, const Figure& figu
         const Key::Row& row = key.rows[i];
         const Rect box = moved(row.box, at.x, at.y);
         const double text_h = static_cast<double>(row.text.pages[p].size()) * line;
-        const Rect text{box.x + 2.7 * size, box.y + (row.text.rows > 1 ? 0 : (box.h - text_h) / 2), box.w, text_h};
+        const Rect text{box.x + key.text_x, box.y + (row.text.rows > 1 ? 0 : (box.h - text_h) / 2), box.w, text_h};
         out.legend.push_back({box, moved(row.swatch, at.x, at.y), place_text(row.text, p, text, size, font)});
     }
     if (!key.bar || !figure.bar) return;
@@ -215,7 +256,7 @@ std::vector<Layout> finish(const Content& c, const Draft& d, std::span<const Fig
     common.font_pt = size;
     common.scale = d.grid.scale;
     const double left = (page.w - d.body_w) / 2, top = (common.height - total_h) / 2;
-    const bool below = d.key && d.place == LegendPlace::outside && !d.key_right;
+    const bool outside = d.key && d.place == LegendPlace::outside, below = outside && d.side == KeySide::below;
     const Vec<2> grid_at(below ? (page.w - d.grid.w) / 2 : left, top);
     common.caption_box = {page.margin, top + total_h - d.caption_h, page.w - 2 * page.margin, d.caption_h};
 
@@ -238,8 +279,10 @@ std::vector<Layout> finish(const Content& c, const Draft& d, std::span<const Fig
     if (!d.key) return layouts;
     Vec<2> key_at(left + (d.grid.w > 0 ? d.grid.w + 1.5 * gap : 0), top);
     // Beside panels the key begins where their frames do.
-    if (d.key_right && !d.grid.frames.empty()) key_at.y += std::min(d.grid.frames[0].y, d.body_h - d.key->h);
+    if (outside && d.side == KeySide::right && !d.grid.frames.empty())
+        key_at.y += std::min(d.grid.frames[0].y, d.body_h - d.key->h);
     if (below) key_at = {(page.w - d.key->w) / 2, top + d.body_h - d.key->h};
+    if (outside && d.side == KeySide::slot) key_at = grid_at + Vec<2>(d.grid.free.x, d.grid.free.y);
     if (d.place == LegendPlace::inside) {
         const double pad = 0.5 * size;
         const Rect box = emptiest_corner(pages, layouts, font, d.key->w + 2 * pad, d.key->h + 2 * pad, 0.6 * size);
@@ -276,7 +319,7 @@ void check_size(const FigureSize& size) {
 std::vector<Layout> lay_out(std::span<const Figure> pages, const FigureSize& size, const Font& font) {
     check_size(size);
     if (pages.empty()) return {};
-    const Content content = collect(pages);
+    const Content content = collect(pages, size.columns);
     const bool pixels = size.width_px > 0;
     Page page;
     page.w = pixels ? size.width_px * 0.75 : size.width_mm * 72 / 25.4;

@@ -37,6 +37,10 @@ struct Layout {
     std::vector<TextRun> caption;
 };
 
+/// Lines and marks grow with the text: what a width or size in points is multiplied with. The widths of styles are
+/// those of a figure with text of 8 points.
+inline double line_scale(const Layout& layout) { return layout.font_pt / 8; }
+
 /// A scene point on the page. Finite for finite points whose distance to the world is not absurd.
 inline Vec<2> to_page(const Layout::Panel& panel, double scale, const Vec<2>& p) {
     return {panel.frame.x + (p.x - panel.world.min.x) * scale,

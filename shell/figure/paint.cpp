@@ -7,7 +7,6 @@
 #include "core/base/error.h"
 #include "core/draw/label_place.h"
 #include "core/draw/swatch.h"
-#include "shell/figure/inset.h"
 #include "shell/figure/label.h"
 #include "shell/figure/outline.h"
 
@@ -121,20 +120,21 @@ void paint_shape(Canvas& canvas, ShapeKind kind, std::vector<Vec<2>> points, dou
 }
 
 /// From the border of the label's box to what it speaks of.
-void paint_leader(Canvas& canvas, const PlacedLabel& placed, const Vec<2>& tip, const Colour& colour,
-                  const Rect& frame) {
+void paint_leader(Canvas& canvas, const PlacedLabel& placed, const Colour& colour, const Rect& frame, double lines) {
     const Rect box = placed.box.grown(1);
-    if (box.contains(tip)) return;
+    if (!placed.tip || box.contains(*placed.tip)) return;
     Style style;
     style.stroke = colour;
-    style.width_pt = 0.8;
-    paint_arrow(canvas, {leader_start({{box.x, box.y}, {box.right(), box.bottom()}}, tip), tip}, 4, style, frame);
+    style.width_pt = 0.8 * lines;
+    const Vec<2> from = leader_start({{box.x, box.y}, {box.right(), box.bottom()}}, *placed.tip);
+    paint_arrow(canvas, {from, *placed.tip}, 4 * lines, style, frame);
 }
 
-void paint_solid(Canvas& canvas, const SolidList& solid, const Rect& rect, const DrawSolid& draw_solid) {
+/// `lines`: as line_scale.
+void paint_solid(Canvas& canvas, const SolidList& solid, const Rect& rect, double lines, const DrawSolid& draw_solid) {
     if (!draw_solid) throw WorkError("the figure has a picture in 3D, and there is no OpenGL to draw it with");
     canvas.image(rect, [&](int width, int height, double px_per_pt) {
-        Pixels pixels = draw_solid(solid, width, height, px_per_pt);
+        Pixels pixels = draw_solid(solid, width, height, px_per_pt * lines);
         if (pixels.width != width || pixels.height != height)
             throw WorkError("a picture in 3D has the wrong number of pixels");
         return pixels;
@@ -149,8 +149,8 @@ Path rectangle(const Rect& r) {
 }
 
 void paint_inset(Canvas& canvas, const Figure::Inset& inset, const PlacedInset& placed, const Figure& figure,
-                 const DrawSolid& draw_solid) {
-    if (inset.solid) paint_solid(canvas, *inset.solid, placed.box, draw_solid);
+                 double lines, const DrawSolid& draw_solid) {
+    if (inset.solid) paint_solid(canvas, *inset.solid, placed.box, lines, draw_solid);
     if (inset.pixels)
         canvas.image(placed.box, [&](int width, int height, double) { return resized(*inset.pixels, width, height); });
     Pen paper = fill_of(figure.background);
@@ -165,38 +165,39 @@ void paint_panel(Canvas& canvas, const Figure& figure, std::size_t i, const Layo
     const Figure::Panel& content = figure.panels[i];
     const Layout::Panel& panel = layout.panels[i];
     const DrawList& list = content.list;
+    const double lines = line_scale(layout);
+    std::vector<Style> styles = list.styles;
+    for (Style& style : styles) style.width_pt *= lines;
     canvas.clip(panel.frame);
-    if (content.solid) paint_solid(canvas, *content.solid, world_on_page(list, panel, layout.scale), draw_solid);
+    if (content.solid) paint_solid(canvas, *content.solid, world_on_page(list, panel, layout.scale), lines, draw_solid);
     for (const Shape& s : list.shapes) {
-        if (s.style >= list.styles.size() || std::size_t{s.first_point} + s.point_count > list.points.size()) continue;
+        if (s.style >= styles.size() || std::size_t{s.first_point} + s.point_count > list.points.size()) continue;
         std::vector<Vec<2>> points;
         points.reserve(s.point_count);
         for (std::uint32_t i = 0; i < s.point_count; ++i)
             points.push_back(to_page(panel, layout.scale, list.points[s.first_point + i]));
-        paint_shape(canvas, s.kind, std::move(points), s.size_pt, list.styles[s.style], panel.frame, pitch);
+        paint_shape(canvas, s.kind, std::move(points), s.size_pt * lines, styles[s.style], panel.frame, pitch);
     }
-    const std::vector<PlacedInset> insets = place_insets(content, panel, layout, font);
-    std::vector<Rect> taken;
-    for (const PlacedInset& inset : insets) taken.push_back(inset.box);
-    for (const Label& label : list.labels) {
-        const auto placed = place_label(label, panel, layout, font);
-        if (!placed) continue;
-        const auto overlaps = [&](const Rect& box) { return box.overlaps(placed->box); };
-        if (label.yields && std::any_of(taken.begin(), taken.end(), overlaps)) continue;
-        taken.push_back(placed->box);
-        if (label.leader)
-            paint_leader(canvas, *placed, to_page(panel, layout.scale, label.at), label.colour, panel.frame);
-        if (label.disc) canvas.circle(placed->centre, placed->radius, fill_of(*label.disc));
-        if (!placed->run.text.empty()) canvas.text(placed->run, label.colour, label.halo);
+    const PlacedTexts texts = place_texts(content, panel, layout, font);
+    for (const PlacedLabel& placed : texts.labels)
+        paint_leader(canvas, placed, list.labels[placed.label].disc.value_or(list.labels[placed.label].colour),
+                     panel.frame, lines);
+    for (const PlacedLabel& placed : texts.labels) {
+        const Label& label = list.labels[placed.label];
+        if (label.disc) canvas.circle(placed.centre, placed.radius, fill_of(*label.disc));
+        for (const TextRun& run : placed.runs)
+            if (!run.text.empty()) canvas.text(run, label.colour, label.halo);
     }
-    for (std::size_t k = 0; k < insets.size(); ++k)
-        paint_inset(canvas, content.insets[k], insets[k], figure, draw_solid);
+    for (std::size_t k = 0; k < texts.insets.size(); ++k)
+        paint_inset(canvas, content.insets[k], texts.insets[k], figure, lines, draw_solid);
     canvas.unclip();
 }
 
-void paint_swatch(Canvas& canvas, const LegendRow& row, const Rect& swatch, double size, double pitch) {
-    const Swatch shape = swatch_of(row, {{swatch.x, swatch.y}, {swatch.right(), swatch.bottom()}}, size);
-    paint_shape(canvas, row.swatch, shape.points, shape.size_pt, row.style, swatch.grown(2), pitch);
+void paint_swatch(Canvas& canvas, const LegendRow& row, const Rect& swatch, double size, double pitch, double lines) {
+    LegendRow scaled = row;
+    scaled.style.width_pt *= lines;
+    const Swatch shape = swatch_of(scaled, {{swatch.x, swatch.y}, {swatch.right(), swatch.bottom()}}, size);
+    paint_shape(canvas, row.swatch, shape.points, shape.size_pt, scaled.style, swatch.grown(2), pitch);
 }
 
 }  // namespace
@@ -224,7 +225,7 @@ void paint(Canvas& canvas, const Figure& figure, const Layout& layout, const Fon
         canvas.draw(rectangle(*layout.legend_box), pen);
     }
     for (std::size_t i = 0; i < layout.legend.size(); ++i) {
-        paint_swatch(canvas, figure.legend[i], layout.legend[i].swatch, layout.font_pt, pitch);
+        paint_swatch(canvas, figure.legend[i], layout.legend[i].swatch, layout.font_pt, pitch, line_scale(layout));
         write(layout.legend[i].text);
     }
     if (layout.bar) {

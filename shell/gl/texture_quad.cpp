@@ -18,17 +18,19 @@ void main() {
 constexpr const char* quad_fragment_shader = R"(#version 330 core
 uniform sampler2D picture;
 uniform ivec2 corner;
+uniform float opacity;
 out vec4 result;
-void main() { result = texelFetch(picture, ivec2(gl_FragCoord.xy) - corner, 0); }
+void main() { result = texelFetch(picture, ivec2(gl_FragCoord.xy) - corner, 0) * opacity; }
 )";
 
 }  // namespace
 
 TextureQuad::TextureQuad()
     : program_(make_program(quad_vertex_shader, quad_fragment_shader)),
-      corner_(glGetUniformLocation(program_.name(), "corner")) {}
+      corner_(glGetUniformLocation(program_.name(), "corner")),
+      opacity_(glGetUniformLocation(program_.name(), "opacity")) {}
 
-void TextureQuad::draw(GLuint texture, int x, int y, int w, int h, bool blended) const {
+void TextureQuad::draw(GLuint texture, int x, int y, int w, int h, bool blended, float opacity) const {
     if (w <= 0 || h <= 0) return;
     glViewport(x, y, w, h);
     glDisable(GL_SCISSOR_TEST);
@@ -42,6 +44,7 @@ void TextureQuad::draw(GLuint texture, int x, int y, int w, int h, bool blended)
     }
     glUseProgram(program_.name());  // its sampler is unit 0
     glUniform2i(corner_, x, y);
+    glUniform1f(opacity_, opacity);
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, texture);
     glBindVertexArray(layout_.name());

@@ -11,14 +11,15 @@ class TextureQuad {
 public:
     TextureQuad();
 
-    /// Fills the rectangle (framebuffer pixels, y up) with the texture, which has as many pixels. `blended`: over what is there, for a
-    /// texture of colours already multiplied by their opacity, which drawing onto transparent black gives. Leaves
-    /// behind: this viewport, no blending, no program, no scissor test.
-    void draw(GLuint texture, int x, int y, int w, int h, bool blended) const;
+    /// Fills the rectangle (framebuffer pixels, y up) with the texture, which has as many pixels. `blended`: over what
+    /// is there, for a texture of colours already multiplied by their opacity, which drawing onto transparent black
+    /// gives; `opacity` in [0, 1] on top of theirs. Leaves behind: this viewport, no blending, no program, no scissor
+    /// test.
+    void draw(GLuint texture, int x, int y, int w, int h, bool blended, float opacity = 1) const;
 
 private:
     GlProgram program_;
-    GLint corner_;
+    GLint corner_, opacity_;
     GlVertexArray layout_;
 };
 

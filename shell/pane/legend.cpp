@@ -98,23 +98,7 @@ private:
     LegendBox box_;
 };
 
-constexpr std::size_t short_rows = 5;
-/// Styles that can be left out, the first first: what they are can be guessed, or is seldom asked.
-constexpr auto left_out =
-    std::to_array<std::string_view>({"view", "other", "rest", "eye", "clean", "seed", "unseen", "display_view", "last",
-                                     "plain", "hidden", "completed", "wasted"});
-
 }  // namespace
-
-std::vector<LegendRow> short_legend(std::vector<LegendRow> rows) {
-    const std::size_t all = rows.size();
-    for (const std::string_view name : left_out) {
-        if (rows.size() <= short_rows) break;
-        std::erase_if(rows, [&](const LegendRow& row) { return row.style.name == name; });
-    }
-    if (rows.size() < all) rows.push_back({ShapeKind::polygon, {}, "point here for all"});
-    return rows;
-}
 
 LegendBox make_legend(std::span<const LegendRow> rows, const std::optional<ColourBar>& bar, const Colours& colours,
                       const std::function<ImVec2(const std::string&)>& measure, float unit, double line_scale) {

@@ -16,10 +16,6 @@ struct LegendBox {
     float w = 0, h = 0;
 };
 
-/// The rows of a legend that is not pointed at: five, those that a class needs first, and all that nothing else
-/// explains.
-std::vector<LegendRow> short_legend(std::vector<LegendRow> rows);
-
 /// Rows from above, then the colour bar, on paper of the palette's background. `measure` in ImGui units, for the texts;
 /// `unit` as Ui::unit, `line_scale` as the list is drawn with (ListView). Empty without rows and bar.
 LegendBox make_legend(std::span<const LegendRow> rows, const std::optional<ColourBar>& bar, const Colours& colours,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 #include "shell/window/ui.h"
 
@@ -17,6 +18,15 @@ struct PaneSize {
     double px_per_pt = 0, line_scale = 1;
     bool operator==(const PaneSize&) const = default;
 };
+
+/// What a window asks of its panes in a frame.
+struct PaneFrame {
+    std::uint64_t revision = 0;  ///< a new one: the session or the options may have changed
+    std::uint64_t run = 0;       ///< Workbench::run
+    bool projector = false, with_legend = false;
+    bool animate = false;  ///< what a step changes fades in
+};
+
 PaneSize pane_size(const Ui& ui, const Area& area, bool projector);
 
 }  // namespace sightline

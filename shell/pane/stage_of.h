@@ -25,6 +25,7 @@ Stage stage_of(const std::shared_ptr<Held>& held, std::vector<SceneChoice> scene
         held->picture.interact(ui, area);
     };
     stage.cancel = [held] { return held->picture.cancel(); };
+    stage.lively = [held] { return held->picture.lively(); };
     stage.scenes = std::move(scenes);
     stage.thumbnail = [held](const SceneChoice& scene, int width, int height) {
         return held->thumbnails.texture(scene, width, height);

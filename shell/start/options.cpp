@@ -60,7 +60,7 @@ std::array<int, 2> window_size(const std::string& text) {
 
 /// Numbers as they were typed, before anything says what is wrong with them.
 struct Typed {
-    std::string fov, steps, font, scale, window, frame, frames;
+    std::string fov, steps, font, dpi, columns, scale, window, frame, frames;
 };
 
 template <int D>
@@ -111,6 +111,8 @@ void add_file_options(CLI::App& app, Options& o, Typed& typed) {
     app.add_option("--panels", o.panels, "\"step 1; step 12; end\": a figure with panels (a), (b), (c)");
     app.add_option("--size", o.size, "size of the figure: a width such as 84mm, or pixels such as 1280x720");
     app.add_option("--font", typed.font, "size of the figure's text, such as 8pt");
+    app.add_option("--dpi", typed.dpi, "resolution of a PNG whose width is in millimetres, such as 600; default 300");
+    app.add_option("--columns", typed.columns, "columns of the figure's panels: 3 puts three beside each other");
     app.add_option("--state", o.state, "open a state file or sidecar: same scene, settings, view, step");
     app.add_option("--trace", o.trace, "write the records of all steps as JSON (- for standard output)");
     app.add_option("--stats", o.stats, "write the statistics as JSON (- for standard output)");
@@ -138,6 +140,8 @@ std::uint32_t whole_option(const std::string& option, const std::string& text, c
 void read_numbers(const Typed& typed, Options& o) {
     if (!typed.fov.empty()) o.fov = number_option("--fov", typed.fov);
     if (!typed.font.empty()) o.font_pt = number_option("--font", typed.font, "pt");
+    if (!typed.dpi.empty()) o.dpi = number_option("--dpi", typed.dpi, "dpi");
+    if (!typed.columns.empty()) o.columns = whole_option("--columns", typed.columns, "number of columns");
     if (!typed.steps.empty()) o.steps = whole_option("--steps", typed.steps, "number of steps");
     if (!typed.frame.empty()) o.frame = whole_option("--frame", typed.frame, "whole number");
     if (!typed.frames.empty()) o.frames = whole_option("--frames", typed.frames, "whole number");

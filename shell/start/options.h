@@ -27,7 +27,8 @@ struct Options {
     std::optional<std::uint32_t> frame;   ///< of the path, from 0
     std::optional<std::uint32_t> frames;  ///< how many of them go into --stats
     std::string panels, size;
-    std::optional<double> font_pt;
+    std::optional<double> font_pt, dpi;
+    std::optional<std::uint32_t> columns;
     std::vector<std::string> shots;
     std::string cells, state, trace, stats;
     std::optional<double> scale;               ///< of the window

@@ -295,6 +295,8 @@ void obey(const Options& o, std::span<const Method<D>> methods, const Viewer<D>&
     if (!asked.state) add_bookmarks(bench.session);
     if (!o.size.empty()) set_figure_size(bench, o.size);
     if (o.font_pt) bench.figure.font_pt = *o.font_pt;
+    if (o.dpi) bench.figure.dpi = *o.dpi;
+    if (o.columns) bench.figure.columns = *o.columns;
     if (!o.panels.empty()) bench.figure.panels = split_panels(o.panels);
     start_path(bench, o);
     if (o.frames) return write_text(o.stats, path_stats(bench, *o.frames));

@@ -2,32 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 
+#include "shell/window/button_row.h"
 #include "shell/window/parts.h"
 #include "shell/window/theme.h"
 
 namespace sightline {
 
 namespace {
-
-/// Buttons in a row that wraps.
-class ButtonRow {
-public:
-    explicit ButtonRow(float gap) : gap_(gap) {}
-    bool add(const std::string& title, bool open) {
-        const float w = ImGui::CalcTextSize(title.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
-        if (!first_ && ImGui::GetItemRectMax().x + gap_ + w < right_) ImGui::SameLine(0, gap_);
-        first_ = false;
-        if (open) ImGui::PushStyleColor(ImGuiCol_Button, colour(theme::hover));
-        const bool pressed = ImGui::Button(title.c_str());
-        if (open) ImGui::PopStyleColor();
-        return pressed;
-    }
-
-private:
-    float gap_;
-    float right_ = ImGui::GetWindowPos().x + ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x;
-    bool first_ = true;
-};
 
 /// The groups, and the panels of the one that is open; a click on the open one closes the column.
 template <int D>

@@ -47,22 +47,24 @@ Placed placed_tokens(std::span<const KeyPart> parts, const FormulaLook& look) {
             add_words(part.text, placed.tokens);
         else
             placed.tokens.push_back({part.text, part.name, part.about});
-    const float pitch = line_pitch * look.size * (look.captions ? 1 + caption_size : 1);
-    float x = 0, y = 0;
+    const float pitch = line_pitch * look.size;
+    float x = 0, y = 0, captions = 0;  // of the line
     for (Token& token : placed.tokens) {
         token.w = width(look, look.size, token.text);
-        if (look.captions && token.about != KeyAbout::nothing)
-            token.w = std::max(token.w, width(look, caption_size * look.size, token.caption));
+        const bool has_caption = look.captions && token.about != KeyAbout::nothing;
+        if (has_caption) token.w = std::max(token.w, width(look, caption_size * look.size, token.caption));
         if (x > 0 && x + token.w > look.room) {
             x = 0;
-            y += pitch;
+            y += pitch + captions;
+            captions = 0;
             token.text.erase(0, token.text.find_first_not_of(' '));
         }
+        if (has_caption) captions = caption_size * pitch;
         token.x = x;
         token.y = y;
         x += token.w;
     }
-    placed.height = y + pitch;
+    placed.height = y + pitch + captions;
     return placed;
 }
 

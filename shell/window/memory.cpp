@@ -89,6 +89,7 @@ Desk read_desk(const Member& part) {
     desk.timeline = at("timeline").flag();
     desk.timeline_height = at("timeline_height").number(narrowest, widest);
     desk.legend = at("legend").flag();
+    desk.animate = at("animate").flag();
     desk.scale = at("scale").number(smallest_scale, largest_scale);
     const std::string axis = at("axis").text();
     if (axis == timeline_axis_words[1])
@@ -128,6 +129,7 @@ Desk lasting(const Desk& desk) {
     kept.right = desk.right;
     kept.timeline = desk.timeline;
     kept.legend = desk.legend;
+    kept.animate = desk.animate;
     kept.left_width = std::clamp(desk.left_width, narrowest, widest);
     kept.right_width = std::clamp(desk.right_width, narrowest, widest);
     kept.timeline_height = std::clamp(desk.timeline_height, narrowest, widest);
@@ -154,6 +156,7 @@ std::string memory_json(const Memory& memory) {
                     {"timeline", d.timeline},
                     {"timeline_height", d.timeline_height},
                     {"legend", d.legend},
+                    {"animate", d.animate},
                     {"scale", d.scale},
                     {"axis", timeline_axis_words[static_cast<std::size_t>(d.axis)]}};
     const Json all{{"format", format}, {"window", window}, {"desk", desk}, {"recent", memory.recent}};

@@ -14,6 +14,7 @@
 #include "shell/window/buttons.h"
 #include "shell/window/parts.h"
 #include "shell/window/theme.h"
+#include "shell/window/wrap.h"
 
 namespace sightline {
 
@@ -153,14 +154,19 @@ void scrubber(Ui& ui, Workbench<D>& bench, const Area& area) {
     const char* const more = bench.desk.timeline ? "less" : "more";
     const float button = ImGui::CalcTextSize(more).x + padding;
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float room = area.x + area.w - ImGui::GetStyle().WindowPadding.x - at.x - text - button - 3 * gap;
+    const float behind = area.x + area.w - ImGui::GetStyle().WindowPadding.x - at.x - text - gap;
+    const bool has_button = behind > button + 2 * gap;  // its key is there in any case
+    const float room = behind - (has_button ? button + 2 * gap : gap);
     if (room > 40 * ui.unit) track(ui, bench, {at.x + gap, at.y, room, ImGui::GetFrameHeight()});
-    ImGui::SetCursorScreenPos({at.x + std::max(room, 0.0f) + 2 * gap, at.y});
+    ImGui::SetCursorScreenPos({at.x + std::max(room, 0.0f) + (has_button ? 2 : 1) * gap, at.y});
     ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(position.c_str());
+    ImGui::TextUnformatted(shortened(position, text + std::min(room, 0.0f), [](std::string_view part) {
+                               return ImGui::CalcTextSize(part.data(), part.data() + part.size()).x;
+                           }).c_str());
     const std::string state =
         session.flying() ? "flying" : std::string(transport_words[static_cast<std::size_t>(transport_state(bench))]);
     note_place(bench, "state " + state);
+    if (!has_button) return ImGui::End();
     ImGui::SameLine(0, gap);
     if (ImGui::Button(more)) ui.act("show timeline");
     note_place(bench, "button show timeline");

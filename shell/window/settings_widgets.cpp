@@ -7,6 +7,7 @@
 #include <array>
 #include <iterator>
 
+#include "shell/window/button_row.h"
 #include "shell/window/parts.h"
 #include "shell/window/theme.h"
 
@@ -58,12 +59,12 @@ void widget(Ui& ui, const Workbench<D>& bench, const SettingRow& row) {
 
 template <int D>
 void settings_widgets(Ui& ui, Workbench<D>& bench) {
-    for (const Preset& preset : presets()) {
-        if (ImGui::Button(std::string(preset.id).c_str())) ui.act("preset " + std::string(preset.id));
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", std::string(preset.title).c_str());
-        ImGui::SameLine();
-    }
     ImGui::TextDisabled("presets");
+    ButtonRow row(ImGui::GetStyle().ItemSpacing.x);
+    for (const Preset& preset : presets()) {
+        if (row.add(std::string(preset.id), false)) ui.act("preset " + std::string(preset.id));
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", std::string(preset.title).c_str());
+    }
     for (const Invalidates group : {Invalidates::traversal, Invalidates::picture, Invalidates::tessellation,
                                     Invalidates::reference, Invalidates::scene}) {
         const char* const title = group_titles[static_cast<std::size_t>(group)];

@@ -1,12 +1,31 @@
 // The line at the lower edge: the last message, or what the mouse and the keys do now.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
+#include <span>
+
 #include "shell/commands/menus.h"
 #include "shell/window/parts.h"
 #include "shell/window/theme.h"
+#include "shell/window/wrap.h"
 
 namespace sightline {
 
 namespace {
+
+float line_width(std::string_view text) { return ImGui::CalcTextSize(text.data(), text.data() + text.size()).x; }
+
+/// The keys that a newcomer needs first.
+template <int D>
+std::span<const char* const> key_hints() {
+    static constexpr std::array in_plane{"Right: next step", "Left: back", "Space: play", "F1: all keys",
+                                         "Type : for a command"};
+    static constexpr std::array in_space{"Right: next step", "Left: back",     "F1: all keys", "G: fly",
+                                         "F: freeze here",   "Z: exact image", "Space: play",  "Type : for a command"};
+    if constexpr (D == 2)
+        return in_plane;
+    else
+        return in_space;
+}
 
 /// What the mouse does that it does not always do: a sentence, and a few words where a message has its place.
 struct Mode {
@@ -43,24 +62,27 @@ void status_line(Ui& ui, Workbench<D>& bench, const Area& area) {
     const Mode mode = mode_of(bench);
     if (ui.messages.size() > ui.said_before) {
         const Message& message = ui.messages.back();
+        const float brief = mode.brief.empty() ? 0 : ImGui::CalcTextSize(mode.brief.c_str()).x + 16 * ui.unit;
+        const std::string shown = shortened(message.text, area.w - brief - 20 * ui.unit, line_width);
         ImGui::PushStyleColor(ImGuiCol_Text, colour(message.bad ? theme::bad : theme::ink));
-        ImGui::TextUnformatted(message.text.c_str());
+        ImGui::TextUnformatted(shown.c_str());
         ImGui::PopStyleColor();
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", message.text.c_str());
+        if (shown != message.text && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", message.text.c_str());
         if (!mode.brief.empty()) {
-            const float w = ImGui::CalcTextSize(mode.brief.c_str()).x + 16 * ui.unit;
-            const ImVec2 at{area.x + area.w - w, area.y};
-            ImGui::GetWindowDrawList()->AddRectFilled(at, area.max(), colour(theme::panel));
-            ImGui::SameLine(area.w - w + 6 * ui.unit);
+            ImGui::SameLine(area.w - brief + 6 * ui.unit);
             ImGui::TextUnformatted(mode.brief.c_str());
         }
     } else if (!mode.sentence.empty()) {
-        const bool fits = ImGui::CalcTextSize(mode.sentence.c_str()).x < area.w - 20 * ui.unit;
-        ImGui::TextUnformatted((fits ? mode.sentence : mode.brief).c_str());
+        const float room = area.w - 20 * ui.unit;
+        const bool fits = line_width(mode.sentence) < room;
+        ImGui::TextUnformatted(shortened(fits ? mode.sentence : mode.brief, room, line_width).c_str());
         note_place(bench, "mode " + mode.sentence);
     } else {
-        ImGui::TextDisabled("%sRight: next step   Left: back   Space: play   F1: all keys   Type : for a command",
-                            D == 3 ? "G: fly   F: freeze here   Z: exact image   " : "");
+        std::string hints;  // as many as there is room for
+        for (const char* const hint : key_hints<D>())
+            if (line_width(hints + hint) < area.w - 20 * ui.unit)
+                hints += (hints.empty() ? "" : "   ") + std::string(hint);
+        ImGui::TextDisabled("%s", hints.c_str());
     }
     ImGui::End();
 }

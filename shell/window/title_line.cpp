@@ -8,6 +8,7 @@
 #include "core/session/headline.h"
 #include "shell/window/parts.h"
 #include "shell/window/theme.h"
+#include "shell/window/wrap.h"
 
 namespace sightline {
 
@@ -46,16 +47,17 @@ void title_line(Ui& ui, Workbench<D>& bench, const Area& area) {
     const float room = area.w - width - 3 * pad;
     ImGui::PushFont(ui.fonts.bold);
     const float line = ImGui::GetFontSize(), wide = ImGui::CalcTextSize(text.c_str()).x;
-    // Whole: where it is too long it is written smaller, and where that is not enough it ends in its tooltip.
-    const float size = line * std::clamp(room / wide, 0.75f, 1.0f);
-    ImGui::PushClipRect(at, {at.x + std::max(room, 1.0f), at.y + 2 * line}, true);
-    ImGui::GetWindowDrawList()->AddText(ui.fonts.bold, size, {at.x, at.y + ImGui::GetStyle().FramePadding.y},
-                                        colour(theme::ink), text.c_str());
-    ImGui::PopClipRect();
+    // Whole: where it is too long it is written smaller, and where that is not enough its tooltip has the rest.
+    const float scale = std::clamp(room / wide, 0.75f, 1.0f);
+    const std::string shown = shortened(text, room / scale, [](std::string_view part) {
+        return ImGui::CalcTextSize(part.data(), part.data() + part.size()).x;
+    });
+    ImGui::GetWindowDrawList()->AddText(ui.fonts.bold, line * scale, {at.x, at.y + ImGui::GetStyle().FramePadding.y},
+                                        colour(theme::ink), shown.c_str());
     ImGui::PopFont();
     ImGui::Dummy({std::max(std::min(wide, room), 1.0f), line});
     note_place(bench, "title " + text);
-    if (wide * 0.75f > room && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", text.c_str());
+    if (shown != text && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", text.c_str());
     ImGui::SetCursorScreenPos({area.x + std::max(area.w - width, pad), at.y});
     for (const auto& [command, title] : buttons) {
         if (ImGui::Button(title)) ui.act(command);

@@ -59,15 +59,18 @@ void draw_axes(ImDrawList& list, const Ui& ui, const TradeOffPlot& plot) {
     const Area& a = plot.area;
     list.AddRectFilled(a.min(), a.max(), colour(theme::paper));
     const float text = ImGui::GetFontSize() * 0.87f;
+    float number = a.y + a.h + 2 * text;  // the last one's middle
     for (const TradeOffPlot::Tick& tick : plot.shares) {
         list.AddLine({a.x, tick.at}, {a.x + a.w, tick.at}, colour(theme::line));
+        if (std::abs(tick.at - number) < 1.2f * text) continue;
+        number = tick.at;
         small_text(list, ui, a.x - 4 * ui.unit, tick.at - text / 2, tick.text, theme::faint, 1);
     }
     float free_from = a.x - text;
     for (const TradeOffPlot::Tick& tick : plot.times) {
         list.AddLine({tick.at, a.y}, {tick.at, a.y + a.h}, colour(theme::line));
         const float half = small_width(ui, tick.text) / 2;
-        if (tick.at - half < free_from) continue;
+        if (tick.at - half < free_from || tick.at + half > a.x + a.w + 6 * ui.unit) continue;
         small_text(list, ui, tick.at, a.y + a.h + 2 * ui.unit, tick.text, theme::faint, 0.5f);
         free_from = tick.at + half + text / 2;
     }
@@ -151,6 +154,14 @@ void key(const Ui& ui, const Workbench<D>& bench) {
     ImGui::PopStyleColor();
 }
 
+/// As much of it as there is room for.
+std::string axis_title(const Ui& ui, Measure measure, float room) {
+    const bool wrong = measure == Measure::wrong;
+    const std::string brief = wrong ? "wrong pixels, %" : "coverage, %";
+    const std::string whole = brief + (wrong ? ": lower is better" : ": higher is better");
+    return small_width(ui, whole) <= room ? whole : brief;
+}
+
 }  // namespace
 
 template <int D>
@@ -169,7 +180,7 @@ void trade_off_chart(Ui& ui, Workbench<D>& bench) {
     draw_axes(list, ui, plot);
     small_text(
         list, ui, at.x, at.y,
-        bench.trade_off.shown == Measure::wrong ? "wrong pixels, %: lower is better" : "coverage, %: higher is better",
+        axis_title(ui, bench.trade_off.shown, w).c_str(),
         theme::ink);
     small_text(list, ui, at.x + w, at.y + h - 1.1f * text, trade_off_time_text(bench), theme::ink, 1);
     if (plot.dots.empty())

@@ -78,6 +78,7 @@ struct Ui {
     /// Workbench::hovered_cell for all parts to outline.
     std::uint32_t hovering = none;
     KeyLight lighting{};  ///< the same of the term of a key, for Workbench::lit
+    Area legend_room;  ///< beside the picture, for its legend; without a width there is none
     /// The mouse was moved since the last key: otherwise what lies under it is not what the person looks at.
     bool mouse_awake = false;
     /// Runs commands; says what went wrong instead of throwing.

@@ -29,6 +29,7 @@ template <int D>
 Area Window<D>::parts_around(const ImVec2& size) {
     const float line = ImGui::GetTextLineHeightWithSpacing();
     Area middle{0, 0, size.x, size.y};
+    ui_.legend_room = {};
     if (bench_.desk.projector) {
         projector_parts(middle);
     } else {
@@ -73,6 +74,7 @@ void Window<D>::projector_parts(Area& middle) {
     if (beside && panel)
         panel_column(ui_, bench_, Column::right, {x, middle.y + above, w, bottom - below - middle.y - above});
     if (beside) {
+        if (!panel) ui_.legend_room = {x, middle.y + above, w, bottom - below - middle.y - above};
         middle.w -= w;
     } else {
         middle.y += above;

@@ -26,4 +26,19 @@ std::string wrapped_at_spaces(std::string_view text, double width, const WidthOf
     return lines;
 }
 
+/// `text`, or where that is wider than `width` as much of its beginning as fits with "…" behind it; at least "…".
+template <typename WidthOf>
+std::string shortened(std::string_view text, double width, const WidthOf& width_of) {
+    if (width_of(text) <= width) return std::string(text);
+    std::string shown;
+    do {
+        std::size_t end = text.size() - 1;
+        while (end > 0 && (text[end] & 0xc0) == 0x80) --end;  // whole characters only
+        text = text.substr(0, end);
+        while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
+        shown = std::string(text) + "…";
+    } while (!text.empty() && width_of(shown) > width);
+    return shown;
+}
+
 }  // namespace sightline

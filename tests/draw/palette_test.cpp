@@ -62,6 +62,25 @@ TEST(Palette, CellsStayApartWithoutColour) {
     EXPECT_NEAR(lightness({119, 119, 119}), 50.03, 0.01);
 }
 
+/// Lines that may stand beside each other: told apart by dash, width or lightness, and in colour by the colour.
+TEST(Palette, LinesOfOneKindLookDifferentEvenInPrint) {
+    const std::vector<std::vector<Look>> kinds{
+        {Look::seed, Look::selected, Look::last, Look::next, Look::only_here},
+        {Look::rendered, Look::missed, Look::wasted, Look::other, Look::selected_primitive}};
+    for (const Palette palette : {Palette::standard, Palette::paper, Palette::print})
+        for (const std::vector<Look>& kind : kinds)
+            for (const Look one : kind)
+                for (const Look two : kind) {
+                    if (one >= two) continue;
+                    const auto& looks = colours(palette).looks;
+                    const Style &a = looks[style_of(one)], &b = looks[style_of(two)];
+                    const int apart = std::abs(a.stroke.r - b.stroke.r) + std::abs(a.stroke.g - b.stroke.g) +
+                                      std::abs(a.stroke.b - b.stroke.b);
+                    EXPECT_TRUE(a.dash != b.dash || std::abs(a.width_pt - b.width_pt) >= 0.6 || apart >= 120)
+                        << a.name << " and " << b.name << " in " << words<Palette>[static_cast<std::size_t>(palette)];
+                }
+}
+
 TEST(Palette, TextStandsOutFromWhatIsBehindIt) {
     EXPECT_NEAR(contrast({0, 0, 0}, {255, 255, 255}), 21, 1e-9);
     EXPECT_NEAR(contrast({118, 118, 118}, {255, 255, 255}), 4.54, 0.01);  // WCAG's own example of 4.5:1

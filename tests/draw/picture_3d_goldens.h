@@ -11,13 +11,13 @@ using Goldens = std::vector<std::array<const char*, 6>>;
 
 inline const Goldens picture_3d_goldens{
     {"69bb8ce7a76361c6", "64ce5bf306cdf36c", "ef51d2f4b8e8c1e2", "d7e36d55f5f781d9", "e37fd0c6db0c161d",
-     "b164a3602f3c7253"},
+     "2dc1497b5aff3a91"},
     {"4e65bb5032bfcc5d", "cd2c2518ab8aa942", "1833dbc762955a57", "983e08bbc9bc4d67", "96cc74b633942d4a",
-     "627bd56cb3a7b76f"},
+     "f7ab330d577ebc59"},
     {"edc1af6354a59721", "e7162fcddeda3160", "f81882d90dc8f424", "c984eced9f3696d5", "3f6420d4252e4a85",
-     "34e5b74a2d67884d"},
+     "3d4787e1e91e6e0a"},
     {"ab7fafc81e503023", "d936053031664365", "c37c30a21dd0a090", "deac729234c98c2a", "e2514e0ab96a3c5e",
-     "e062adbdaf2eccc9"},
+     "035f528aa95c4ca6"},
 };
 
 }  // namespace sightline::test

@@ -310,17 +310,17 @@ TEST(Picture, AnEmptySceneHasAWorld) {
 
 const std::vector<Golden>& goldens() {
     static const std::vector<Golden> table{
-        {"bottleneck", {"29445b57142cfbb7", "b816f85cca3dd9d6", "16cd6423d2ea884d"}},
-        {"field", {"30cfa8d8ce2d752e", "8932e2d06febd3a6", "d627d2bbcb6f7dba"}},
-        {"streets", {"32d70951b548c343", "3667882b76b7a243", "d0e324b83299692d"}},
-        {"rooms", {"e2895e98c6b64779", "9ba314d599b63317", "012b9f5c495223a3"}},
-        {"cars", {"db9b0eb573ff3c13", "8c07eae5714e4991", "07b496df985aead3"}},
-        {"jungle", {"f2f019e7813474cd", "530a89ac66299beb", "8d9faa139f4c5d81"}},
-        {"terrain", {"5b793e925453a7aa", "a5cc19cd4dbc58ff", "360e97dc07ba8b61"}},
-        {"wallholes", {"11105ef272387af3", "a804ce803100c7d6", "af20ccbe4812ea41"}},
-        {"wall2", {"aa4c53b45e1f674c", "6887952cd4c99258", "d95738c47f891e96"}},
-        {"statue", {"c2ad67406fb79289", "a4367a9c2f8e3453", "438297d431b014e8"}},
-        {"forget", {"ca08d4f2a9fa6f34", "44ac56829990d6c5", "2a0ac1284e5163bc"}},
+        {"bottleneck", {"29445b57142cfbb7", "b816f85cca3dd9d6", "f50ba769b01248e2"}},
+        {"field", {"30cfa8d8ce2d752e", "8932e2d06febd3a6", "01296153e1d07afc"}},
+        {"streets", {"32d70951b548c343", "3667882b76b7a243", "ead4ce216ff4b150"}},
+        {"rooms", {"e2895e98c6b64779", "9ba314d599b63317", "07a0e6ff0d62fdb7"}},
+        {"cars", {"db9b0eb573ff3c13", "8c07eae5714e4991", "afd2da069dce73b6"}},
+        {"jungle", {"f2f019e7813474cd", "530a89ac66299beb", "a06e421f0ea768bc"}},
+        {"terrain", {"5b793e925453a7aa", "a5cc19cd4dbc58ff", "b2ab54edd559e6b3"}},
+        {"wallholes", {"11105ef272387af3", "a804ce803100c7d6", "dd5a6c553e46891d"}},
+        {"wall2", {"aa4c53b45e1f674c", "6887952cd4c99258", "6d2069bd4b1b094e"}},
+        {"statue", {"c2ad67406fb79289", "a4367a9c2f8e3453", "1cc69c8e17c76dc9"}},
+        {"forget", {"ca08d4f2a9fa6f34", "44ac56829990d6c5", "535d74b4b9fd5343"}},
     };
     return table;
 }

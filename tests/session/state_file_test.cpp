@@ -124,6 +124,8 @@ TEST(StateFile, OpensWhatWasSaved) {
         FigureSpec figure;
         figure.size = random.below(2) ? "120mm" : "640x480";
         figure.font_pt = random.uniform(4, 12);
+        figure.dpi = random.uniform(72, 1200);
+        figure.columns = static_cast<std::uint32_t>(random.below(5));
         for (std::uint64_t k = random.below(3); k > 0; --k) figure.panels.push_back(random_text(random));
 
         const std::string text = state_json(session, figure);
@@ -134,6 +136,8 @@ TEST(StateFile, OpensWhatWasSaved) {
         ASSERT_EQ(opened.figure.size, figure.size);
         ASSERT_EQ(opened.figure.font_pt, figure.font_pt);
         ASSERT_EQ(opened.figure.panels, figure.panels);
+        ASSERT_EQ(opened.figure.dpi, figure.dpi);
+        ASSERT_EQ(opened.figure.columns, figure.columns);
         // Saving it again gives the same file.
         ASSERT_EQ(state_json(opened.session, opened.figure), text);
         ASSERT_FALSE(opened.other);

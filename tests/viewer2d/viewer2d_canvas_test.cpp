@@ -290,7 +290,11 @@ TEST_F(Canvas, NotesMoveTheirTextOrTheirAnchor) {
 // Labels.
 
 LabelPaper plain_paper() {
-    return {area, 1, 1, [](const Vec<2>& p) { return ImVec2(static_cast<float>(p.x), static_cast<float>(p.y)); },
+    return {area,
+            1,
+            1,
+            false,
+            [](const Vec<2>& p) { return ImVec2(static_cast<float>(p.x), static_cast<float>(p.y)); },
             [](const std::string& text) { return ImVec2(7.0f * static_cast<float>(text.size()), 12.0f); }};
 }
 

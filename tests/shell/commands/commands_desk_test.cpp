@@ -47,6 +47,8 @@ TEST_F(EachCommand, zoom_timeline) {
 
 TEST_F(EachCommand, projector) { flips("projector", bench->desk.projector); }
 
+TEST_F(EachCommand, animate) { flips("animate", bench->desk.animate); }
+
 TEST_F(EachCommand, fullscreen) { flips("fullscreen", bench->desk.fullscreen); }
 
 TEST_F(EachCommand, scale) {

@@ -27,6 +27,11 @@ TEST_F(EachCommand, open) {
 TEST_F(EachCommand, size) {
     run("size 400x300");
     EXPECT_EQ(bench->figure.size, "400x300");
+    run("size 84mm 600dpi 7pt");
+    EXPECT_EQ(bench->figure.size, "84mm");
+    EXPECT_EQ(bench->figure.dpi, 600);
+    EXPECT_EQ(bench->figure.font_pt, 7);
+    run("size 400x300 8pt 300dpi");
 }
 
 TEST_F(EachCommand, shot) {

@@ -88,7 +88,7 @@ Image load(const fs::path& path) {
 }
 
 /// Mean difference of two images' channels, 0 to 255, where both have pixels.
-double difference(const Image& a, const Image& b) {
+double pixel_difference(const Image& a, const Image& b) {
     const int w = std::min(cairo_image_surface_get_width(a.get()), cairo_image_surface_get_width(b.get()));
     const int h = std::min(cairo_image_surface_get_height(a.get()), cairo_image_surface_get_height(b.get()));
     double sum = 0;
@@ -186,11 +186,11 @@ TEST_F(FigureFiles, TheFormatsLookAlike) {
     output("pdftoppm -r 96 -png -singlefile a.pdf pdf");
     const Image png = load(folder / "a.png"), svg = load(folder / "svg.png"), pdf = load(folder / "pdf.png");
     EXPECT_EQ(cairo_image_surface_get_width(svg.get()), 640);
-    EXPECT_LT(difference(png, svg), 2);
-    EXPECT_LT(difference(png, pdf), 6);  // poppler moves thin lines to whole pixels
+    EXPECT_LT(pixel_difference(png, svg), 2);
+    EXPECT_LT(pixel_difference(png, pdf), 6);  // poppler moves thin lines to whole pixels
     // The measure tells figures apart.
     write_figure(sample_figure(1, LegendPlace::outside), pixels(640, 480), folder / "other.png");
-    EXPECT_GT(difference(png, load(folder / "other.png")), 10);
+    EXPECT_GT(pixel_difference(png, load(folder / "other.png")), 10);
 }
 
 TEST_F(FigureFiles, SeveralPagesGoIntoOnePdf) {

@@ -8,6 +8,7 @@
 #include "core/base/text.h"
 #include "shell/figure/lay_out.h"
 #include "tests/shell/figure/figure_samples.h"
+#include "tests/shell/figure/tidy.h"
 
 namespace sightline {
 namespace {
@@ -31,67 +32,6 @@ Layout lay_out_one(const Figure& figure, const FigureSize& size) {
     return lay_out({&figure, 1}, size, font).front();
 }
 
-Rect box_of(const TextRun& run) {
-    return {run.left(), run.baseline - 0.93 * run.size, run.width, (0.93 + 0.24) * run.size};
-}
-
-struct Named {
-    std::string name;
-    Rect box;
-};
-
-/// Everything that must keep apart.
-std::vector<Named> blocks(const Layout& layout) {
-    std::vector<Named> all;
-    const auto runs = [&](const std::string& name, const std::vector<TextRun>& texts) {
-        for (const TextRun& run : texts) all.push_back({name + " \"" + run.text + "\"", box_of(run)});
-    };
-    for (const Layout::Panel& panel : layout.panels) {
-        all.push_back({"panel", panel.frame});
-        runs("title", panel.title);
-    }
-    if (layout.legend_box) return runs("caption", layout.caption), all;
-    for (const Layout::Row& row : layout.legend) {
-        all.push_back({"swatch", row.swatch});
-        runs("legend", row.text);
-    }
-    if (layout.bar) {
-        all.push_back({"bar", layout.bar->strip});
-        runs("bar text", layout.bar->text);
-    }
-    runs("caption", layout.caption);
-    return all;
-}
-
-void expect_tidy(const Layout& layout) {
-    const Rect page{0, 0, layout.width, layout.height};
-    // Line boxes are 1.25 of the size apart, glyph boxes 1.17 high.
-    const double slack = 0.01;
-    const std::vector<Named> all = blocks(layout);
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        EXPECT_TRUE(page.contains(all[i].box, slack)) << all[i].name << " leaves the page";
-        for (std::size_t k = i + 1; k < all.size(); ++k)
-            EXPECT_FALSE(all[i].box.overlaps(all[k].box, slack)) << all[i].name << " overlaps " << all[k].name;
-    }
-    for (const Layout::Panel& panel : layout.panels) {
-        EXPECT_GT(panel.frame.w, 0);
-        EXPECT_GT(panel.frame.h, 0);
-        EXPECT_NEAR(panel.frame.w, panel.world.extent().x * layout.scale, 1e-6 * panel.frame.w);
-        EXPECT_NEAR(panel.frame.h, panel.world.extent().y * layout.scale, 1e-6 * panel.frame.h);
-    }
-    if (!layout.legend_box) return;
-    int hosts = 0;
-    for (const Layout::Panel& panel : layout.panels) hosts += panel.frame.contains(*layout.legend_box);
-    EXPECT_EQ(hosts, 1);
-    for (const Layout::Row& row : layout.legend) {
-        EXPECT_TRUE(layout.legend_box->contains(row.box));
-        for (const TextRun& run : row.text) EXPECT_TRUE(layout.legend_box->contains(box_of(run)));
-    }
-    if (layout.bar) {
-        EXPECT_TRUE(layout.legend_box->contains(layout.bar->box));
-    }
-}
-
 TEST(FigureLayout, NothingOverlapsOrLeavesThePageOfRandomFigures) {
     Random random(7);
     int inside = 0, refused = 0;
@@ -103,7 +43,7 @@ TEST(FigureLayout, NothingOverlapsOrLeavesThePageOfRandomFigures) {
         try {
             const Layout layout = lay_out_one(figure, size);
             SCOPED_TRACE("figure " + std::to_string(i));
-            expect_tidy(layout);
+            test::expect_tidy(figure, layout);
             inside += layout.legend_box.has_value();
         } catch (const InputError&) {
             ++refused;
@@ -217,8 +157,9 @@ TEST(FigureLayout, PagesShareOneLayout) {
     const Font font = find_font();
     const std::vector<Layout> layouts = lay_out(pages, millimetres(84), font);
     ASSERT_EQ(layouts.size(), 3u);
-    for (const Layout& layout : layouts) {
-        expect_tidy(layout);
+    for (std::size_t p = 0; p < layouts.size(); ++p) {
+        const Layout& layout = layouts[p];
+        test::expect_tidy(pages[p], layout);
         EXPECT_DOUBLE_EQ(layout.height, layouts[0].height);
         EXPECT_DOUBLE_EQ(layout.scale, layouts[0].scale);
         for (std::size_t i = 0; i < 2; ++i) {

@@ -12,7 +12,7 @@
 namespace sightline {
 namespace {
 
-struct Note {
+struct Entry {
     enum { path, circle, gradient, image, text } kind;
     Path outline;
     Vec<2> centre{};
@@ -24,23 +24,23 @@ struct Note {
 
 class Notebook final : public Canvas {
 public:
-    std::vector<Note> notes;
+    std::vector<Entry> notes;
     std::vector<Rect> clips;
 
     void clip(const Rect& rect) override { clips.push_back(rect), clipped_ = true; }
     void unclip() override { clipped_ = false; }
     void draw(const Path& path, const Pen& pen) override {
-        notes.push_back({Note::path, path, {}, 0, pen, {}, clipped_});
+        notes.push_back({Entry::path, path, {}, 0, pen, {}, clipped_});
     }
     void circle(const Vec<2>& c, double r, const Pen& pen) override {
-        notes.push_back({Note::circle, {}, c, r, pen, {}, clipped_});
+        notes.push_back({Entry::circle, {}, c, r, pen, {}, clipped_});
     }
     void gradient(const Rect&, std::span<const Colour>) override {
-        notes.push_back({Note::gradient, {}, {}, 0, {}, {}, clipped_});
+        notes.push_back({Entry::gradient, {}, {}, 0, {}, {}, clipped_});
     }
-    void image(const Rect&, const DrawImage&) override { notes.push_back({Note::image, {}, {}, 0, {}, {}, clipped_}); }
+    void image(const Rect&, const DrawImage&) override { notes.push_back({Entry::image, {}, {}, 0, {}, {}, clipped_}); }
     void text(const TextRun& run, const Colour& colour, const Colour&) override {
-        notes.push_back({Note::text, {}, {}, 0, {colour}, run, clipped_});
+        notes.push_back({Entry::text, {}, {}, 0, {colour}, run, clipped_});
     }
 
 private:
@@ -52,9 +52,9 @@ struct Painted {
     Notebook book;
 
     /// What was drawn in the panels.
-    std::vector<Note> inside() const {
-        std::vector<Note> found;
-        for (const Note& note : book.notes)
+    std::vector<Entry> inside() const {
+        std::vector<Entry> found;
+        for (const Entry& note : book.notes)
             if (note.clipped) found.push_back(note);
         return found;
     }
@@ -78,7 +78,7 @@ Figure figure_of(const DrawList& list) {
 TEST(FigurePaint, EveryStrokeIsHalfAPointOrMore) {
     const Painted p = painted(sample_figure(3, LegendPlace::inside), 174);
     int strokes = 0;
-    for (const Note& note : p.book.notes) {
+    for (const Entry& note : p.book.notes) {
         if (note.pen.stroke.a == 0) continue;
         ++strokes;
         EXPECT_GE(note.pen.width, 0.5);
@@ -110,7 +110,7 @@ TEST(FigurePaint, FarPointsAreCutAndShapesOutsideSkipped) {
     list.labels.push_back({{5, 5}, {0, 0}, "outside", TextAlign::centre, 1, {0, 0, 0}, transparent, {}});
     const Painted p = painted(figure_of(list));
     EXPECT_EQ(p.inside().size(), drawn);
-    for (const Note& note : p.inside())
+    for (const Entry& note : p.inside())
         for (const Vec<2>& at : note.outline.points) EXPECT_TRUE(p.layout.panels[0].frame.grown(21).contains(at));
 }
 
@@ -120,7 +120,7 @@ TEST(FigurePaint, ArrowsEndAtTheirTip) {
     list.styles = {{"s", transparent, Hatch::none, transparent, {9, 9, 9}, 1, Dash::solid}};
     list.add(ShapeKind::arrow, 0, {{0.2, 0.5}, {0.6, 0.5}, {0.6, 0.5}}, 6);
     const Painted p = painted(figure_of(list));
-    const std::vector<Note> notes = p.inside();
+    const std::vector<Entry> notes = p.inside();
     ASSERT_EQ(notes.size(), 2u);
     const Vec<2> tip = to_page(p.layout.panels[0], p.layout.scale, {0.6, 0.5});
     EXPECT_NEAR(notes[1].outline.points[0].x, tip.x, 1e-9);
@@ -141,20 +141,25 @@ TEST(FigurePaint, LabelsStayInsideTheirPanelAndCalloutsHoldTheirNumber) {
                     if (disc) label.disc = Colour{200, 0, 0};
                     list.labels.push_back(label);
                 }
-    const Painted p = painted(figure_of(list));
-    const Rect frame = p.layout.panels[0].frame;
     int texts = 0;
-    const std::vector<Note> notes = p.inside();
-    for (std::size_t i = 0; i < notes.size(); ++i) {
-        if (notes[i].kind == Note::circle) {
-            EXPECT_TRUE(frame.contains(Rect{notes[i].centre.x, notes[i].centre.y, 0, 0}.grown(notes[i].radius), 1e-9));
-            EXPECT_GT(2 * notes[i].radius, notes[i + 1].run.width);
-            EXPECT_NEAR(notes[i + 1].run.left() + notes[i + 1].run.width / 2, notes[i].centre.x, 1e-9);
-            continue;
+    for (const Label& label : std::vector<Label>(list.labels)) {
+        list.labels = {label};  // each alone: several would make room for each other
+        const Painted p = painted(figure_of(list));
+        const Rect frame = p.layout.panels[0].frame;
+        const std::vector<Entry> notes = p.inside();
+        for (std::size_t i = 0; i < notes.size(); ++i) {
+            if (notes[i].kind == Entry::circle) {
+                EXPECT_TRUE(
+                    frame.contains(Rect{notes[i].centre.x, notes[i].centre.y, 0, 0}.grown(notes[i].radius), 1e-9));
+                EXPECT_GT(2 * notes[i].radius, notes[i + 1].run.width);
+                EXPECT_NEAR(notes[i + 1].run.left() + notes[i + 1].run.width / 2, notes[i].centre.x, 1e-9);
+                continue;
+            }
+            const TextRun& run = notes[i].run;
+            ++texts;
+            EXPECT_TRUE(
+                frame.contains(Rect{run.left(), run.baseline - 0.75 * run.size, run.width, 0.9 * run.size}, 1e-9));
         }
-        const TextRun& run = notes[i].run;
-        ++texts;
-        EXPECT_TRUE(frame.contains(Rect{run.left(), run.baseline - 0.75 * run.size, run.width, 0.9 * run.size}, 1e-9));
     }
     EXPECT_EQ(texts, 54);
     // In the middle nothing has to move: x right, y up.
@@ -169,10 +174,10 @@ TEST(FigurePaint, ShapesKeepTheirOrderAndLabelsComeLast) {
     DrawList list = sample_list();
     const Painted p = painted(figure_of(list));
     bool text = false;
-    for (const Note& note : p.inside()) {
-        text |= note.kind == Note::text;
+    for (const Entry& note : p.inside()) {
+        text |= note.kind == Entry::text;
         if (text) {
-            EXPECT_NE(note.kind, Note::path);
+            EXPECT_NE(note.kind, Entry::path);
         }
     }
     EXPECT_TRUE(text);

@@ -19,6 +19,7 @@ public:
     /// `make_stage(bench)` is called when OpenGL is there. Throws WorkError without OpenGL.
     WindowDriver(Workbench<D>& bench, int width, int height, const std::function<Stage(Workbench<D>&)>& make_stage)
         : bench_(bench), window_(bench, {GlContext::Place::off_screen, {width, height, std::nullopt, false}, 1}) {
+        bench.desk.animate = false;  // frames of the driver take no time
         window_.stage = make_stage(bench);
         id_ = SDL_GetWindowID(window_.context().window());
         frames(2);

@@ -55,6 +55,7 @@ Memory random_memory(Random& random) {
     m.desk.right_width = random.uniform(100, 4000);
     m.desk.timeline_height = random.uniform(100, 4000);
     m.desk.timeline = random.below(2);
+    m.desk.animate = random.below(2);
     m.desk.legend = random.below(2);
     m.desk.scale = random.uniform(smallest_scale, largest_scale);
     m.desk.axis = static_cast<TimelineAxis>(random.below(2));

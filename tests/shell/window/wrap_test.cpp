@@ -48,5 +48,15 @@ TEST(Wrap, KeepsEveryCharacterAndFillsLines) {
     }
 }
 
+TEST(Wrap, ShortensToWholeCharacters) {
+    const auto width = [](std::string_view text) {  // in characters
+        return static_cast<double>(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xc0) != 0x80; }));
+    };
+    EXPECT_EQ(shortened("fits", 4, width), "fits");
+    EXPECT_EQ(shortened("one two three", 9, width), "one two…");
+    EXPECT_EQ(shortened("ρρρρρρ", 4, width), "ρρρ…");
+    EXPECT_EQ(shortened("too long", 0, width), "…");
+}
+
 }  // namespace
 }  // namespace sightline
