@@ -7,6 +7,7 @@
 #include "core/draw/notes.h"
 #include "core/draw/palette.h"
 #include "shell/commands/arguments.h"
+#include "shell/desk/conceal.h"
 #include "shell/desk/edit.h"
 #include "shell/desk/gesture.h"
 #include "shell/desk/undo.h"
@@ -334,7 +335,7 @@ void Mouse2d::tooltip(Ui& ui) {
     if (!hovered_ || !ui.mouse_awake || drag_ || !pane_ || field_.is_open()) return;
     std::string text = handle_tip(pick_.handle);
     if (text.empty() && strip_) text = strip_words(*pane_->strip, *strip_);
-    if (text.empty() && pick_.cell != none) text = cell_words(*pane_->session, pick_.cell);
+    if (text.empty() && pick_.cell != none) text = conceal(bench_, cell_words(*pane_->session, pick_.cell));
     if (text.empty()) return;
     // Beside the pointer, not on the cell that it speaks of.
     const ImVec2 mouse = ImGui::GetIO().MousePos;

@@ -8,6 +8,7 @@
 #include "shell/commands/arguments.h"
 #include "shell/desk/camera.h"
 #include "shell/desk/change.h"
+#include "shell/desk/conceal.h"
 #include "shell/desk/fly.h"
 #include "shell/desk/gesture.h"
 #include "shell/desk/undo.h"
@@ -165,8 +166,8 @@ void Mouse3d::tooltip(Ui& ui, const Pane3d& pane) {
     const Pick3d under = pick(pane.solid(), pane.to_plane(mouse));
     if (!under.hits()) return;
     if (under.cell != none) ui.hovering = under.cell;
-    const std::string text =
-        under.cell != none ? cell_words(bench_.session, under.cell) : "triangle " + std::to_string(under.primitive);
+    const std::string text = under.cell != none ? conceal(bench_, cell_words(bench_.session, under.cell))
+                                                : "triangle " + std::to_string(under.primitive);
     ImGui::SetNextWindowPos({mouse.x + 18 * ui.unit, mouse.y + 18 * ui.unit});
     ImGui::SetTooltip("%s", text.c_str());
 }

@@ -32,6 +32,7 @@ public:
     Painter(const Session<2>& session, const PictureOptions& options)
         : session_(session), set_(session.settings()), cells_(session.cells()), colours_(colours(set_.palette)) {
         if (set_.show_choice == Switch::on) choice_ = choice_of(session);
+        concealed_ = options.concealed;
         list_.world = widened(options.world ? *options.world : figure_world(session), options.aspect);
         list_.styles = colours_.looks;
         const bool by_state = set_.heat == CellNumber::none && set_.show_states == Switch::on;
@@ -284,7 +285,7 @@ private:
             if (!wanted || !list_.world.contains(cells_.centre(cell)) || cells_.centre(cell).y < paper_top()) continue;
             Label label;
             label.at = cells_.centre(cell);
-            label.text = cell_label(session_, choice_, cell, *numbers[cell]);
+            label.text = cell == concealed_ ? "?" : cell_label(session_, choice_, cell, *numbers[cell]);
             label.scale = 0.8;
             label.colour = colours_.ink;
             label.halo = colours_.halo;
@@ -301,6 +302,7 @@ private:
     const CellComplex<2>& cells_;
     const Colours& colours_;
     Choice choice_;
+    std::optional<std::uint32_t> concealed_;
     DrawList list_;
 };
 

@@ -36,6 +36,8 @@ struct PictureOptions {
     std::optional<std::uint32_t> facet{};
     /// What the eye sees of this session, where it is at hand already; else it is made when a setting asks for it.
     const EyeStrip* eye = nullptr;
+    /// Where a class has to find the number of this cell: its label is a question mark.
+    std::optional<std::uint32_t> concealed{};
 };
 
 /// The picture that the session's picture settings ask for.

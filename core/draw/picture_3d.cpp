@@ -36,6 +36,7 @@ public:
           colours_(colours(set_.palette)),
           camera_(picture_camera(session, options.aspect)) {
         if (set_.show_choice == Switch::on) choice_ = choice_of(session);
+        concealed_ = options.concealed;
         list_.world = picture_plane(camera_);
         list_.styles = colours_.looks;
         if (set_.show_view == Switch::on) seen_from_outside(session) ? view() : frame();
@@ -248,7 +249,9 @@ private:
         for (const Numbered& numbered : wanted) {
             Label label;
             label.at = *project(camera_, cells_.centre(numbered.cell));
-            label.text = cell_label(session_, choice_, numbered.cell, *numbers[numbered.cell]);
+            label.text = numbered.cell == concealed_
+                             ? "?"
+                             : cell_label(session_, choice_, numbered.cell, *numbers[numbered.cell]);
             label.scale = 0.8;
             label.colour = colours_.ink;
             label.halo = colours_.halo;
@@ -264,6 +267,7 @@ private:
     const Colours& colours_;
     View<3> camera_;
     Choice choice_;
+    std::optional<std::uint32_t> concealed_;
     DrawList list_;
     std::optional<Label> star_label_;  ///< notes have theirs first
 };

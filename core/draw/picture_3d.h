@@ -23,6 +23,8 @@ struct PictureOptions3 {
     std::span<const Differs> differences{};
     /// A facet to point out, by its place among those of the last cell: where a substep looks across.
     std::optional<std::uint32_t> facet{};
+    /// Where a class has to find the number of this cell: its label is a question mark.
+    std::optional<std::uint32_t> concealed{};
 };
 
 /// The display view at this aspect (PictureOptions3::aspect).

@@ -90,6 +90,11 @@ std::span<const Command<D>> lesson_commands() {
         Command<D>{"next", "Next beat", "", "the next beat of a lesson; without one, a step", "PageDown", forward<D>},
         Command<D>{"previous", "Previous beat", "", "one beat of a lesson back; without one, a step", "PageUp",
                    backward<D>},
+        Command<D>{"answer", "Answer", "NUMBER",
+                   "the key that an exercise of a lesson asks for; PageDown tells it without an answer", "",
+                   [](Workbench<D>& bench, Text text) {
+                       answer_exercise(bench, number_argument(text, "the key of the cell"));
+                   }},
         Command<D>{"speaker", "Speaker notes", "",
                    "open or close a second window with your notes, what comes next, and the time", "F3",
                    [](Workbench<D>& bench, Text) { bench.desk.speaker = !bench.desk.speaker; }},

@@ -108,7 +108,7 @@ std::vector<Menu> make_menus() {
         {"Compare",
          menu_rows<D>({"compare penalty", "compare distance", "compare perfect order", "compare view only", "compare ?",
                        "-", "difference", "swap", "align step", "align drawn", "compare off", "-", "show trade-off"})},
-        {"Lesson", menu_rows<D>({"lesson", "next", "previous", "truth", "speaker", "lesson end"})},
+        {"Lesson", menu_rows<D>({"lesson", "next", "previous", "truth", "answer ?", "speaker", "lesson end"})},
         {"Help", menu_rows<D>({"help", "show words", "console", "-", "show why", "what-if"})},
     };
     if (D == 3)

@@ -103,7 +103,7 @@ void what_if_changed(Workbench<D>& bench, Text text) {
 
 template <int D>
 void front(Workbench<D>& bench, Text) {
-    for (const Row& row : front_rows(bench)) bench.say((row.tone == Tone::heading ? "" : "  ") + row.text);
+    for (const Row& row : conceal_rows(bench, front_rows(bench))) bench.say((row.tone == Tone::heading ? "" : "  ") + row.text);
 }
 
 template <int D>

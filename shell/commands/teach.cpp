@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shell/commands/teach.h"
 
+#include <cmath>
 #include <utility>
 
 #include "core/base/error.h"
 #include "core/base/number.h"
+#include "core/session/explain.h"
 #include "shell/commands/command_table.h"
+#include "shell/desk/conceal.h"
 #include "shell/desk/moved.h"
 #include "shell/desk/open.h"
 
@@ -27,6 +30,7 @@ void open_part(Workbench<D>& bench, std::size_t part) {
     teaching.part = part;
     teaching.presses = 0;
     teaching.guessed.clear();
+    teaching.answer.reset();
     run_commands(bench, opened.act);
     if (opened.concealed) tell_truth(bench, false);
     bench.session.selected_cell = bench.session.selected_primitive = none;
@@ -68,6 +72,32 @@ void score(Workbench<D>& bench, std::uint32_t guess, const Mark& mark) {
                             : "yours is not in the front.");
 }
 
+constexpr double by_hand = 0.01;  // of the key: what two rounded figures may be off
+
+/// "You said 0.95, and it is: ρ = 16/23 + 0.953 · 0.274 = 0.957."
+template <int D>
+void tell_key(Workbench<D>& bench, std::uint32_t cell) {
+    Teaching& teaching = *bench.teaching;
+    const double key = bench.session.mark(cell).key;
+    const int digits = 3;
+    std::string is = "the key of cell " + std::to_string(cell) + " is " + short_number(key, digits);
+    const auto source = key_source(bench.session, cell, digits);
+    if (source && source->update.key) {
+        is += ": " + source->update.key->formula();
+        if (source->update.key->penalised) is += ", " + source->update.key->penalty;
+    }
+    is += ".";
+    if (!teaching.answer) {
+        is[0] = 'T';
+        teaching.guessed = is;
+        return;
+    }
+    const bool right = std::abs(*teaching.answer - key) <= by_hand * std::abs(key);
+    ++teaching.score.made;
+    teaching.score.right += right;
+    teaching.guessed = "You said " + short_number(*teaching.answer, 6) + (right ? ", right: " : ", but ") + is;
+}
+
 }  // namespace
 
 template <int D>
@@ -77,7 +107,7 @@ void begin_lesson(Workbench<D>& bench, const Lesson& lesson, std::size_t part) {
                          "D: the other viewer gives it");
     if (part >= lesson.parts.size())
         throw InputError("lesson '" + lesson.id + "' has parts 1 to " + std::to_string(lesson.parts.size()));
-    auto before = std::exchange(bench.teaching, Teaching{lesson, 0, 0, {}, {}, {}});
+    auto before = std::exchange(bench.teaching, Teaching{lesson, 0, 0, {}, {}, {}, {}});
     try {
         open_part(bench, part);
     } catch (...) {
@@ -92,7 +122,10 @@ void next_beat(Workbench<D>& bench) {
     if (const Beat* const beat = teaching.next()) {
         const std::uint32_t guess = beat->guess ? bench.session.selected_cell : none;
         const Mark mark = guess == none ? Mark{} : bench.session.mark(guess);
+        const std::uint32_t exercise = concealed_cell(bench);
         teaching.guessed.clear();
+        if (exercise != none) tell_key(bench, exercise);
+        teaching.answer.reset();
         play_beat(bench);
         if (guess != none) {
             score(bench, guess, mark);
@@ -102,6 +135,14 @@ void next_beat(Workbench<D>& bench) {
     }
     if (teaching.part + 1 < teaching.lesson.parts.size()) return open_part(bench, teaching.part + 1);
     bench.say("this was the last part of " + teaching.lesson.title);
+}
+
+template <int D>
+void answer_exercise(Workbench<D>& bench, double key) {
+    Teaching& teaching = lesson_of(bench);
+    if (concealed_cell(bench) == none) throw InputError("no key is asked for here");
+    teaching.answer = key;
+    next_beat(bench);
 }
 
 template <int D>
@@ -133,10 +174,15 @@ std::vector<Row> lesson_lines(const Workbench<D>& bench) {
                             Tone::faint}};
     if (const Beat* const done = teaching.done(); done && !done->say.empty()) lines.push_back({done->say});
     if (!teaching.guessed.empty())
-        lines.push_back({teaching.guessed + " " + std::to_string(teaching.score.right) + " of " +
-                         std::to_string(teaching.score.made) + " guesses right."});
+        lines.push_back({teaching.guessed + (teaching.score.made == 0
+                                                 ? ""
+                                                 : " " + std::to_string(teaching.score.right) + " of " +
+                                                       std::to_string(teaching.score.made) + " guesses right.")});
     if (const Beat* const next = teaching.next(); next && !next->ask.empty())
-        lines.push_back({next->ask + (next->guess ? " Click it, then PageDown." : ""), Tone::lit});
+        lines.push_back({next->ask + (next->guess    ? " Click it, then PageDown."
+                                      : next->key_of ? " Type :answer and the number, or PageDown."
+                                                     : ""),
+                         Tone::lit});
     return lines;
 }
 
@@ -170,6 +216,7 @@ std::vector<Row> speaker_rows(const Workbench<D>& bench) {
 #define SIGHTLINE_INSTANTIATE(D)                                              \
     template void begin_lesson<D>(Workbench<D>&, const Lesson&, std::size_t); \
     template void next_beat<D>(Workbench<D>&);                                \
+    template void answer_exercise<D>(Workbench<D>&, double);                  \
     template void previous_beat<D>(Workbench<D>&);                            \
     template void tell_truth<D>(Workbench<D>&, bool);                         \
     template std::vector<Row> lesson_lines<D>(const Workbench<D>&);           \

@@ -18,6 +18,11 @@ void begin_lesson(Workbench<D>& bench, const Lesson& lesson, std::size_t part = 
 template <int D>
 void next_beat(Workbench<D>& bench);
 
+/// The answer to the exercise of the next beat, which is then played: the key comes from the record of the run. Throws
+/// InputError where nothing is asked.
+template <int D>
+void answer_exercise(Workbench<D>& bench, double key);
+
 /// Takes the last beat back: opens the part anew and plays those before it. At the start of a part it goes to the end
 /// of the one before. Throws InputError without a lesson.
 template <int D>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shell/lesson/lesson.h"
 
+#include <limits>
+
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/json_input.h"
@@ -39,8 +41,8 @@ public:
         const Json* const found = find(key);
         if (!found) return otherwise;
         if (!found->is_number_integer() || *found < low || *found > high)
-            fail(place_.member(key), "expected a whole number from " + std::to_string(low) + " to " +
-                                         std::to_string(high));
+            fail(place_.member(key),
+                 "expected a whole number from " + std::to_string(low) + " to " + std::to_string(high));
         return found->get<int>();
     }
     template <typename Each>
@@ -80,7 +82,9 @@ private:
 
 void add_beats(const Json& value, const JsonPlace& place, const std::string& name, std::vector<Beat>& beats) {
     Part in(value, place, name);
-    Beat beat{in.text("ask"), in.text("do"), in.text("say"), in.flag("guess"), in.flag("reveal"), {}};
+    Beat beat{in.text("ask"), in.text("do"), in.text("say"), in.flag("guess"), in.flag("reveal"), {}, {}};
+    if (const int cell = in.whole("key_of", -1, 0, std::numeric_limits<int>::max()); cell >= 0)
+        beat.key_of = static_cast<std::uint32_t>(cell);
     in.each("shows", [&](const Json& words, const JsonPlace& at) {
         if (!words.is_string()) in.fail(at, std::string("expected a string, found ") + json_kind(words));
         beat.shows.push_back(words.get<std::string>());
@@ -92,8 +96,10 @@ void add_beats(const Json& value, const JsonPlace& place, const std::string& nam
 
 LessonPart read_part(const Json& value, const JsonPlace& place, const std::string& name) {
     Part in(value, place, name);
-    LessonPart part{in.needed("title"), in.whole("minutes", 0, 0, most_minutes), in.needed("open"), in.text("do"),
-                    in.text("panel"),   in.flag("concealed"),                    in.text("notes"),  {}};
+    LessonPart part{in.needed("title"), in.whole("minutes", 0, 0, most_minutes),
+                    in.needed("open"),  in.text("do"),
+                    in.text("panel"),   in.flag("concealed"),
+                    in.text("notes"),   {}};
     in.each("beats", [&](const Json& beat, const JsonPlace& at) { add_beats(beat, at, name, part.beats); });
     in.nothing_else();
     return part;
@@ -117,9 +123,8 @@ std::vector<Lesson> read_lessons(const std::filesystem::path& file) {
     in.each("lessons", [&](const Json& value, const JsonPlace& place) {
         Part one(value, place, name);
         Lesson lesson{one.needed("id"), one.needed("title"), one.whole("dimension", 2, 2, 3), file.parent_path(), {}};
-        one.each("parts", [&](const Json& part, const JsonPlace& at) {
-            lesson.parts.push_back(read_part(part, at, name));
-        });
+        one.each("parts",
+                 [&](const Json& part, const JsonPlace& at) { lesson.parts.push_back(read_part(part, at, name)); });
         one.nothing_else();
         if (lesson.parts.empty()) one.fail(place, "a lesson without a part");
         lessons.push_back(std::move(lesson));
@@ -128,9 +133,7 @@ std::vector<Lesson> read_lessons(const std::filesystem::path& file) {
     return lessons;
 }
 
-std::filesystem::path lessons_of_the_project() {
-    return std::filesystem::path(SIGHTLINE_EXAMPLES) / "lessons.json";
-}
+std::filesystem::path lessons_of_the_project() { return std::filesystem::path(SIGHTLINE_EXAMPLES) / "lessons.json"; }
 
 std::string opens(const Lesson& lesson, const LessonPart& part) {
     const std::filesystem::path file = lesson.folder / part.open;

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,12 +13,13 @@ namespace sightline {
 
 /// One press of the clicker: the question stands there, the press answers it.
 struct Beat {
-    std::string ask;                  ///< before; empty: the press before this one does it at once
-    std::string act;                  ///< commands that the press runs; may be empty
-    std::string say;                  ///< after
-    bool guess = false;               ///< the class may take a cell before (GuessScore)
-    bool reveal = false;              ///< the truth is shown from here on
-    std::vector<std::string> shows;   ///< what stands on the screen after it: for the test of the lesson
+    std::string ask;                      ///< before; empty: the press before this one does it at once
+    std::string act;                      ///< commands that the press runs; may be empty
+    std::string say;                      ///< after
+    bool guess = false;                   ///< the class may take a cell before (GuessScore)
+    bool reveal = false;                  ///< the truth is shown from here on
+    std::optional<std::uint32_t> key_of;  ///< an exercise: the class finds this cell's key, which is not told before
+    std::vector<std::string> shows;       ///< what stands on the screen after it: for the test of the lesson
 };
 
 struct LessonPart {
@@ -39,8 +42,8 @@ struct Lesson {
     int minutes() const;
 };
 
-/// An index of lessons (docs/teaching.md). `file` begins every error line. Throws InputError where it cannot be read, is
-/// none, or has a lesson without a part.
+/// An index of lessons (docs/teaching.md). `file` begins every error line. Throws InputError where it cannot be read,
+/// is none, or has a lesson without a part.
 std::vector<Lesson> read_lessons(const std::filesystem::path& file);
 
 /// Those of the project.

@@ -9,7 +9,7 @@
 
 namespace sightline {
 
-/// Cells that the class took, and how often the method took the same.
+/// Cells that the class took and keys that it named, and how often the method had the same.
 struct GuessScore {
     std::uint32_t made = 0, right = 0;
 };
@@ -19,9 +19,10 @@ struct Teaching {
     std::size_t part = 0;
     /// In the part. Beats before it are done; its own question is asked, unless that is empty.
     std::size_t presses = 0;
-    std::string guessed;  ///< what became of the last guess, as a sentence
+    std::optional<double> answer;  ///< to the exercise that the next press tells
+    std::string guessed;           ///< what became of the last guess, as a sentence
     GuessScore score;
-    Stopwatch since;      ///< the lesson began
+    Stopwatch since;  ///< the lesson began
 
     const LessonPart& now() const { return lesson.parts[part]; }
     /// The last one that was done; nullptr at the start.

@@ -8,6 +8,7 @@
 
 #include "core/draw/cell_number.h"
 #include "core/draw/draw_list.h"
+#include "shell/desk/conceal.h"
 #include "shell/desk/workbench.h"
 
 namespace sightline {
@@ -32,7 +33,10 @@ public:
         Options options;
         options.heat_range = heat_range(pane);
         options.differences = differences_[pane];
-        if (pane == 0) options.facet = facet();
+        if (pane == 0) {
+            options.facet = facet();
+            if (const std::uint32_t cell = concealed_cell(bench_); cell != none) options.concealed = cell;
+        }
         return options;
     }
 

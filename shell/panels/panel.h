@@ -58,6 +58,16 @@ struct Panel {
 template <int D>
 std::span<const Panel<D>> panel_table();
 
+/// Rows without the key that an exercise asks for (conceal); a row that held it loses the colours of its formula.
+template <int D>
+std::vector<Row> conceal_rows(const Workbench<D>& bench, std::vector<Row> rows);
+
+/// What the panel says to those who may read it now.
+template <int D>
+std::vector<Row> panel_rows(const Panel<D>& panel, const Workbench<D>& bench) {
+    return conceal_rows(bench, panel.rows(bench));
+}
+
 /// nullptr when there is no panel of this id.
 template <int D>
 const Panel<D>* find_panel(std::string_view id);

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "core/base/number.h"
+#include "shell/desk/conceal.h"
 
 namespace sightline {
 
@@ -40,12 +42,23 @@ const Panel<D>* find_panel(std::string_view id) {
 }
 
 template <int D>
+std::vector<Row> conceal_rows(const Workbench<D>& bench, std::vector<Row> rows) {
+    if (concealed_cell(bench) == none) return rows;
+    for (Row& row : rows) {
+        const std::string told = std::exchange(row.text, conceal(bench, row.text));
+        row.tip = conceal(bench, row.tip);
+        if (row.text != told) row.parts.clear();
+    }
+    return rows;
+}
+
+template <int D>
 std::string panels_text(const Workbench<D>& bench) {
     std::string text;
     for (const Panel<D>& panel : panel_table<D>()) {
         if (panel.fixed) continue;
         text += "== " + std::string(panel.title) + " ==\n";
-        for (const Row& row : panel.rows(bench))
+        for (const Row& row : panel_rows(panel, bench))
             text += std::string(2 * static_cast<std::size_t>(row.indent), ' ') + row.text + "\n";
         text += "\n";
     }
@@ -61,6 +74,8 @@ template std::span<const Panel<2>> panel_table<2>();
 template std::span<const Panel<3>> panel_table<3>();
 template const Panel<2>* find_panel<2>(std::string_view);
 template const Panel<3>* find_panel<3>(std::string_view);
+template std::vector<Row> conceal_rows<2>(const Workbench<2>&, std::vector<Row>);
+template std::vector<Row> conceal_rows<3>(const Workbench<3>&, std::vector<Row>);
 template std::string panels_text<2>(const Workbench<2>&);
 template std::string panels_text<3>(const Workbench<3>&);
 

@@ -67,7 +67,7 @@ std::vector<Row> banner_lines(const Workbench<D>& bench) {
     const StepExplanation step = explain_step(s, s.position());
     lines.push_back({step_line(step, tells_truth(s), bench.other ? "Left" : "")});
     if (auto row = key_row(bench, step)) lines.push_back(std::move(*row));
-    return lines;
+    return conceal_rows(bench, std::move(lines));
 }
 
 template std::vector<Row> banner_lines<2>(const Workbench<2>&);

@@ -44,7 +44,7 @@ template <int D>
 const std::vector<Row>& rows_of(Ui& ui, const Workbench<D>& bench, Column side, const Panel<D>& panel) {
     ShownRows& shown = ui.columns[static_cast<std::size_t>(side)];
     if (shown.revision != ui.revision || shown.panel != panel.id)
-        shown = {std::string(panel.id), ui.revision, panel.rows(bench)};
+        shown = {std::string(panel.id), ui.revision, panel_rows(panel, bench)};
     return shown.rows;
 }
 
@@ -65,7 +65,7 @@ void panel_column(Ui& ui, Workbench<D>& bench, Column side, const Area& area) {
         if (panel->body == Body::widgets)
             settings_widgets(ui, bench);
         else if (panel->body == Body::chart)  // changes while the bench does not
-            draw_rows(ui, panel->rows(bench), bench.hovered_cell);
+            draw_rows(ui, panel_rows(*panel, bench), bench.hovered_cell);
         else
             draw_rows(ui, rows_of(ui, bench, side, *panel), bench.hovered_cell);
         ImGui::EndChild();

@@ -212,6 +212,7 @@ void Window<D>::press(const std::string& key) {
     if (key == "Escape") return escape();
     const bool covered = bench_.desk.help || bench_.desk.lessons;
     if (covered && is_character(key) && key != "P") return;  // the sheet of lessons speaks of P
+    if (bench_.desk.lessons && (key == "Up" || key == "Down" || key == "Enter")) return;  // they choose in it
     if (bench_.desk.projector && is_presenter_key(key)) {
         bench_.desk.blank = key != "F5" && !bench_.desk.blank;
         return;

@@ -52,6 +52,33 @@ TEST_F(Viewer3d, ItsLessonsPlayToTheirEnd) {
     EXPECT_GT(played, 0u);
 }
 
+TEST_F(Viewer3d, ItsLessonsShowTheNumbersThatTheySpeakOf) {
+    std::size_t shown = 0;
+    for (const Lesson& lesson : read_lessons(lessons_of_the_project())) {
+        if (lesson.dimension != 3) continue;
+        for (std::size_t part = 0; part < lesson.parts.size(); ++part) {
+            std::string script = "lesson " + lesson.id + " " + std::to_string(part + 1);
+            for (const Beat& beat : lesson.parts[part].beats) {
+                script += "; next";
+                if (beat.shows.empty()) continue;
+                const std::string out = good({"--do", script, "--stats", "s.json"}).out;
+                const Json stats = Json::parse(read("s.json"));
+                const std::string found = std::to_string(stats["visible_rendered"].get<int>()),
+                                  all = std::to_string(stats["visible"].get<int>());
+                const std::string line = std::to_string(stats["rendered"].get<int>()) + " drawn, " +
+                                         (found == all ? "all " + all : found + " of " + all) + " visible found\n" +
+                                         out;
+                for (const std::string& words : beat.shows) {
+                    ++shown;
+                    EXPECT_NE(line.find(words), std::string::npos) << script << ": '" << words << "' is not in\n"
+                                                                   << line;
+                }
+            }
+        }
+    }
+    EXPECT_GT(shown, 5u);
+}
+
 TEST_F(Viewer3d, ReferencesAreDrawnInSoftwareWhereAPersonWantsItOrThereIsNoOpenGl) {
     const std::vector<std::string> usual{"city:10k", "--budget", "10%", "--set", "reference_size=320x240",
                                          "--stats",  "s.json"};

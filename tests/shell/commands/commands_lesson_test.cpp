@@ -46,6 +46,15 @@ TEST_F(EachCommand, previous) {
     EXPECT_EQ(bench->teaching->presses, 2u);
 }
 
+TEST_F(EachCommand, answer) {
+    EXPECT_THROW(run("answer 1"), InputError) << "no lesson is given";
+    run("lesson plp 4");
+    EXPECT_THROW(run("answer much"), InputError);
+    run("answer 0.549");
+    EXPECT_EQ(bench->teaching->presses, 1u);
+    EXPECT_EQ(bench->teaching->score.right, 1u);
+}
+
 TEST_F(EachCommand, speaker) { flips("speaker", bench->desk.speaker); }
 
 TEST_F(EachCommand, truth) {

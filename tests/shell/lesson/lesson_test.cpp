@@ -3,8 +3,13 @@
 #include "shell/lesson/lesson.h"
 
 #include "core/base/file.h"
+#include "core/base/number.h"
+#include "core/draw/picture.h"
 #include "core/session/headline.h"
 #include "shell/commands/teach.h"
+#include "shell/desk/conceal.h"
+#include "shell/pane/cell_words.h"
+#include "shell/pane/side_by_side.h"
 #include "shell/panels/panel.h"
 #include "shell/window/parts.h"
 #include "tests/scene/scene_support.h"
@@ -25,6 +30,7 @@ protected:
     std::string on_the_screen() const {
         std::string text = headline(bench->session) + "\n";
         for (const Row& row : banner_lines(*bench)) text += row.text + "\n";
+        if (bench->teaching) text += bench->teaching->guessed + "\n";
         return text + panels_text(*bench);
     }
 };
@@ -95,6 +101,16 @@ TEST_F(Lessons, OfTheProjectShowTheNumbersThatTheySpeakOf) {
     EXPECT_GT(asked, 10u);
 }
 
+TEST_F(Lessons, TheGuideListsThemAll) {
+    const std::string guide = read_file(std::string(SIGHTLINE_SOURCE_DIR) + "/docs/teaching.md", 1 << 20);
+    for (const Lesson& lesson : read_lessons(lessons_of_the_project())) {
+        const std::string row = "| `" + lesson.id + "` | " + lesson.title + " | " + std::to_string(lesson.dimension) +
+                                "D | " + std::to_string(lesson.parts.size()) + " | " +
+                                std::to_string(lesson.minutes()) + " | ";
+        EXPECT_NE(guide.find(row), std::string::npos) << row;
+    }
+}
+
 TEST_F(Lessons, GoingBackComesToTheSameStates) {
     const std::vector<Lesson> lessons = read_lessons(lessons_of_the_project());
     begin_lesson(*bench, lessons.at(0), 1);
@@ -113,6 +129,74 @@ TEST_F(Lessons, GoingBackComesToTheSameStates) {
         previous_beat(*bench);
         ASSERT_EQ(here(), *place) << "part " << place->part << ", press " << place->presses;
     }
+}
+
+TEST_F(Lessons, AnExerciseHidesItsKeyUntilItIsTold) {
+    const auto labels = [&] {
+        SideBySide<2> panes(*bench);
+        panes.update(1);
+        std::vector<std::string> texts;
+        for (const Label& label : make_picture(session(), panes.options<PictureOptions>(0)).labels)
+            texts.push_back(label.text);
+        return texts;
+    };
+    const auto ends_a_label = [&](const std::string& number) {
+        const auto texts = labels();
+        return std::any_of(texts.begin(), texts.end(), [&](const std::string& t) { return t.ends_with(number); });
+    };
+    std::size_t exercises = 0;
+    for (const Lesson& lesson : read_lessons(lessons_of_the_project())) {
+        if (lesson.dimension != 2) continue;
+        for (std::size_t part = 0; part < lesson.parts.size(); ++part) {
+            begin_lesson(*bench, lesson, part);
+            for (const Beat& beat : lesson.parts[part].beats) {
+                if (beat.key_of) {
+                    SCOPED_TRACE(beat.ask);
+                    ++exercises;
+                    const std::uint32_t cell = *beat.key_of;
+                    ASSERT_EQ(concealed_cell(*bench), cell) << "it must wait in the front";
+                    session().selected_cell = cell;
+                    const std::string key = short_number(session().mark(cell).key);
+                    const std::string told = cell_words(session(), cell);
+                    EXPECT_NE(told.find("ρ " + key), std::string::npos);
+                    EXPECT_NE(conceal(*bench, told).find("ρ ?"), std::string::npos) << conceal(*bench, told);
+                    const bool whole = key.find('.') == std::string::npos;
+                    for (const std::string& before : {"= ", "key ", "→ ", "now "})
+                        EXPECT_EQ(on_the_screen().find(whole ? before + key + "\n" : key), std::string::npos)
+                            << key << " in\n"
+                            << on_the_screen();
+                    EXPECT_TRUE(ends_a_label("?"));
+                    if (!whole) EXPECT_FALSE(ends_a_label(key));
+                }
+                next_beat(*bench);
+                if (!beat.key_of) continue;
+                EXPECT_FALSE(ends_a_label("?"));
+                EXPECT_EQ(bench->teaching->guessed.find("The key of cell "), 0u) << bench->teaching->guessed;
+                EXPECT_EQ(bench->teaching->score.made, 0u) << "nobody answered";
+            }
+        }
+    }
+    EXPECT_GE(exercises, 3u);
+}
+
+TEST_F(Lessons, AnAnswerIsHeldAgainstTheRecordOfTheRun) {
+    const std::vector<Lesson> lessons = read_lessons(lessons_of_the_project());
+    begin_lesson(*bench, lessons.at(0), 2);
+    EXPECT_THROW(answer_exercise(*bench, 1), InputError) << "nothing is asked";
+    while (!bench->teaching->next()->key_of) next_beat(*bench);
+    run("answer 0.6");
+    EXPECT_EQ(bench->teaching->guessed,
+              "You said 0.6, but the key of cell 31 is 0.591: ρ = 0.217 + 1 · 0.374 = 0.591.");
+    EXPECT_EQ(bench->teaching->score.right, 0u);
+    previous_beat(*bench);
+    run("answer 0.59");
+    EXPECT_EQ(bench->teaching->guessed,
+              "You said 0.59, right: the key of cell 31 is 0.591: ρ = 0.217 + 1 · 0.374 = 0.591.");
+    EXPECT_EQ(bench->teaching->score.made, 2u);
+    EXPECT_EQ(bench->teaching->score.right, 1u);
+    begin_lesson(*bench, lessons.at(0), 3);
+    run("answer 0.548");
+    EXPECT_NE(bench->teaching->guessed.find("× 2"), std::string::npos) << bench->teaching->guessed;
 }
 
 TEST_F(Lessons, AGuessIsScoredByTheCellThatIsTaken) {

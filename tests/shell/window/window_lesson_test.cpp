@@ -87,7 +87,26 @@ protected:
 };
 
 TEST_F(LessonOnProjector, PlpSaysItsNumbersOnTheScreen) { give("plp", "1280x720"); }
+TEST_F(LessonOnProjector, OrdersSayTheirNumbersOnTheScreen) { give("orders", "1280x720"); }
+TEST_F(LessonOnProjector, PyramidsSayTheirNumbersOnTheScreen) { give("pyramids", "1280x720"); }
 TEST_F(LessonOnProjector, EnginesSayTheirNumbersOnTheScreen) { give("conservative", "1920x1080"); }
+
+TEST_F(WindowSession, ArrowsAndEnterChooseALesson) {
+    SHOW_DISPLAY();
+    start({"bottleneck"});
+    if (HasFatalFailure()) return;
+    hands->key("F2");
+    ASSERT_TRUE(becomes([](const Dump& d) { return d.screen.contains("lit lesson plp 1"); }));
+    for (const char* const key : {"Up", "Down", "Down"}) hands->key(key);
+    ASSERT_TRUE(becomes([](const Dump& d) { return d.screen.contains("lit lesson plp 3"); }));
+    EXPECT_EQ(now.step(), 0u) << "they do nothing else";
+    hands->key("Return");
+    ASSERT_TRUE(becomes([](const Dump& d) { return d.screen.contains("lesson: 3 of 11: Inside one step"); }));
+    hands->key("F2");
+    ASSERT_TRUE(becomes([](const Dump& d) { return d.screen.contains("lit lesson plp 3"); })) << "where it stands";
+    hands->key("Escape");
+    leave();
+}
 
 TEST_F(WindowSession, AClickerCanBlankTheScreenAndTheSpeakerHasAWindow) {
     SHOW_DISPLAY();
