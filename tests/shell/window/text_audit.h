@@ -15,19 +15,15 @@
 
 namespace sightline::test {
 
-struct Glyph {
-    ImVec4 box;   ///< x0, y0, x1, y1
-    ImVec4 clip;  ///< of its draw command
-};
-
 /// Letters that follow one another in a line.
 struct TextRunDrawn {
     ImVec4 box{};
     ImVec4 clip{};
     std::string window;
     std::string letters;
-    bool over_all = false;  ///< of a tooltip or a menu, which may cover what is below
-    bool scrolls = false;   ///< in its height: what is cut there can be reached
+    std::vector<ImVec4> glyphs;  ///< a box a letter
+    bool over_all = false;       ///< of a tooltip or a menu, which may cover what is below
+    bool scrolls = false;        ///< in its height: what is cut there can be reached
 };
 
 inline std::string letter_at(const ImVec2& uv) {
@@ -72,7 +68,12 @@ inline std::vector<TextRunDrawn> drawn_texts() {
                                    c.pos.y < runs.back().box.y - 0.3f * height ||
                                    a.pos.y > runs.back().box.w + 0.3f * height;
                 if (apart) {
-                    runs.push_back({{a.pos.x, a.pos.y, c.pos.x, c.pos.y}, command.ClipRect, list._OwnerName, {}, over,
+                    runs.push_back({{a.pos.x, a.pos.y, c.pos.x, c.pos.y},
+                                    command.ClipRect,
+                                    list._OwnerName,
+                                    {},
+                                    {},
+                                    over,
                                     window && window->ScrollMax.y > 0});
                     fresh = false;
                 }
@@ -80,6 +81,7 @@ inline std::vector<TextRunDrawn> drawn_texts() {
                 run.box = {std::min(run.box.x, a.pos.x), std::min(run.box.y, a.pos.y), std::max(run.box.z, c.pos.x),
                            std::max(run.box.w, c.pos.y)};
                 run.letters += letter_at(a.uv);
+                run.glyphs.emplace_back(a.pos.x, a.pos.y, c.pos.x, c.pos.y);
                 right = c.pos.x;
             }
         }
@@ -109,12 +111,20 @@ inline std::vector<std::string> unreadable_texts() {
             const TextRunDrawn& other = runs[j];
             if (run.over_all != other.over_all) continue;
             // Of what is drawn, only the parts that are not clipped away.
-            const auto seen = [](const TextRunDrawn& r) {
-                return ImVec4(std::max(r.box.x, r.clip.x), std::max(r.box.y, r.clip.y), std::min(r.box.z, r.clip.z),
-                              std::min(r.box.w, r.clip.w));
+            const auto meet = [&](const ImVec4& a, const ImVec4& b) {
+                const float x = std::max({a.x, b.x, run.clip.x, other.clip.x}),
+                            y = std::max({a.y, b.y, run.clip.y, other.clip.y}),
+                            x_end = std::min({a.z, b.z, run.clip.z, other.clip.z}),
+                            y_end = std::min({a.w, b.w, run.clip.w, other.clip.w});
+                return x_end - x > slack && y_end - y > slack;
             };
-            const ImVec4 a = seen(run), b = seen(other);
-            if (std::min(a.z, b.z) - std::max(a.x, b.x) > slack && std::min(a.w, b.w) - std::max(a.y, b.y) > slack)
+            const auto letters_meet = [&] {
+                return std::any_of(run.glyphs.begin(), run.glyphs.end(), [&](const ImVec4& a) {
+                    return std::any_of(other.glyphs.begin(), other.glyphs.end(),
+                                       [&](const ImVec4& b) { return meet(a, b); });
+                });
+            };
+            if (meet(run.box, other.box) && letters_meet())
                 faults.push_back("over one another: " + name(run) + " and " + name(other));
         }
     }
