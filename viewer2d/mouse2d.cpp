@@ -156,7 +156,7 @@ void Mouse2d::click(Ui& ui) {
     if (pick_.handle != Handle::none && pick_.handle < Handle::segment_start) return;
     Pick under = pick_;
     if (!pane_->same_cells) under.cell = none;
-    if (!pane_->lead) under.primitive = none;
+    if (!pane_->lead || (asks_for_cell(bench_) && under.cell != none)) under.primitive = none;
     ui.act("select " + cycle_.next(choices(under), ImGui::GetIO().MousePos, drag_threshold * ui.unit));
 }
 
@@ -335,7 +335,8 @@ void Mouse2d::tooltip(Ui& ui) {
     if (!hovered_ || !ui.mouse_awake || drag_ || !pane_ || field_.is_open()) return;
     std::string text = handle_tip(pick_.handle);
     if (text.empty() && strip_) text = strip_words(*pane_->strip, *strip_);
-    if (text.empty() && pick_.cell != none) text = conceal(bench_, cell_words(*pane_->session, pick_.cell));
+    if (text.empty() && pick_.cell != none && !asks_for_cell(bench_))
+        text = conceal(bench_, cell_words(*pane_->session, pick_.cell));
     if (text.empty()) return;
     // Beside the pointer, not on the cell that it speaks of.
     const ImVec2 mouse = ImGui::GetIO().MousePos;

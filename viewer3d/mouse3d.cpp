@@ -166,6 +166,7 @@ void Mouse3d::tooltip(Ui& ui, const Pane3d& pane) {
     const Pick3d under = pick(pane.solid(), pane.to_plane(mouse));
     if (!under.hits()) return;
     if (under.cell != none) ui.hovering = under.cell;
+    if (asks_for_cell(bench_)) return;
     const std::string text = under.cell != none ? conceal(bench_, cell_words(bench_.session, under.cell))
                                                 : "triangle " + std::to_string(under.primitive);
     ImGui::SetNextWindowPos({mouse.x + 18 * ui.unit, mouse.y + 18 * ui.unit});

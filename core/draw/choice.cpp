@@ -47,6 +47,19 @@ std::string cell_label(const Session<D>& session, const Choice& choice, std::uin
     return cell == choice.taken || cell == choice.next ? name + text : text;
 }
 
+template <int D>
+std::uint32_t first_in_front(const Session<D>& session) {
+    std::uint32_t first = none;
+    for (std::uint32_t cell = 0; cell < session.cells().cell_count(); ++cell) {
+        const Mark mark = session.mark(cell);
+        if (mark.state == CellState::enqueued && (first == none || comes_before(mark, session.mark(first))))
+            first = cell;
+    }
+    return first;
+}
+
+template std::uint32_t first_in_front<2>(const Session<2>&);
+template std::uint32_t first_in_front<3>(const Session<3>&);
 template Choice choice_of<2>(const Session<2>&);
 template Choice choice_of<3>(const Session<3>&);
 template std::string cell_label<2>(const Session<2>&, const Choice&, std::uint32_t, double);

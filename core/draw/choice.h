@@ -17,6 +17,10 @@ struct Choice {
 template <int D>
 Choice choice_of(const Session<D>& session);
 
+/// The cell that comes first in the front, whose label is not to be missed; none where the front has no cell.
+template <int D>
+std::uint32_t first_in_front(const Session<D>& session);
+
 /// What a cell's label says of the number that the session's settings ask for. Of a key: "26 · 0.274" for the cell taken
 /// and the next one, "13 · 0.301 → 0.696" where the step gave a waiting cell another key. Else the number alone.
 template <int D>

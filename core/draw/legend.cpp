@@ -30,7 +30,7 @@ constexpr std::array entries{
     Entry{Look::only_there, ShapeKind::polygon, "projected only in the other"},
     Entry{Look::clean, ShapeKind::polygon, "not touched (clean)"},
     Entry{Look::last, ShapeKind::polygon, "projected last"},
-    Entry{Look::next, ShapeKind::polygon, "came next in the front"},
+    Entry{Look::next, ShapeKind::polygon, "runner-up of the last step"},
     Entry{Look::selected, ShapeKind::polygon, "selected cell"},
     Entry{Look::rendered, ShapeKind::polyline, "visible, rendered"},
     Entry{Look::missed, ShapeKind::polyline, "visible, not rendered"},

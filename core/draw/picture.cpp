@@ -31,7 +31,7 @@ class Painter {
 public:
     Painter(const Session<2>& session, const PictureOptions& options)
         : session_(session), set_(session.settings()), cells_(session.cells()), colours_(colours(set_.palette)) {
-        if (set_.show_choice == Switch::on) choice_ = choice_of(session);
+        if (set_.show_choice == Switch::on && options.choice) choice_ = choice_of(session);
         concealed_ = options.concealed;
         list_.world = widened(options.world ? *options.world : figure_world(session), options.aspect);
         list_.styles = colours_.looks;
@@ -276,7 +276,7 @@ private:
     void labels() {
         if (set_.label == CellNumber::none) return;
         const auto numbers = cell_numbers(session_, set_.label);
-        const std::uint32_t last = last_cell(session_);
+        const std::uint32_t last = last_cell(session_), first = first_in_front(session_);
         for (std::uint32_t cell = 0; cell < numbers.size(); ++cell) {
             if (!numbers[cell]) continue;
             const bool in_front = session_.mark(cell).state == CellState::enqueued;
@@ -290,8 +290,8 @@ private:
             label.colour = colours_.ink;
             label.halo = colours_.halo;
             label.room = room_about_centre(cell);
-            label.yields = cell != last && cell != choice_.next && cell != session_.selected_cell;
-            list_.labels.push_back(label);
+            label.yields = cell != first && cell != last && cell != choice_.next && cell != session_.selected_cell;
+            list_.labels.insert(cell == first ? list_.labels.begin() : list_.labels.end(), label);
         }
         // Those that must show claim their place first.
         std::stable_partition(list_.labels.begin(), list_.labels.end(), [](const Label& l) { return !l.yields; });

@@ -38,6 +38,7 @@ struct PictureOptions {
     const EyeStrip* eye = nullptr;
     /// Where a class has to find the number of this cell: its label is a question mark.
     std::optional<std::uint32_t> concealed{};
+    bool choice = true;  ///< show_choice may show what the last step chose
 };
 
 /// The picture that the session's picture settings ask for.

@@ -35,7 +35,7 @@ public:
           cells_(session.cells()),
           colours_(colours(set_.palette)),
           camera_(picture_camera(session, options.aspect)) {
-        if (set_.show_choice == Switch::on) choice_ = choice_of(session);
+        if (set_.show_choice == Switch::on && options.choice) choice_ = choice_of(session);
         concealed_ = options.concealed;
         list_.world = picture_plane(camera_);
         list_.styles = colours_.looks;
@@ -227,22 +227,23 @@ private:
         if (set_.label == CellNumber::none) return;
         const auto numbers = cell_numbers(session_, set_.label);
         const std::vector<std::uint8_t> shown = shown_cells(session_, slice_of(session_));
-        const std::uint32_t last = last_cell(session_);
+        const std::uint32_t last = last_cell(session_), first = first_in_front(session_);
         struct Numbered {
-            bool yields;
+            bool yields, later;
             double depth;
             std::uint32_t cell;
             auto operator<=>(const Numbered&) const = default;
         };
         std::vector<Numbered> wanted;
         for (std::uint32_t cell = 0; cell < numbers.size(); ++cell) {
-            const bool highlighted = cell == last || cell == choice_.next || cell == session_.selected_cell;
+            const bool highlighted =
+                cell == first || cell == last || cell == choice_.next || cell == session_.selected_cell;
             if (!numbers[cell] || !(shown[cell] || highlighted)) continue;
             const bool in_front = session_.mark(cell).state == CellState::enqueued;
             if (set_.label_where == LabelWhere::all || cell == session_.selected_cell ||
                 (set_.label_where == LabelWhere::front && (in_front || cell == last)))
                 if (in_picture(cells_.centre(cell)))
-                    wanted.push_back({!highlighted, depth(camera_, cells_.centre(cell)), cell});
+                    wanted.push_back({!highlighted, cell != first, depth(camera_, cells_.centre(cell)), cell});
         }
         std::sort(wanted.begin(), wanted.end());
         if (wanted.size() > most_labels) wanted.resize(most_labels);

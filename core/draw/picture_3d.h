@@ -25,6 +25,7 @@ struct PictureOptions3 {
     std::optional<std::uint32_t> facet{};
     /// Where a class has to find the number of this cell: its label is a question mark.
     std::optional<std::uint32_t> concealed{};
+    bool choice = true;  ///< as PictureOptions::choice
 };
 
 /// The display view at this aspect (PictureOptions3::aspect).

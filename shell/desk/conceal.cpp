@@ -31,6 +31,12 @@ std::uint32_t concealed_cell(const Workbench<D>& bench) {
 }
 
 template <int D>
+bool asks_for_cell(const Workbench<D>& bench) {
+    const Beat* const next = bench.teaching ? bench.teaching->next() : nullptr;
+    return next && next->guess;
+}
+
+template <int D>
 std::string conceal(const Workbench<D>& bench, std::string text) {
     const std::uint32_t cell = concealed_cell(bench);
     if (cell == none) return text;
@@ -54,6 +60,8 @@ std::string conceal(const Workbench<D>& bench, std::string text) {
     return shown;
 }
 
+template bool asks_for_cell<2>(const Workbench<2>&);
+template bool asks_for_cell<3>(const Workbench<3>&);
 template std::uint32_t concealed_cell<2>(const Workbench<2>&);
 template std::uint32_t concealed_cell<3>(const Workbench<3>&);
 template std::string conceal<2>(const Workbench<2>&, std::string);

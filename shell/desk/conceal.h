@@ -12,6 +12,10 @@ namespace sightline {
 template <int D>
 std::uint32_t concealed_cell(const Workbench<D>& bench);
 
+/// Whether the class is asked which cell comes next: then nothing points at one.
+template <int D>
+bool asks_for_cell(const Workbench<D>& bench);
+
 /// The text with ? for that key, to whatever number of digits it is written. A whole number is too common to hide
 /// wherever it stands: it goes where words make it a key. Equal keys of other cells go too.
 template <int D>

@@ -35,6 +35,7 @@ public:
         options.differences = differences_[pane];
         if (pane == 0) {
             options.facet = facet();
+            options.choice = !asks_for_cell(bench_);
             if (const std::uint32_t cell = concealed_cell(bench_); cell != none) options.concealed = cell;
         }
         return options;

@@ -79,7 +79,7 @@ void write_choice(Writer& to, const StepExplanation& step, const std::optional<C
     if (step.runner_up == none)
         to.add("it was the only cell in the front");
     else if (step.runner_up_key == step.key)
-        to.cell(next + "the same key, which came later", step.runner_up);
+        to.cell(next + "the same key: it came into the front later", step.runner_up);
     else
         to.cell(next + short_number(step.runner_up_key, step.digits), step.runner_up);
     if (!source || !source->update.key) {

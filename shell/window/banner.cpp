@@ -20,7 +20,7 @@ Row formula_row(std::string words, const Considered& update) {
     row.text = words + update.key->formula();
     row.parts = {{std::move(words)}};
     row.parts.insert(row.parts.end(), update.key->parts.begin(), update.key->parts.end());
-    if (update.key->penalised) row.parts.push_back({", " + update.key->penalty});
+    if (update.key->penalised) row.parts.back().text += ", " + update.key->penalty;
     row.captions = true;
     return row;
 }

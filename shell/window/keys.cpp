@@ -39,6 +39,7 @@ std::string base_name(SDL_Keycode key, bool with_control) {
 
 std::string key_name(const SDL_Event& event) {
     if (event.type == SDL_TEXTINPUT) {
+        if (SDL_GetModState() & KMOD_CTRL) return {};  // X gives the + of Ctrl and + as text too
         const std::string_view text = event.text.text;
         return text.size() == 1 && text_keys.find(text) != std::string_view::npos ? std::string(text) : "";
     }

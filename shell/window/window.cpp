@@ -323,7 +323,11 @@ void Window<D>::fit_theme() {
 template <int D>
 void Window<D>::update_speaker() {
     const bool wanted = bench_.desk.speaker && options_.place == GlContext::Place::window;
-    if (!wanted) return speaker_.reset();
+    if (!wanted && speaker_) {
+        speaker_.reset();
+        SDL_SetWindowInputFocus(context_.window());  // where no window manager gives it back
+    }
+    if (!wanted) return;
     try {
         if (!speaker_) speaker_ = std::make_unique<SpeakerWindow>(context_);
         speaker_->draw(speaker_rows(bench_));

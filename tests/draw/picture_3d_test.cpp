@@ -321,7 +321,8 @@ TEST(Picture3, NumbersStandOnTheShownCellsTheNearestFirst) {
         std::multimap<double, std::string> by_depth;
         std::multiset<std::string> first, expected;
         for (std::uint32_t cell = 0; cell < numbers.size(); ++cell) {
-            const bool must = cell == last_cell(session) || cell == choice.next || cell == session.selected_cell;
+            const bool must = cell == first_in_front(session) || cell == last_cell(session) || cell == choice.next ||
+                              cell == session.selected_cell;
             const bool front = session.mark(cell).state == CellState::enqueued;
             const bool asked = settings.label_where == LabelWhere::all || cell == session.selected_cell ||
                                (settings.label_where == LabelWhere::front && (front || cell == last_cell(session)));

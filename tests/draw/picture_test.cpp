@@ -310,17 +310,17 @@ TEST(Picture, AnEmptySceneHasAWorld) {
 
 const std::vector<Golden>& goldens() {
     static const std::vector<Golden> table{
-        {"bottleneck", {"29445b57142cfbb7", "b816f85cca3dd9d6", "f50ba769b01248e2"}},
-        {"field", {"30cfa8d8ce2d752e", "8932e2d06febd3a6", "01296153e1d07afc"}},
+        {"bottleneck", {"ada058d5c331603f", "23fa44f85ad867ba", "3c94a3bf70aef439"}},
+        {"field", {"30cfa8d8ce2d752e", "8932e2d06febd3a6", "771fb0dcb763e1a1"}},
         {"streets", {"32d70951b548c343", "3667882b76b7a243", "ead4ce216ff4b150"}},
-        {"rooms", {"e2895e98c6b64779", "9ba314d599b63317", "07a0e6ff0d62fdb7"}},
-        {"cars", {"db9b0eb573ff3c13", "8c07eae5714e4991", "afd2da069dce73b6"}},
-        {"jungle", {"f2f019e7813474cd", "530a89ac66299beb", "a06e421f0ea768bc"}},
+        {"rooms", {"e2895e98c6b64779", "9ba314d599b63317", "6f9eb38729b516e0"}},
+        {"cars", {"db9b0eb573ff3c13", "8c07eae5714e4991", "cbb8e702c0115137"}},
+        {"jungle", {"f2f019e7813474cd", "530a89ac66299beb", "dfcb79149872d891"}},
         {"terrain", {"5b793e925453a7aa", "a5cc19cd4dbc58ff", "b2ab54edd559e6b3"}},
         {"wallholes", {"11105ef272387af3", "a804ce803100c7d6", "dd5a6c553e46891d"}},
         {"wall2", {"aa4c53b45e1f674c", "6887952cd4c99258", "6d2069bd4b1b094e"}},
-        {"statue", {"c2ad67406fb79289", "a4367a9c2f8e3453", "1cc69c8e17c76dc9"}},
-        {"forget", {"ca08d4f2a9fa6f34", "44ac56829990d6c5", "535d74b4b9fd5343"}},
+        {"statue", {"c2ad67406fb79289", "a4367a9c2f8e3453", "c3a085796ad724a2"}},
+        {"forget", {"ca08d4f2a9fa6f34", "44ac56829990d6c5", "2ecb3b7f21b7e1c9"}},
     };
     return table;
 }
