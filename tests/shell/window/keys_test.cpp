@@ -44,5 +44,16 @@ TEST(Keys, CharactersOfCommandsAreHeard) {
         }
 }
 
+/// X sends the text of Ctrl and + too: the scale changes, and the picture must not be zoomed as well.
+TEST(Keys, TextThatComesWithCtrlIsNoKey) {
+    SDL_Event event{};
+    event.type = SDL_TEXTINPUT;
+    event.text.text[0] = '+';
+    EXPECT_EQ(key_name(event), "+");
+    SDL_SetModState(KMOD_LCTRL);
+    EXPECT_EQ(key_name(event), "");
+    SDL_SetModState(KMOD_NONE);
+}
+
 }  // namespace
 }  // namespace sightline

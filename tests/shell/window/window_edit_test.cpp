@@ -1,6 +1,7 @@
 // The mouse on walls: nothing moves by accident, and in the edit mode all of it can be.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/error.h"
+#include "core/draw/choice.h"
 #include "core/draw/shown_world.h"
 #include "shell/desk/open_scene.h"
 #include "shell/desk/undo.h"
@@ -69,6 +70,27 @@ TEST_F(WindowEdit, WithoutItAWallIsSelectedAndADragPans) {
     driver->drop();
     EXPECT_NE(session().culling_view(), view) << "the eye can always be dragged";
     EXPECT_EQ(session().position(), 20u);
+}
+
+/// The cell in question is full of crates: a click on one of their lines is a guess too.
+TEST_F(WindowEdit, WhereALessonAsksForACellALineInItSelectsTheCell) {
+    act("lesson plp 2");
+    for (int i = 0; i < 6; ++i) act("next");
+    const std::uint32_t cell = first_in_front(session());
+    const CellComplex<2>& cells = session().cells();
+    std::optional<ImVec2> at;
+    for (const std::uint32_t crate : cells.primitives_of(cell)) {
+        const Primitive<2>& line = session().scene().primitives[crate];
+        const Vec<2> middle = (line[0] + line[1]) * 0.5;
+        if (locate(cells, middle) == cell) at = in_window(middle);
+    }
+    ASSERT_TRUE(at);
+    driver->click(at->x, at->y);
+    driver->frames(2);
+    EXPECT_EQ(session().selected_cell, cell);
+    EXPECT_EQ(session().selected_primitive, none);
+    act("next");
+    EXPECT_EQ(kept.bench.teaching->score.right, 1u);
 }
 
 TEST_F(WindowEdit, InItAWallThatTheMouseIsOnHasHandles) {
