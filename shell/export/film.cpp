@@ -152,9 +152,18 @@ std::string numbered(const fs::path& file, std::size_t number) {
     return (file.parent_path() / (file.stem().string() + "-" + digits + file.extension().string())).string();
 }
 
+/// Of what is shown on a screen, where no size in pixels is asked for.
+FigureSize size_of_video(FigureSize size) {
+    if (size.width_px > 0) return size;
+    size.width_px = 1280;
+    size.height_px = 720;
+    size.font_pt = 15;
+    return size;
+}
+
 /// FILE-0001.png and so on; takes back those that were not there before when one fails.
 template <int D>
-void write_pictures(Workbench<D>& bench, const Film& film, const fs::path& file) {
+void write_pictures(Workbench<D>& bench, const Film& film, const FigureSize& size, const fs::path& file) {
     std::vector<fs::path> written;
     const auto name = [&](std::size_t i) {
         if (i > 0 && i % frames_per_word == 0)
@@ -165,7 +174,7 @@ void write_pictures(Workbench<D>& bench, const Film& film, const fs::path& file)
         return path;
     };
     try {
-        write_figure_frames(film.plan, film.page, figure_size(bench.figure), name, bench.graphics.draw_solid);
+        write_figure_frames(film.plan, film.page, size, name, bench.graphics.draw_solid);
     } catch (...) {
         std::error_code error;
         for (const fs::path& path : written) fs::remove(path, error);
@@ -187,10 +196,10 @@ void write_film(Workbench<D>& bench, const FilmSpec& asked) {
     if (ending == ".pdf") {
         write_figure_pages(made.plan, made.page, figure_size(bench.figure), film.file, bench.graphics.draw_solid);
     } else if (ending == ".png") {
-        write_pictures(bench, made, film.file);
+        write_pictures(bench, made, figure_size(bench.figure), film.file);
     } else {
         const TemporaryFolder folder;
-        write_pictures(bench, made, folder.path() / "frame.png");
+        write_pictures(bench, made, size_of_video(figure_size(bench.figure)), folder.path() / "frame.png");
         const std::string whole = "film" + ending;
         encode_film(folder.path(), "frame-%04d.png", film.frames_per_second, made.plan.front().background, whole);
         write_file(film.file, read_file(folder.path() / whole));
