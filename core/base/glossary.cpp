@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/glossary.h"
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 
@@ -101,6 +102,26 @@ const GlossaryEntry* find_term(std::string_view term) {
         if (same) return &entry;
     }
     return nullptr;
+}
+
+TermSpot term_at(std::string_view text, std::size_t at) {
+    const auto lower = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
+    const auto is_letter = [&](std::size_t i) {
+        return i < text.size() && (std::isalnum(static_cast<unsigned char>(text[i])) || text[i] == '_');
+    };
+    TermSpot best;
+    for (const GlossaryEntry& entry : glossary()) {
+        const std::size_t size = entry.term.size();
+        for (std::size_t first = at + 1 - std::min(at + 1, size + 1); first <= at && first + size <= text.size();
+             ++first) {
+            bool same = first == 0 || !is_letter(first - 1);
+            for (std::size_t i = 0; same && i < size; ++i) same = lower(text[first + i]) == lower(entry.term[i]);
+            if (!same) continue;
+            const std::size_t count = first + size < text.size() && text[first + size] == 's' ? size + 1 : size;
+            if (!is_letter(first + count) && first + count > at && count > best.count) best = {first, count, &entry};
+        }
+    }
+    return best;
 }
 
 std::string glossary_markdown() {

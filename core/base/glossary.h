@@ -21,6 +21,15 @@ std::span<const GlossaryEntry> glossary();
 /// The entry of a term, whatever the case of its letters; nullptr: there is none.
 const GlossaryEntry* find_term(std::string_view term);
 
+/// A term within a text, with the s of its plural.
+struct TermSpot {
+    std::size_t first = 0, count = 0;  ///< bytes
+    const GlossaryEntry* entry = nullptr;
+};
+
+/// The longest term of which the byte `at` is a part; without an entry where there is none.
+TermSpot term_at(std::string_view text, std::size_t at);
+
 /// The table of docs/glossary.md.
 std::string glossary_markdown();
 

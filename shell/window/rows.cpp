@@ -1,5 +1,6 @@
 // Rows of a panel: wrapped text, a click runs the row's command, the mouse over a row outlines its cell.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/glossary.h"
 #include "shell/window/formula.h"
 #include "shell/window/parts.h"
 #include "shell/window/theme.h"
@@ -15,6 +16,38 @@ Colour tone_colour(Tone tone) {
     if (tone == Tone::bad) return theme::bad;
     if (tone == Tone::link) return theme::accent;
     return theme::ink;
+}
+
+void tooltip(const std::string& text) {
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(30 * ImGui::GetFontSize());
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+}
+
+/// Underlines the term of the glossary that is under the mouse, and says what it means. The text is in the current
+/// font, with its line breaks.
+bool explain_term(ImDrawList& list, const ImVec2& start, std::string_view text) {
+    const ImVec2 mouse = ImGui::GetMousePos();
+    const float size = ImGui::GetFontSize();
+    float y = start.y;
+    for (; mouse.y >= y + size; y += size) {
+        const std::size_t end = text.find('\n');
+        if (end == text.npos) return false;
+        text.remove_prefix(end + 1);
+    }
+    text = text.substr(0, text.find('\n'));
+    const auto width = [&](std::size_t count) { return ImGui::CalcTextSize(text.data(), text.data() + count).x; };
+    std::size_t at = 0;
+    while (at < text.size() && start.x + width(at + 1) <= mouse.x) ++at;
+    if (at == text.size() || mouse.x < start.x) return false;
+    const TermSpot spot = term_at(text, at);
+    if (!spot.entry) return false;
+    list.AddLine({start.x + width(spot.first), y + size}, {start.x + width(spot.first + spot.count), y + size},
+                 colour(theme::accent));
+    tooltip(std::string(spot.entry->term) + ": " + std::string(spot.entry->sentence));
+    return true;
 }
 
 }  // namespace
@@ -64,16 +97,12 @@ void draw_rows(Ui& ui, const std::vector<Row>& rows, std::uint32_t hovered_cell)
                 ui.lighting.about = about;
             }
         }
+        // The picture shows a lit term; a term of the glossary comes before what the row says of itself.
+        const bool free = hovered && !ui.lighting;
+        if (free && !(row.parts.empty() && explain_term(list, {at.x + indent, at.y}, text)) && !row.tip.empty())
+            tooltip(row.tip);
         ImGui::PopFont();
         if (hovered && row.cell != none) ui.hovering = row.cell;
-        if (hovered && !row.tip.empty() && !ui.lighting) {  // the picture shows it
-
-            ImGui::BeginTooltip();
-            ImGui::PushTextWrapPos(30 * ImGui::GetFontSize());
-            ImGui::TextUnformatted(row.tip.c_str());
-            ImGui::PopTextWrapPos();
-            ImGui::EndTooltip();
-        }
     }
     if (!command.empty()) ui.act(command);
 }

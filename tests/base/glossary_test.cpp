@@ -32,5 +32,23 @@ TEST(Glossary, TheDocumentShowsIt) {
                                                               << glossary_markdown();
 }
 
+TEST(Glossary, FindsTheTermUnderAPlaceInAText) {
+    const std::string text = "Seed cells lie in the front; unseen ones, or recellular, do not: re-enqueued";
+    const auto at = [&](std::string_view part) {
+        const TermSpot spot = term_at(text, text.find(part));
+        return spot.entry ? std::string(spot.entry->term) + "|" + text.substr(spot.first, spot.count) : "";
+    };
+    EXPECT_EQ(at("Seed"), "seed cell|Seed cells") << "the longest, in the plural, whatever the case";
+    EXPECT_EQ(at("s lie"), "seed cell|Seed cells");
+    EXPECT_EQ(at(" lie"), "");
+    EXPECT_EQ(at("ront;"), "front|front");
+    EXPECT_EQ(at("unseen"), "unseen|unseen");
+    EXPECT_EQ(at("cellular"), "") << "within a word";
+    EXPECT_EQ(term_at("", 0).entry, nullptr);
+    EXPECT_EQ(term_at("cell", 9).entry, nullptr);
+    for (const GlossaryEntry& entry : glossary())
+        for (std::size_t i = 0; i < entry.term.size(); ++i) EXPECT_EQ(term_at(entry.term, i).entry, &entry);
+}
+
 }  // namespace
 }  // namespace sightline
