@@ -38,7 +38,7 @@ bool explain_term(ImDrawList& list, const ImVec2& start, std::string_view text) 
         text.remove_prefix(end + 1);
     }
     text = text.substr(0, text.find('\n'));
-    const auto width = [&](std::size_t count) { return ImGui::CalcTextSize(text.data(), text.data() + count).x; };
+    const auto width = [&](std::size_t count) { return width_of_line(text.substr(0, count)); };
     std::size_t at = 0;
     while (at < text.size() && start.x + width(at + 1) <= mouse.x) ++at;
     if (at == text.size() || mouse.x < start.x) return false;
@@ -65,11 +65,8 @@ void draw_rows(Ui& ui, const std::vector<Row>& rows, std::uint32_t hovered_cell)
         if (row.tone == Tone::heading && i > 0) ImGui::Dummy({1, 4 * ui.unit});
         const ImVec2 at = ImGui::GetCursorScreenPos();
         const float wrap = std::max(room - indent, 40.0f);
-        const auto width_of = [](std::string_view line) {
-            return ImGui::CalcTextSize(line.data(), line.data() + line.size()).x;
-        };
-        const bool fits = width_of(row.text) <= wrap;
-        const std::string text = fits ? row.text : wrapped_at_spaces(row.text, wrap, width_of);
+        const bool fits = width_of_line(row.text) <= wrap;
+        const std::string text = fits ? row.text : wrapped_at_spaces(row.text, wrap, width_of_line);
         const FormulaLook formula{font, ImGui::GetFontSize(), wrap, row.captions};
         ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, wrap);
         if (!row.parts.empty()) size.y = formula_height(row.parts, formula);

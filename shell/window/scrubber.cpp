@@ -160,9 +160,7 @@ void scrubber(Ui& ui, Workbench<D>& bench, const Area& area) {
     if (room > 40 * ui.unit) track(ui, bench, {at.x + gap, at.y, room, ImGui::GetFrameHeight()});
     ImGui::SetCursorScreenPos({at.x + std::max(room, 0.0f) + (has_button ? 2 : 1) * gap, at.y});
     ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(shortened(position, text + std::min(room, 0.0f), [](std::string_view part) {
-                               return ImGui::CalcTextSize(part.data(), part.data() + part.size()).x;
-                           }).c_str());
+    ImGui::TextUnformatted(shortened(position, text + std::min(room, 0.0f), width_of_line).c_str());
     const std::string state =
         session.flying() ? "flying" : std::string(transport_words[static_cast<std::size_t>(transport_state(bench))]);
     note_place(bench, "state " + state);

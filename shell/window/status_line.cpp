@@ -12,8 +12,6 @@ namespace sightline {
 
 namespace {
 
-float line_width(std::string_view text) { return ImGui::CalcTextSize(text.data(), text.data() + text.size()).x; }
-
 /// The keys that a newcomer needs first.
 template <int D>
 std::span<const char* const> key_hints() {
@@ -63,7 +61,7 @@ void status_line(Ui& ui, Workbench<D>& bench, const Area& area) {
     if (ui.messages.size() > ui.said_before) {
         const Message& message = ui.messages.back();
         const float brief = mode.brief.empty() ? 0 : ImGui::CalcTextSize(mode.brief.c_str()).x + 16 * ui.unit;
-        const std::string shown = shortened(message.text, area.w - brief - 20 * ui.unit, line_width);
+        const std::string shown = shortened(message.text, area.w - brief - 20 * ui.unit, width_of_line);
         ImGui::PushStyleColor(ImGuiCol_Text, colour(message.bad ? theme::bad : theme::ink));
         ImGui::TextUnformatted(shown.c_str());
         ImGui::PopStyleColor();
@@ -74,13 +72,13 @@ void status_line(Ui& ui, Workbench<D>& bench, const Area& area) {
         }
     } else if (!mode.sentence.empty()) {
         const float room = area.w - 20 * ui.unit;
-        const bool fits = line_width(mode.sentence) < room;
-        ImGui::TextUnformatted(shortened(fits ? mode.sentence : mode.brief, room, line_width).c_str());
+        const bool fits = width_of_line(mode.sentence) < room;
+        ImGui::TextUnformatted(shortened(fits ? mode.sentence : mode.brief, room, width_of_line).c_str());
         note_place(bench, "mode " + mode.sentence);
     } else {
         std::string hints;  // as many as there is room for
         for (const char* const hint : key_hints<D>())
-            if (line_width(hints + hint) < area.w - 20 * ui.unit)
+            if (width_of_line(hints + hint) < area.w - 20 * ui.unit)
                 hints += (hints.empty() ? "" : "   ") + std::string(hint);
         ImGui::TextDisabled("%s", hints.c_str());
     }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string_view>
+
 #include "shell/window/ui.h"
 
 namespace sightline {
@@ -12,6 +14,11 @@ inline constexpr Colour paper{250, 250, 248}, panel{243, 244, 245}, line{205, 20
     faint{88, 94, 102}, accent{0, 90, 170}, lit{255, 240, 190}, hover{222, 232, 243}, good{0, 105, 80}, bad{170, 45, 0},
     playing{0, 125, 105}, paused{170, 105, 0};
 }  // namespace theme
+
+/// Of a line in the current font, in ImGui units.
+inline float width_of_line(std::string_view text) {
+    return ImGui::CalcTextSize(text.data(), text.data() + text.size()).x;
+}
 
 /// Loads the fonts at these sizes (ImGui units) for a framebuffer of this density, and sets the style to match.
 /// Replaces what was loaded before. Throws WorkError that names the package when the font is not installed.

@@ -49,9 +49,7 @@ void title_line(Ui& ui, Workbench<D>& bench, const Area& area) {
     const float line = ImGui::GetFontSize(), wide = ImGui::CalcTextSize(text.c_str()).x;
     // Whole: where it is too long it is written smaller, and where that is not enough its tooltip has the rest.
     const float scale = std::clamp(room / wide, 0.75f, 1.0f);
-    const std::string shown = shortened(text, room / scale, [](std::string_view part) {
-        return ImGui::CalcTextSize(part.data(), part.data() + part.size()).x;
-    });
+    const std::string shown = shortened(text, room / scale, width_of_line);
     ImGui::GetWindowDrawList()->AddText(ui.fonts.bold, line * scale, {at.x, at.y + ImGui::GetStyle().FramePadding.y},
                                         colour(theme::ink), shown.c_str());
     ImGui::PopFont();
