@@ -21,7 +21,7 @@ constexpr int widest_level = 64;
 SeenShape shape_of(const Session<3>& session, const Item& item, const ImageSize& size) {
     const View<3>& view = session.problem().view;
     if (item.kind == Kind::primitive) return seen_polygon(view, size, session.scene().primitives[item.id]);
-    if (item.kind == Kind::node) return seen_box(view, size, session.problem().boxes().nodes[item.id].box);
+    if (item.kind == Kind::node) return seen_box(view, size, session.traversal().boxes()->nodes[item.id].box);
     return seen_cell(view, size, session.cells(), item.id);
 }
 

@@ -24,7 +24,7 @@ std::uint16_t add_fill(const char* name, Colour fill, DrawList& list) {
 LineShape line_shape_of(const Session<2>& session, const Item& item, int width) {
     const View<2>& view = session.problem().view;
     if (item.kind == Kind::primitive) return seen_polygon(view, width, session.scene().primitives[item.id]);
-    if (item.kind == Kind::node) return seen_box(view, width, session.problem().boxes().nodes[item.id].box);
+    if (item.kind == Kind::node) return seen_box(view, width, session.traversal().boxes()->nodes[item.id].box);
     return seen_cell(view, width, session.cells(), item.id);
 }
 

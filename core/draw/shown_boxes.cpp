@@ -9,7 +9,7 @@ template <int D>
 std::vector<ShownBox<D>> shown_boxes(const Session<D>& session) {
     std::vector<ShownBox<D>> shown;
     if (!walks_boxes(session)) return shown;
-    const BoxTree<D>& tree = session.problem().boxes();
+    const BoxTree<D>& tree = *session.traversal().boxes();
     const Run<D>& run = session.traversal();
     const auto state = [&](std::uint32_t node) { return run.mark(Item{node, Kind::node}).state; };
     std::vector<std::uint32_t> below;
@@ -21,7 +21,7 @@ std::vector<ShownBox<D>> shown_boxes(const Session<D>& session) {
         if (here == CellState::clean) continue;
         const std::uint32_t child = tree.nodes[node].first_child;
         if (here == CellState::projected && child != none && state(child) != CellState::clean)
-            below.insert(below.end(), {child + 1, child});
+            for (std::uint32_t i = tree.nodes[node].child_count; i-- > 0;) below.push_back(child + i);
         else
             shown.push_back({node, here, tree.nodes[node].box});
     }
@@ -33,7 +33,7 @@ std::optional<Box<D>> last_box(const Session<D>& session) {
     if (session.position() == 0) return std::nullopt;
     const std::uint32_t node = id_of(session.timeline().steps[session.position() - 1].item, Kind::node);
     if (node == none) return std::nullopt;
-    return session.problem().boxes().nodes[node].box;
+    return session.traversal().boxes()->nodes[node].box;
 }
 
 template <int D>

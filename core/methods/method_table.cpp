@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/methods/cells/cell_method.h"
+#include "core/methods/coorg_teller/coorg_teller.h"
 #include "core/methods/cplp/cplp.h"
 #include "core/methods/formula/formula_heuristic.h"
 #include "core/methods/image_space/image_methods.h"
@@ -44,6 +45,7 @@ std::vector<Method<D>> rows() {
     table.push_back(cplp_method<D>(std::move(firsts), cell_parameter_rows(plp_parameter_rows())));
     table.back().compared = false;
     for (Method<D>& method : image_methods<D>(table.front())) table.push_back(std::move(method));
+    for (Method<D>& method : object_space_methods<D>()) table.push_back(std::move(method));
     return table;
 }
 

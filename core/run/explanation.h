@@ -44,12 +44,12 @@ struct KeyPart {
 /// A key and where it comes from. Numbers have as many digits as were asked for.
 struct KeyExplanation {
     double key = 0;
-    bool tested = false;     ///< whether a penalty is due
-    bool penalised = false;  ///< it is
+    bool tested = false;           ///< whether a penalty is due
+    bool penalised = false;        ///< it is
     std::vector<KeyPart> parts{};  ///< of the sum
     std::string penalty;           ///< of a penalised key: "× 2 (not star-shaped) = 0.72"
-    std::string tip;         ///< what the numbers of the sum are, in one line
-    std::string weightiest;  ///< what makes the key as high as it is: "the penalty (+0.36): …"
+    std::string tip;               ///< what the numbers of the sum are, in one line
+    std::string weightiest;        ///< what makes the key as high as it is: "the penalty (+0.36): …"
     std::vector<Term> terms;
 
     /// "ρ = 0.143 + 0.87 · 0.25 = 0.36"
@@ -111,12 +111,26 @@ struct ReadTile {
     bool read = false;  ///< by the last step that reads; not, where a tile shows nothing any more
 };
 
-/// A shape over the picture, in the scene's coordinates.
+/// An occluder of a method that chooses some.
+struct OccluderFact {
+    std::vector<std::uint32_t> primitives;
+    double area_angle = 0;  ///< Coorg and Teller 1996, section 3.3
+    bool actual = false;    ///< hides something for this eye; not: large enough, but others are larger
+};
+
+/// What a plane asks of the eye: supporting, the eye and the box lie so that this edge lets nothing of the box be seen;
+/// separating, that it may hide a part; own: the box lies beyond the occluder's plane.
+enum class PlaneKind : std::uint8_t { own, supporting, separating };
+inline constexpr auto plane_kind_words = std::to_array<std::string_view>({"own", "supporting", "separating"});
+
+/// A plane (2D: a line) between an occluder and a box, and what it says of the eye (Coorg and Teller, figure 4a).
 template <int D>
-struct Overlay {
-    std::vector<Vec<D>> points;
-    bool closed = false;
-    std::string label;
+struct TestedPlane {
+    PlaneKind kind = PlaneKind::own;
+    std::uint32_t edge = 0;          ///< of the occluder, from 0; of its own plane: which of them
+    std::array<Vec<D>, D> points{};  ///< 3D: the edge, then the corner of the box; 2D: end point and corner; own: of it
+    bool satisfied = false;
+    double distance = 0;  ///< of the eye; positive where it is satisfied. own: of the box's nearest corner
 };
 
 }  // namespace sightline

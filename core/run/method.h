@@ -22,6 +22,9 @@ struct Needs {
     bool visible_set = false;  ///< Services::visible_set
     bool image = false;        ///< Services::image
     bool history = false;      ///< the frame before decides
+    bool last_frame = false;   ///< it tells what changed since the frame before, which decides nothing
+
+    bool keeps_lane() const { return history || last_frame; }
 };
 
 /// Rows are made once; all views outlive them.
@@ -32,6 +35,8 @@ struct Method {
     std::string_view sentence;  ///< one sentence for the help
     std::function<std::unique_ptr<Run<D>>(const Problem<D>&)> start;
     Kind pops = Kind::cell;
+    /// Makes what all frames of a scene share; not while a frame is timed.
+    void (*prepare)(const Problem<D>&) = nullptr;
     Needs needs{};
     Misses promise = Misses::may;  ///< of a run that came to its end, unless the parameters take it back
     bool (*takes_back)(const Parameters&) = nullptr;
@@ -110,13 +115,15 @@ Problem<D> make_problem(const Method<D>& method, const Parameters& parameters, c
                         const CellComplex<D>& cells, const View<D>& view, std::uint32_t budget = none,
                         const Services& services = {}, std::shared_ptr<const FrameHistory> history = nullptr) {
     if (method.needs.boxes) cells.boxes->of(scene);  // not while a frame is timed
-    return {&scene,
-            &cells,
-            view,
-            budget,
-            parameters,
-            method.needs.history ? std::move(history) : nullptr,
-            method.needs.visible_set || method.needs.image ? services : Services{}};
+    Problem<D> problem{&scene,
+                       &cells,
+                       view,
+                       budget,
+                       parameters,
+                       method.needs.keeps_lane() ? std::move(history) : nullptr,
+                       method.needs.visible_set || method.needs.image ? services : Services{}};
+    if (method.prepare) method.prepare(problem);
+    return problem;
 }
 
 /// What can be said of a run's guarantee: "approximate", "conservative", "conservative at this resolution", or

@@ -8,6 +8,7 @@ namespace sightline {
 std::uint64_t FrameHistory::hash() const {
     Hash hash;
     for (const std::uint8_t seen : visible) hash.add(seen);
+    for (const std::uint8_t state : boxes) hash.add(state);
     return hash.value();
 }
 

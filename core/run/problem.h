@@ -18,6 +18,7 @@ namespace sightline {
 /// files as the views of those frames.
 struct FrameHistory {
     std::vector<std::uint8_t> visible;  ///< per primitive: seen in the last frame, as its method knows it
+    std::vector<std::uint8_t> boxes{};   ///< per box of the method's tree: what became of it, as the method has it
     std::uint64_t hash() const;
 };
 

@@ -22,6 +22,12 @@ public:
         step.first_note = static_cast<std::uint32_t>(recording_.notes.size());
         recording_.steps.push_back(step);
     }
+    /// The step's item, where it is known only at the end.
+    void ends_with(const Item& item, const Mark& mark) {
+        recording_.steps.back().item = item;
+        recording_.steps.back().key = mark.key;
+        recording_.steps.back().stamp = mark.stamp;
+    }
     /// Of the step that was begun last; `before` is the item's mark before the step.
     void changed(const Item& item, const Mark& before, std::uint8_t rule, std::uint32_t via = none,
                  bool penalty = false) {

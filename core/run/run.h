@@ -98,13 +98,23 @@ public:
     }
     /// Why an item has not come into the front; empty: it has, or there is nothing to say.
     virtual Verdict why_not(const Item&) const { return {}; }
+    /// Why an item was drawn, and what it would have taken to cull it; empty: there is nothing to say.
+    virtual Verdict why_drawn(const Item&) const { return {}; }
     /// What else than its key keeps an item in the front; empty: nothing does.
     virtual Verdict why_waiting(const Item&) const { return {}; }
     virtual std::vector<CodeLine> code(const CodePlace&) const { return {}; }
     virtual std::span<const Field<D>> fields() const { return {}; }
     /// All tiles of the image, row by row; empty where none was read so far.
     virtual std::vector<ReadTile> tiles() const { return {}; }
-    virtual std::vector<Overlay<D>> overlays(const Step*) const { return {}; }
+    /// The tree whose boxes it walks; nullptr: it walks none.
+    virtual const BoxTree<D>* boxes() const { return nullptr; }
+    /// Those that may hide something, largest first; empty for methods that choose none.
+    virtual std::vector<OccluderFact> occluders() const { return {}; }
+    /// The planes between a box and the occluder of a primitive (none: the one that hides most of it); empty where the
+    /// two were not tested.
+    virtual std::vector<TestedPlane<D>> tested_planes(const Item& /*box*/, std::uint32_t /*primitive*/) const {
+        return {};
+    }
 
     const Problem<D>& problem() const { return problem_; }
     const Counters& counters() const { return counters_; }

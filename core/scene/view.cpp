@@ -104,6 +104,7 @@ bool in_view(const View<2>& view, std::span<const Vec<2>> cell_corners) {
 }
 
 bool in_view(const View<3>& view, std::span<const Vec<3>> cell_corners) {
+    if (view.all_round) return true;
     const auto beyond = [&](const ViewPlane& plane, const Vec<3>& p) {
         const Vec<3> q = p - view.eye;
         return glm::dot(plane.inward, q) < -(glm::dot(plane.uncertainty, glm::abs(q)) + smallest_product);
@@ -127,6 +128,7 @@ bool all_in_view(const View<2>& view, std::span<const Vec<2>> cell_corners) {
 }
 
 bool all_in_view(const View<3>& view, std::span<const Vec<3>> cell_corners) {
+    if (view.all_round) return true;
     for (const ViewPlane& plane : view.planes)
         for (const Vec<3>& p : cell_corners) {
             const Vec<3> q = p - view.eye;

@@ -12,7 +12,7 @@ namespace sightline {
 template <int D>
 std::uint32_t box_around(const Session<D>& session, std::uint32_t primitive) {
     if (session.method().pops != Kind::node) return none;
-    const BoxTree<D>& tree = session.problem().boxes();
+    const BoxTree<D>& tree = *session.traversal().boxes();
     const auto place = static_cast<std::uint32_t>(std::find(tree.primitives.begin(), tree.primitives.end(), primitive) -
                                                   tree.primitives.begin());
     std::uint32_t found = 0;
@@ -27,7 +27,7 @@ std::uint32_t box_around(const Session<D>& session, std::uint32_t primitive) {
 template <int D>
 std::string box_sentence(const Session<D>& session, std::uint32_t node) {
     const Item item{node, Kind::node};
-    const auto primitives = session.problem().boxes().primitives_of(node);
+    const auto primitives = session.traversal().boxes()->primitives_of(node);
     std::string text = item_name(item) + ", " + counted(primitives.size(), D == 2 ? "segment" : "triangle") + ": ";
     const Mark mark = session.traversal().mark(item);
     if (const Verdict verdict = session.traversal().why_not(item)) return text + verdict.sentence;
@@ -35,6 +35,8 @@ std::string box_sentence(const Session<D>& session, std::uint32_t node) {
     const Drawn& drawn = session.traversal().drawn();
     const auto rendered =
         std::count_if(primitives.begin(), primitives.end(), [&](std::uint32_t p) { return drawn.has(p); });
+    if (const Verdict verdict = session.traversal().why_drawn(item))
+        return text + verdict.sentence + "; " + std::to_string(rendered) + " of them are rendered";
     return text + "it may be seen, and " + std::to_string(rendered) + " of them are rendered";
 }
 

@@ -194,7 +194,7 @@ std::string conditions(const Session<D>& session) {
     text += ", " + std::to_string(scene.primitives.size()) + primitives + ". Method " + settings.method + " (" +
             session.guarantee() + "), ";
     if (session.method().pops == Kind::node)
-        text += counted(session.problem().boxes().nodes.size(), "node") + " of a box tree";
+        text += counted(session.traversal().boxes()->nodes.size(), "node") + " of a box tree";
     else
         text += std::to_string(session.cells().cell_count()) + " " +
                 (settings.tessellation == Tessellation::delaunay ? "Delaunay"

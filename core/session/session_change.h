@@ -108,7 +108,7 @@ void Session<D>::set_view(const ViewSpec<D>& view) {
 
 template <int D>
 Stop Session<D>::fly(const ViewSpec<D>& view) {
-    if (method_.needs.history && run_->finished()) {
+    if (method_.needs.keeps_lane() && run_->finished()) {
         lane_.push_back(culling_view_);
         history_ = run_->next_history();
     }
@@ -143,7 +143,7 @@ void Session<D>::set_lane(std::vector<ViewSpec<D>> lane) {
 template <int D>
 void Session<D>::start_again(std::uint32_t step) {
     history_ = nullptr;
-    if (method_.needs.history) {
+    if (method_.needs.keeps_lane()) {
         const ViewSpec<D> here = culling_view_;
         for (const ViewSpec<D>& view : lane_) {
             aim(view);

@@ -18,14 +18,15 @@ namespace sightline {
 /// more than they save, with more too much is drawn that a tighter box would have hidden.
 inline constexpr std::uint32_t box_tree_leaf = 32;
 
-/// Nodes in a flat array, root first, the two children of a node side by side and behind it. Boxes are tight. Each
-/// primitive stands in one leaf, so boxes of neighbours may overlap. A scene without primitives has no node.
+/// Nodes in a flat array, root first, the children of a node side by side and behind it. Boxes are tight. A scene
+/// without primitives has no node, and no node is without primitives.
 template <int D>
 struct BoxTree {
     struct Node {
         Box<D> box;
         std::uint32_t first_child = none;  ///< none: a leaf
         std::uint32_t begin = 0, end = 0;  ///< what it holds: primitives[begin, end), those of its children in turn
+        std::uint32_t child_count = 2;     ///< of an inner node
     };
     std::vector<Node> nodes;
     std::vector<std::uint32_t> primitives;  ///< leaf by leaf; ascending in a leaf
@@ -36,15 +37,17 @@ struct BoxTree {
     }
     /// The child of an inner node that holds that place of `primitives`.
     std::uint32_t child_at(std::uint32_t node, std::uint32_t place) const {
-        const std::uint32_t low = nodes[node].first_child;
-        return place < nodes[low].end ? low : low + 1;
+        std::uint32_t child = nodes[node].first_child;
+        while (place >= nodes[child].end) ++child;
+        return child;
     }
     std::size_t memory_bytes() const {
         return nodes.capacity() * sizeof(Node) + primitives.capacity() * sizeof(std::uint32_t) + facing.memory_bytes();
     }
 };
 
-/// Splits a node while it holds more than `leaf` primitives: across the longest side of their middles' box, where the
+/// Each primitive stands in one leaf, so boxes of neighbours may overlap. Splits a node while it holds more than `leaf`
+/// primitives: across the longest side of their middles' box, where the
 /// boxes of both parts, each weighted by what it holds, have the least area (the surface area heuristic of ray tracers,
 /// Goldsmith and Salmon 1987, over 16 places); in half where all middles are one. `leaf` at least 1.
 template <int D>

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "core/base/made_once.h"
 #include "core/geometry/predicates.h"
 #include "core/space/box_tree.h"
 #include "core/space/tessellation.h"
@@ -51,6 +52,8 @@ struct CellComplex {
 
     /// Of the scene that the cells are of; copies share it.
     std::shared_ptr<const SceneBoxes<D>> boxes = std::make_shared<const SceneBoxes<D>>();
+    /// Whatever else methods make once for that scene.
+    std::shared_ptr<const MadeOnce> made = std::make_shared<const MadeOnce>();
 
     std::uint32_t cell_count() const {
         return static_cast<std::uint32_t>(has_boxes() ? cell_points.size() / (1 << D) : cell_points.size() / (D + 1));

@@ -35,13 +35,20 @@ struct Tree {
 
     /// The leaf that contains p; p outside the root counts as its nearest point inside. On a shared border: the upper.
     std::uint32_t leaf_at(const Vec<D>& p) const {
+        return walk_to_leaf(p, [](std::uint32_t) {});
+    }
+    /// The same; calls `each` with the nodes on the way, the root first.
+    template <typename Each>
+    std::uint32_t walk_to_leaf(const Vec<D>& p, Each each) const {
         std::uint32_t node = 0;
+        each(node);
         while (nodes[node].first_child != none) {
             const Vec<D> middle = nodes[nodes[node].first_child].box.max;
             std::uint32_t child = 0, bit = 0;
             for (int i = 0; i < D; ++i)
                 if (splits(node, i)) child |= static_cast<std::uint32_t>(p[i] >= middle[i]) << bit++;
             node = nodes[node].first_child + child;
+            each(node);
         }
         return nodes[node].leaf;
     }

@@ -64,7 +64,7 @@ void say_box(Workbench<D>& bench, Text id) {
     if (session.method().pops != Kind::node)
         throw InputError("method '" + std::string(session.method().id) + "' walks no tree of boxes");
     const std::uint32_t node = whole_argument(id, "the number of a node");
-    const std::size_t count = session.problem().boxes().nodes.size();
+    const std::size_t count = session.traversal().boxes()->nodes.size();
     if (node >= count)
         throw InputError("node " + std::to_string(node) + " does not exist; there are " + std::to_string(count) +
                          ", from 0");

@@ -63,6 +63,7 @@ public:
     std::vector<std::pair<Item, Mark>> front() const override;
     Misses misses() const override;
     std::shared_ptr<const FrameHistory> next_history() const override;
+    const BoxTree<D>* boxes() const override { return tree_; }
     /// Boxes, against depths.
     std::uint64_t tests() const override {
         return tests_depth() && this->steps_ > occluder_steps() ? this->steps_ - occluder_steps() : 0;

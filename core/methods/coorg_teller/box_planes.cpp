@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/methods/coorg_teller/box_planes.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace sightline {
+
+namespace {
+
+/// The side of the plane through the shadow's edge and `through` on which p lies.
+int side_of(const ShadowSide<2>& side, const Vec<2>& through, const Vec<2>& p) { return orient(side.a, through, p); }
+int side_of(const ShadowSide<3>& side, const Vec<3>& through, const Vec<3>& p) {
+    return orient(side.a, side.b, through, p);
+}
+
+double distance_to(const ShadowSide<2>& side, const Vec<2>& through, const Vec<2>& p) {
+    const Vec<2> along = through - side.a;
+    return std::abs(cross(along, p - side.a)) / std::sqrt(glm::dot(along, along));
+}
+double distance_to(const ShadowSide<3>& side, const Vec<3>& through, const Vec<3>& p) {
+    const Vec<3> normal = glm::cross(side.b - side.a, through - side.a);
+    return std::abs(glm::dot(normal, p - side.a)) / std::sqrt(glm::dot(normal, normal));
+}
+
+std::array<Vec<2>, 2> points_of(const ShadowSide<2>& side, const Vec<2>& corner) { return {side.a, corner}; }
+std::array<Vec<3>, 3> points_of(const ShadowSide<3>& side, const Vec<3>& corner) { return {side.a, side.b, corner}; }
+
+/// How far before (negative) or beyond the primitive's plane, as the eye sees it, the box's nearest corner lies.
+template <int D>
+double least_beyond(const ShadowFront<D>& front, const Box<D>& box, const Vec<D>& eye) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Vec<D>& corner : box.corners())
+        least = std::min(least, glm::dot(front.plane.inward, corner - eye) - front.plane.offset);
+    return least / std::sqrt(glm::dot(front.plane.inward, front.plane.inward));
+}
+
+}  // namespace
+
+template <int D>
+std::vector<TestedPlane<D>> box_planes(const Shadow<D>& shadow, const Polygons<D>& polygons, const Scene<D>& scene,
+                                       const Box<D>& box, const Vec<D>& eye) {
+    std::vector<TestedPlane<D>> planes;
+    std::uint32_t number = 0;
+    for (const ShadowFront<D>& front : shadow.fronts) {
+        TestedPlane<D> plane{PlaneKind::own, number++, scene.primitives[front.primitive], false, 0};
+        plane.distance = least_beyond(front, box, eye);
+        plane.satisfied = plane.distance > 0;
+        planes.push_back(plane);
+    }
+    const EyeBox<D> seen(box, eye);
+    const auto corners = box.corners();
+    number = 0;
+    for (const ShadowSide<D>& side : shadow.sides) {
+        // A corner of its polygon off the edge: on which side of a plane through the edge the occluder lies.
+        const std::vector<Vec<D>> own = polygons.corners_of(side.polygon);
+        const CornerSides decided = corner_sides(side, seen);
+        for (const PlaneKind kind : {PlaneKind::supporting, PlaneKind::separating})
+            for (const Vec<D>& corner : corners) {
+                int occluder = 0;
+                for (const Vec<D>& p : own)
+                    if (occluder == 0) occluder = side_of(side, corner, p);
+                const int wanted = kind == PlaneKind::supporting ? occluder : -occluder;
+                if (wanted == 0 || !std::all_of(corners.begin(), corners.end(), [&](const Vec<D>& other) {
+                        return side_of(side, corner, other) * wanted >= 0;
+                    }))
+                    continue;
+                TestedPlane<D> plane{kind, number, points_of(side, corner), false, distance_to(side, corner, eye)};
+                // As the test decides it; where the box lies beyond the occluder, that is: the eye lies on the
+                // occluder's side of the plane.
+                plane.satisfied = kind == PlaneKind::supporting ? decided.low >= 0 : decided.high > 0;
+                if (!plane.satisfied) plane.distance = -plane.distance;
+                planes.push_back(plane);
+                break;
+            }
+        ++number;
+    }
+    return planes;
+}
+
+template <int D>
+std::uint32_t best_occluder(const BoxStates<D>& states, std::uint32_t node, std::span<const std::uint32_t> slots) {
+    std::uint32_t best = none;
+    std::size_t fewest = 0;
+    for (const std::uint32_t slot : slots) {
+        const Relation found = states.relation_to(node, slot);
+        if (found.region == Region::hidden) return slot;
+        if (found.region != Region::partial) continue;
+        const Shadow<D>& shadow = states.shadows()[slot];
+        const std::size_t missing = shadow.sides.size() - static_cast<std::size_t>(std::popcount(found.satisfied)) +
+                                    (found.beyond ? 0 : shadow.sides.size());
+        if (best == none || missing < fewest ||
+            (missing == fewest && shadow.area_angle > states.shadows()[best].area_angle)) {
+            best = slot;
+            fewest = missing;
+        }
+    }
+    return best;
+}
+
+#define SIGHTLINE_INSTANTIATE(D)                                                                              \
+    template std::vector<TestedPlane<D>> box_planes<D>(const Shadow<D>&, const Polygons<D>&, const Scene<D>&, \
+                                                       const Box<D>&, const Vec<D>&);                         \
+    template std::uint32_t best_occluder<D>(const BoxStates<D>&, std::uint32_t, std::span<const std::uint32_t>);
+SIGHTLINE_INSTANTIATE(2)
+SIGHTLINE_INSTANTIATE(3)
+#undef SIGHTLINE_INSTANTIATE
+
+}  // namespace sightline

@@ -1,0 +1,22 @@
+// The supporting and separating planes of an occluder and a box, as people see them: each touches both.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/methods/coorg_teller/box_states.h"
+#include "core/run/explanation.h"
+
+namespace sightline {
+
+/// First the occluder's own planes, then of each silhouette edge the supporting and the separating one (CT figure 4a).
+/// Their corner of the box is the one at which a plane through the edge touches it: with occluder and box on one side,
+/// or on both. An edge whose line meets the box has none and is left out.
+template <int D>
+std::vector<TestedPlane<D>> box_planes(const Shadow<D>& shadow, const Polygons<D>& polygons, const Scene<D>& scene,
+                                       const Box<D>& box, const Vec<D>& eye);
+
+/// Of `slots` the occluder that comes nearest to hiding the box: of those that hide a part of it the one with the
+/// fewest supporting planes that are not satisfied, of these the largest; none: no one hides a part.
+template <int D>
+std::uint32_t best_occluder(const BoxStates<D>& states, std::uint32_t node, std::span<const std::uint32_t> slots);
+
+}  // namespace sightline

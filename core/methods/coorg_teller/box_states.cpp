@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/methods/coorg_teller/box_states.h"
+
+#include <algorithm>
+
+#include "core/methods/coorg_teller/fusion.h"
+#include "core/methods/coorg_teller/occluder_region.h"
+
+namespace sightline {
+
+namespace {
+
+/// The occluders that hide the box together; empty: none do, or nobody asks.
+template <int D>
+std::vector<std::uint32_t> hiding_set(std::span<const Shadow<D>> shadows, std::span<const Partial> partial,
+                                      const Meetings& meetings, Connected how, const EyeBox<D>& box,
+                                      JointScratch& scratch, double& slack) {
+    if (how == Connected::off || partial.size() < 2) return {};
+    if constexpr (D == 2)
+        if (how == Connected::fused) return fused_set(shadows, partial, box, slack);
+    return joint_set(partial, meetings, how == Connected::fused ? Connected::grow : how, scratch);
+}
+
+template <int D>
+Partial partial_of(std::span<const Shadow<D>> shadows, std::uint32_t slot, bool beyond, std::uint64_t satisfied) {
+    return {slot, static_cast<std::uint32_t>(shadows[slot].sides.size()), beyond, satisfied};
+}
+
+}  // namespace
+
+template <int D>
+BoxStates<D>::BoxStates(const BoxStates& other)
+    : prepared_(other.prepared_),
+      scene_(other.scene_),
+      eye_(other.eye_),
+      kind_(other.kind_),
+      connected_(other.connected_),
+      keeps_(other.keeps_),
+      epoch_(1),
+      version_(1),
+      next_key_(other.next_key_),
+      potential_(other.potential_),
+      slots_(other.slots_),
+      shadows_(other.shadows_),
+      meetings_(other.meetings_),
+      records_(other.records_.size()),
+      effort_(other.effort_) {}
+
+template <int D>
+void BoxStates<D>::begin(std::shared_ptr<const Prepared<D>> prepared, const Problem<D>& problem, OccluderKind kind,
+                         std::size_t count) {
+    const auto connected = problem.parameters.template choice<Connected>(connected_row());
+    const bool keeps = problem.parameters.template choice<Coherence>(coherence_row()) == Coherence::on;
+    const std::size_t boxes = prepared->tree.boxes.nodes.size();
+    if (keeps != keeps_ || kind != kind_ || connected != connected_ || prepared != prepared_ ||
+        scene_ != problem.scene || records_.size() != boxes || epoch_ == none) {
+        records_.assign(boxes, {});
+        slots_.clear();
+        travelled_ = 0;
+        epoch_ = version_ = next_key_ = 0;
+    } else {
+        const Vec<D> way = problem.view.eye - eye_;
+        travelled_ += std::sqrt(glm::dot(way, way)) * (1 + 0x1p-40);
+        if (!keeps) slots_.clear();
+    }
+    keeps_ = keeps;
+    kind_ = kind;
+    prepared_ = std::move(prepared);
+    scene_ = problem.scene;
+    eye_ = problem.view.eye;
+    connected_ = connected;
+    ++epoch_;
+    effort_ = {};
+    potential_occluders(*prepared_, *scene_, eye_, potential_);
+    place(kind == OccluderKind::polygon ? single_occluders(potential_, count)
+                                        : convex_occluders(*prepared_, *scene_, eye_, potential_, count));
+    if (connected_ != Connected::off) meetings_.find<D>(shadows_);
+}
+
+/// Gives each occluder a slot: its own, or one that is free.
+template <int D>
+void BoxStates<D>::place(const OccluderLists& occluders) {
+    std::vector<std::uint32_t> slot_of(occluders.size(), none);
+    std::vector<std::uint8_t> kept(slots_.size());
+    for (std::size_t i = 0; i < occluders.size(); ++i)
+        for (std::uint32_t slot = 0; slot < slots_.size(); ++slot)
+            if (slots_[slot].used && !kept[slot] && shadows_[slot].polygons == occluders[i]) {
+                slot_of[i] = slot;
+                kept[slot] = 1;
+                break;
+            }
+    bool other = slots_.empty();
+    for (std::uint32_t slot = 0; slot < slots_.size(); ++slot) {
+        other |= slots_[slot].used && !kept[slot];
+        slots_[slot].used = kept[slot];
+    }
+    std::uint32_t free = 0;
+    for (std::uint32_t& slot : slot_of) {
+        if (slot != none) continue;
+        while (free < slots_.size() && slots_[free].used) ++free;
+        if (free == slots_.size()) slots_.emplace_back();
+        slots_[free] = {true, ++next_key_};
+        slot = free;
+        other = true;
+    }
+    shadows_.resize(slots_.size());
+    for (std::uint32_t slot = 0; slot < slots_.size(); ++slot)
+        if (!slots_[slot].used) shadows_[slot] = {};
+    const auto sides_seen = [](const Shadow<D>& shadow) {
+        std::vector<bool> behind;
+        for (const ShadowFront<D>& front : shadow.fronts) behind.push_back(front.from_behind);
+        return behind;
+    };
+    const Polygons<D>& polygons = prepared_->polygons;
+    for (std::size_t i = 0; i < occluders.size(); ++i) {
+        Shadow<D>& shadow = shadows_[slot_of[i]];
+        const std::vector<bool> before = sides_seen(shadow);
+        make_shadow<D>(*scene_, polygons, occluders[i], eye_, shadow);
+        const std::uint32_t largest = occluders[i].front();
+        shadow.area_angle = std::abs(area_angle<D>(polygons.area[largest], polygons.centre[largest], eye_));
+        // The other side of a polygon is another occluder.
+        if (sides_seen(shadow) != before) {
+            slots_[slot_of[i]].key = ++next_key_;
+            other = true;
+        }
+    }
+    version_ += other;
+}
+
+template <int D>
+double BoxStates<D>::until(const Relation& relation) const {
+    return travelled_ + relation.slack * (1 - 0x1p-40);
+}
+
+template <int D>
+std::uint32_t BoxStates<D>::asked_version(std::uint32_t node) const {
+    const std::uint32_t parent = prepared_->tree.parent[node];
+    return parent == none ? version_ : records_[parent].version;
+}
+
+/// Calls `each(slot)` for the occluders that the box is tested against, while it returns true.
+template <int D>
+template <typename Each>
+void BoxStates<D>::for_asked(std::uint32_t node, Each each) const {
+    const std::uint32_t parent = prepared_->tree.parent[node];
+    if (parent == none) {
+        for (std::uint32_t slot = 0; slot < slots_.size(); ++slot)
+            if (slots_[slot].used && !each(slot)) return;
+    } else {
+        for (const KnownRelation& known : records_[parent].known)
+            if (known.region == Region::partial && !each(known.slot)) return;
+    }
+}
+
+template <int D>
+BoxState BoxStates<D>::state(std::uint32_t node, Effort& effort, BoxScratch& scratch) {
+    Record& record = records_[node];
+    if (record.epoch == epoch_) return record.state;
+    // Those around it first, where nobody has asked for them at this eye: after going back in a recording.
+    if (const std::uint32_t parent = prepared_->tree.parent[node]; parent != none && records_[parent].epoch != epoch_)
+        state(parent, effort, scratch);
+    ++effort.boxes;
+    if (record.made && keeps_ && record.asked == asked_version(node) && travelled_ < record.until)
+        ++effort.kept;
+    else
+        make(node, record, effort, scratch);
+    record.epoch = epoch_;
+    return record.state;
+}
+
+template <int D>
+void BoxStates<D>::make(std::uint32_t node, Record& record, Effort& effort, BoxScratch& scratch) {
+    const EyeBox<D> box(prepared_->tree.boxes.nodes[node].box, eye_);
+    const bool all_sides = connected_ != Connected::off && (D == 3 || connected_ != Connected::fused);
+    const BoxState before = record.state;
+    const bool was_made = record.made && keeps_;
+    record.asked = asked_version(node);
+    record.made = true;
+    std::size_t at = 0;  // among what was known, which is by slot as well
+    const auto find_known = [&](std::uint32_t slot) -> const KnownRelation* {
+        while (at < record.known.size() && record.known[at].slot < slot) ++at;
+        if (at == record.known.size() || record.known[at].slot != slot) return nullptr;
+        const KnownRelation& known = record.known[at];
+        return known.key == slots_[slot].key && travelled_ < known.until && keeps_ ? &known : nullptr;
+    };
+    const auto test = [&](std::uint32_t slot) {
+        ++effort.tested;
+        const Relation found = relation(shadows_[slot], *scene_, box, all_sides, effort.products);
+        return KnownRelation{slot, slots_[slot].key, until(found), found.satisfied, found.region, found.beyond};
+    };
+    // What hid it the last time first: one look may do.
+    if (keeps_ && record.hidden_by != none && record.hidden_by < slots_.size() && slots_[record.hidden_by].used) {
+        bool is_asked = false;
+        for_asked(node, [&](std::uint32_t slot) {
+            is_asked |= slot == record.hidden_by;
+            return slot < record.hidden_by;
+        });
+        if (is_asked) {
+            const KnownRelation known = test(record.hidden_by);
+            if (known.region == Region::hidden) {
+                record.until = known.until;
+                record.state = BoxState::invisible;
+                effort.changed += was_made && before != record.state;
+                return;
+            }
+        }
+    }
+    std::vector<KnownRelation>& now = scratch.now;
+    now.clear();
+    double until_all = std::numeric_limits<double>::infinity();
+    bool any_partial = false;
+    std::uint32_t hider = none;
+    for_asked(node, [&](std::uint32_t slot) {
+        const KnownRelation* const old = find_known(slot);
+        effort.reused += old != nullptr;
+        now.push_back(old ? *old : test(slot));
+        const KnownRelation& known = now.back();
+        if (known.region == Region::hidden) {
+            hider = slot;
+            record.until = known.until;
+            return false;
+        }
+        any_partial |= known.region == Region::partial;
+        until_all = std::min(until_all, known.until);
+        return true;
+    });
+    record.hidden_by = hider;
+    if (hider != none) {
+        record.state = BoxState::invisible;
+    } else {
+        record.state = any_partial ? BoxState::partial : BoxState::visible;
+        record.until = until_all;
+        if (any_partial && connected_ != Connected::off) {
+            scratch.partial.clear();
+            for (const KnownRelation& known : now)
+                if (known.region == Region::partial)
+                    scratch.partial.push_back(partial_of<D>(shadows_, known.slot, known.beyond, known.satisfied));
+            double slack = std::numeric_limits<double>::infinity();
+            if (!hiding_set<D>(shadows_, scratch.partial, meetings_, connected_, box, scratch.joint, slack).empty())
+                record.state = BoxState::invisible;
+            record.until = std::min(record.until, travelled_ + slack * (1 - 0x1p-40));
+        }
+    }
+    effort.changed += was_made && before != record.state;
+    // The children hear of it where other occluders are left for them.
+    const auto same = [&] {
+        std::size_t i = 0;
+        const auto next_partial = [&](const std::vector<KnownRelation>& all, std::size_t from) {
+            while (from < all.size() && all[from].region != Region::partial) ++from;
+            return from;
+        };
+        std::size_t j = next_partial(record.known, 0);
+        for (i = next_partial(now, 0); i < now.size(); i = next_partial(now, i + 1)) {
+            if (j == record.known.size() || record.known[j].slot != now[i].slot || record.known[j].key != now[i].key)
+                return false;
+            j = next_partial(record.known, j + 1);
+        }
+        return j == record.known.size();
+    };
+    if (!same()) ++record.version;
+    record.known.assign(now.begin(), now.end());
+}
+
+template <int D>
+std::vector<std::uint32_t> BoxStates<D>::tested_for(std::uint32_t node) const {
+    std::vector<std::uint32_t> slots;
+    for (std::uint32_t slot = 0; slot < slots_.size(); ++slot)
+        if (slots_[slot].used) slots.push_back(slot);
+    std::vector<std::uint32_t> around;
+    for (std::uint32_t at = prepared_->tree.parent[node]; at != none; at = prepared_->tree.parent[at])
+        around.push_back(at);
+    for (std::size_t i = around.size(); i-- > 0;)
+        std::erase_if(slots,
+                      [&](std::uint32_t slot) { return relation_to(around[i], slot).region != Region::partial; });
+    return slots;
+}
+
+template <int D>
+Relation BoxStates<D>::relation_to(std::uint32_t node, std::uint32_t slot) const {
+    std::uint64_t products = 0;
+    return relation(shadows_[slot], *scene_, EyeBox<D>(prepared_->tree.boxes.nodes[node].box, eye_), true, products);
+}
+
+template <int D>
+std::vector<std::uint32_t> BoxStates<D>::hiding(std::uint32_t node, std::span<const std::uint32_t> slots) const {
+    std::vector<Partial> partial;
+    for (const std::uint32_t slot : slots) {
+        const Relation found = relation_to(node, slot);
+        if (found.region == Region::hidden) return {slot};
+        if (found.region == Region::partial)
+            partial.push_back(partial_of<D>(shadows_, slot, found.beyond, found.satisfied));
+    }
+    JointScratch scratch;
+    double slack = 0;
+    std::vector<std::uint32_t> set =
+        hiding_set<D>(shadows_, partial, meetings_, connected_, EyeBox<D>(prepared_->tree.boxes.nodes[node].box, eye_),
+                      scratch, slack);
+    for (std::uint32_t& member : set) member = partial[member].shadow;
+    return set;
+}
+
+template <int D>
+std::size_t BoxStates<D>::kept_bytes() const {
+    std::size_t bytes = records_.capacity() * sizeof(Record);
+    for (const Record& record : records_) bytes += record.known.capacity() * sizeof(KnownRelation);
+    return bytes;
+}
+
+template class BoxStates<2>;
+template class BoxStates<3>;
+
+}  // namespace sightline
