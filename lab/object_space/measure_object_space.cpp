@@ -287,22 +287,27 @@ std::vector<InView> measure_in_view(const SeededScene& scene, const std::vector<
     std::vector<Walker> walkers;
     for (const std::string& text : methods) walkers.emplace_back(options.tables, text);
     std::vector<InView> rows(methods.size());
-    const auto costs =
-        walk(walkers, scene, views, std::max(1, options.repeats), true, [&](std::size_t i, std::size_t frame) {
-            if (!time_drawing || !is_drawn[frame]) return;
-            const auto ids = rendered_ids(walkers[i].run->met());
-            std::vector<double> times;
-            for (int repeat = 0; repeat < std::max(1, options.repeats); ++repeat) {
-                const DrawTimes t = time_drawing(scene.scene, views[frame], ids);
-                times.push_back(t.upload + t.draw);
+    std::vector<std::vector<std::uint32_t>> drawn(methods.size());
+    // All methods' lists of a frame after one another, once to warm up.
+    const auto draw = [&](std::size_t i, std::size_t frame) {
+        if (!time_drawing || !is_drawn[frame]) return;
+        drawn[i] = rendered_ids(walkers[i].run->met());
+        if (i + 1 < methods.size()) return;
+        std::vector<std::vector<double>> times(methods.size());
+        for (int repeat = 0; repeat <= std::max(1, options.repeats); ++repeat)
+            for (std::size_t m = 0; m < methods.size(); ++m) {
+                const DrawTimes t = time_drawing(scene.scene, views[frame], drawn[m]);
+                if (repeat > 0) times[m].push_back(t.upload + t.draw);
             }
-            rows[i].draw_ms += median(times) / static_cast<double>(drawn_frames);
-        });
+        for (std::size_t m = 0; m < methods.size(); ++m)
+            rows[m].draw_ms += median(times[m]) / static_cast<double>(drawn_frames);
+    };
+    const auto costs = walk(walkers, scene, views, std::max(1, options.repeats), true, draw);
     const auto unswitched = walk(walkers, scene, round, std::max(1, options.repeats), true);
     for (std::size_t i = 0; i < rows.size(); ++i) {
         rows[i].method = walkers[i].variant.text;
         rows[i].cost = costs[i];
-        rows[i].all_round_ms = unswitched[i].cull_ms();
+        rows[i].all_round = unswitched[i];
     }
     return rows;
 }

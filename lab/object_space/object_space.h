@@ -44,7 +44,7 @@ struct FrameCost {
 struct Culled {
     std::size_t invisible = 0;      ///< polygons of which no pixel is seen
     std::size_t culled = 0;         ///< of those, in no box that is drawn: by occlusion alone
-    std::size_t not_drawn = 0;         ///< of those, not drawn: the back faces in the drawn boxes as well
+    std::size_t not_drawn = 0;      ///< of those, not drawn: the back faces in the drawn boxes as well
     std::size_t facing = 0;         ///< invisible ones that turn a side to the eye that is seen
     std::size_t culled_facing = 0;  ///< of those, not drawn
     std::size_t invisible_primitives = 0, culled_primitives = 0;
@@ -84,8 +84,8 @@ struct WithWorkers {
 struct InView {
     std::string method;
     FrameCost cost;
-    double draw_ms = 0;       ///< with upload; 0: there was no OpenGL
-    double all_round_ms = 0;  ///< the same culling where the view is not switched on
+    double draw_ms = 0;   ///< with upload; 0: there was no OpenGL
+    FrameCost all_round;  ///< the same where nothing is switched off
 };
 
 struct ObjectSpaceOptions {
