@@ -87,7 +87,7 @@ std::vector<Style> standard_boxes() {
         named("last_box", Palette::standard, Look::last),
         named("selected_box", Palette::standard, Look::selected),
         line("actual", {0, 0, 0}, 4),
-        line("potential", {165, 165, 165}, 3.4),
+        line("potential", {185, 185, 185}, 2.4),
         area("partial_eyes", {255, 190, 70, 70}, transparent),
         area("hidden_eyes", {70, 170, 90, 85}, transparent),
     };
@@ -105,7 +105,7 @@ std::vector<Style> paper_boxes() {
         named("last_box", Palette::paper, Look::last),
         named("selected_box", Palette::paper, Look::selected),
         line("actual", {255, 255, 255}, 4),
-        line("potential", {125, 125, 125}, 3.4),
+        line("potential", {125, 125, 125}, 2.4),
         area("partial_eyes", {255, 190, 70, 60}, transparent),
         area("hidden_eyes", {70, 255, 90, 70}, transparent),
     };
@@ -123,7 +123,7 @@ std::vector<Style> print_boxes() {
         named("last_box", Palette::print, Look::last),
         named("selected_box", Palette::print, Look::selected),
         line("actual", grey(0), 4.4),
-        line("potential", grey(165), 3.4),
+        line("potential", grey(180), 2.4),
         area("partial_eyes", {150, 150, 150, 50}, transparent),
         area("hidden_eyes", {60, 60, 60, 80}, transparent),
     };
@@ -137,7 +137,7 @@ std::vector<SolidStyle> solids(Colour invisible, Colour shown, Colour outside, C
                                Colour satisfied, Colour fails) {
     satisfied.a = fails.a = glass;
     return {
-        {"invisible", invisible, true, 0.8}, {"shown", shown, true, 0.8},         {"outside", outside, true, 0.8},
+        {"invisible", invisible, true, 0.8}, {"shown", shown, true, 0.5},         {"outside", outside, true, 0.5},
         {"actual", actual, true, 0.8},       {"potential", potential, true, 0.8}, {"satisfied", satisfied, false, 0.8},
         {"fails", fails, false, 0.8},
     };
