@@ -17,7 +17,7 @@ constexpr int samples = 4;
 /// All of its triangles; those that turn their back are there as well.
 SolidList whole_scene(const std::string& name, double aspect) {
     const CatalogueRow<3>* const row = find_in_catalogue<3>(name);
-    const std::string small = row && row->triangles > 0 ? name + ":" + std::to_string(fewest_triangles) : name;
+    const std::string small = row && row->triangles > 0 ? name + ":" + std::to_string(fewest_triangles(*row)) : name;
     const auto scene = std::make_shared<const Scene<3>>(load_scene<3>(small, {}));
     SolidList list;
     list.camera = make_view(scene->start_view.value(), aspect, scene->up_axis);

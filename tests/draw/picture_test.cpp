@@ -322,6 +322,9 @@ const std::vector<Golden>& goldens() {
         {"wall2", {"aa4c53b45e1f674c", "6887952cd4c99258", "6d2069bd4b1b094e"}},
         {"statue", {"c2ad67406fb79289", "a4367a9c2f8e3453", "c3a085796ad724a2"}},
         {"forget", {"ca08d4f2a9fa6f34", "44ac56829990d6c5", "2ecb3b7f21b7e1c9"}},
+        {"soda", {"c2d7d882641ac5d5", "878f6f36c06aff9e", "e13874ee08146715"}},
+        {"blocks", {"49ffc8b16b5adf1b", "6264ad753cf620da", "8e5f3b2978eb13d5"}},
+        {"tetra", {"b66ff4b22fe3a096", "27d38a8000f6ff50", "412a9df2b181da24"}},
     };
     return table;
 }

@@ -42,6 +42,14 @@ TEST(SceneCatalogue3, NamesCarrySizes) {
             [&] { generated_scene("city:" + size); },
             "city:" + size + ": \"" + size +
                 "\" is not a size: write a number of triangles from 10k to 16M, such as 20000, 500k or 2M");
+    // Scenes that are smaller can be asked for as they are, not smaller still.
+    EXPECT_EQ(scene_hash(*generated_scene("soda:3394")), scene_hash(*generated_scene("soda")));
+    test::expect_input_error([] { generated_scene("soda:3393"); },
+                             "soda:3393: \"3393\" is not a size: write a number of triangles from 3394 to 16M, such as "
+                             "20000, 500k or 2M");
+    test::expect_input_error([] { generated_scene("blocks:1k"); },
+                             "blocks:1k: \"1k\" is not a size: write a number of triangles from 5520 to 16M, such as "
+                             "20000, 500k or 2M");
 }
 
 }  // namespace

@@ -129,5 +129,15 @@ TEST(SceneLessons3, JungleHidesMuchWithLittle) {
     expect_bookmarks(session);
 }
 
+TEST(SceneLessons3, ModelsOfCoorgAndTellerHideWhatTheyHold) {
+    for (const char* id : {"soda", "blocks", "tetra"}) {
+        SCOPED_TRACE(id);
+        Session<3> session = ran(id);
+        expect_bookmarks(session);
+        EXPECT_LT(visible_part(session), 0.06);
+        EXPECT_GT(session.reference().count, 50u);
+    }
+}
+
 }  // namespace
 }  // namespace sightline

@@ -54,8 +54,9 @@ struct CatalogueRow {
     std::vector<const char*> paths;  ///< 3D: ids of its flight paths; 2D: none
 };
 
-/// How many triangles a name may ask for.
-inline constexpr std::size_t fewest_triangles = 10'000, most_triangles = 16'000'000;
+/// How many triangles a name may ask for: from 10,000 on, or from what the scene has otherwise if that is less.
+inline constexpr std::size_t most_triangles = 16'000'000;
+std::size_t fewest_triangles(const CatalogueRow<3>& row);
 
 /// All rows, in the order in which a lecture would show them.
 template <int D = 2>

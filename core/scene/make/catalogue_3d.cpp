@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
 #include "core/base/number.h"
 #include "core/base/text.h"
 #include "core/scene/clean.h"
@@ -117,6 +119,47 @@ std::span<const CatalogueRow<3>> catalogue<3>() {
          {{"step:100", "between the first frames"}},
          1'000'000,
          {"round", "tour", "test"}},
+        {"soda",
+         11,
+         "Office floor",
+         "Walls of an office floor hide nearly all of it, and a few large ones near the eye do most of the hiding.",
+         generate::soda,
+         {{20, 22, 1.7}, {31, 21.8, 1.6}, 65},
+         0.05,
+         "published",
+         "10%",
+         {},
+         {{"visible_share == 0 && count > 0", "a room behind a wall"}},
+         3'394,
+         {"walk", "line", "test"}},
+        {"blocks",
+         12,
+         "City of blocks",
+         "Seen from the street, a few facades hide most of a city, but many stand askew, and where a square opens "
+         "the view no wall alone hides much.",
+         generate::blocks,
+         {{-20, 0.8, 1.7}, {40, 3, 7}, 65},
+         0.05,
+         "published",
+         "10%",
+         {},
+         {{"visible_share == 0 && count > 0", "a house behind the first row"}},
+         5'520,
+         {"walk", "line", "test"}},
+        {"tetra",
+         13,
+         "Tetrahedra",
+         "No two tetrahedra share an edge, so each hides by itself alone: near ones hide a good part of what stands "
+         "behind, and the gaps between them stay open.",
+         generate::tetra,
+         {{-8, 0, 1.7}, {10, 0, 2}, 65},
+         0.05,
+         "published",
+         "10%",
+         {},
+         {{"visible_share == 0 && count > 0", "behind a large tetrahedron"}},
+         3'602,
+         {"walk", "line", "test"}},
     };
     return rows;
 }
@@ -135,6 +178,8 @@ std::optional<std::size_t> parse_size(std::string_view text) {
 }
 
 }  // namespace
+
+std::size_t fewest_triangles(const CatalogueRow<3>& row) { return std::min<std::size_t>(10'000, row.triangles); }
 
 Scene<3> make_scene(const CatalogueRow<3>& row, std::size_t triangles) {
     Generated made = row.generate(row.seed, triangles);
@@ -163,11 +208,13 @@ std::optional<Scene<3>> generated_scene(std::string_view name) {
         if (row->triangles == 0)
             throw input_error(name, "", "this scene has one size only: write " + std::string(row->id));
         const std::optional<std::size_t> size = parse_size(text);
-        if (!size || *size < fewest_triangles || *size > most_triangles)
+        const std::size_t fewest = fewest_triangles(*row);
+        if (!size || *size < fewest || *size > most_triangles)
             throw input_error(
                 name, "",
-                "\"" + one_line(text, 40) +
-                    "\" is not a size: write a number of triangles from 10k to 16M, such as 20000, 500k or 2M");
+                "\"" + one_line(text, 40) + "\" is not a size: write a number of triangles from " +
+                    (fewest % 1'000 == 0 ? std::to_string(fewest / 1'000) + "k" : std::to_string(fewest)) +
+                    " to 16M, such as 20000, 500k or 2M");
         triangles = *size;
     }
     return make_scene(*row, triangles);

@@ -31,6 +31,12 @@ std::vector<Primitive<2>> wall2(std::uint64_t seed);
 std::vector<Primitive<2>> statue(std::uint64_t seed);
 /// A brick wall, a long empty run, and a store behind it; 0..80 x 0..20.
 std::vector<Primitive<2>> forget(std::uint64_t seed);
+/// A floor of offices, labs and a lecture hall with walls of real thickness; about 0..62 x 0..44.
+std::vector<Primitive<2>> soda(std::uint64_t seed);
+/// Outlines of the buildings of a city, many of them turned out of the axes; about 600 x 600.
+std::vector<Primitive<2>> blocks(std::uint64_t seed);
+/// 900 triangles, none touching another; about 180 x 180.
+std::vector<Primitive<2>> tetra(std::uint64_t seed);
 
 /// A city of houses with closed outlines and inner walls, for benchmarks of any size: exactly `segments` of them, of
 /// which no two cross (walls may end on one another). The last house may be cut short. Cost: linear.

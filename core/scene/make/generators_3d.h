@@ -20,6 +20,14 @@ Generated room(std::uint64_t seed, std::size_t triangles);
 Generated jungle(std::uint64_t seed, std::size_t triangles);
 /// Steel frames with tanks, tubes and pipes between lanes; grows in area as the city does. Path "round".
 Generated plant(std::uint64_t seed, std::size_t triangles);
+/// A floor of a university building: offices, labs and a lecture hall along corridors, doors open, little furniture. A
+/// larger one has more wings. About 1,685 convex polygons unless asked otherwise. Paths "walk" and "line".
+Generated soda(std::uint64_t seed, std::size_t triangles);
+/// A city of boxes, towers and pitched roofs, many of them turned out of the axes, between streets; about 2,857 convex
+/// polygons, more blocks in a larger one. Paths "walk" and "line".
+Generated blocks(std::uint64_t seed, std::size_t triangles);
+/// Tetrahedra on a plane, none touching another: 900 of them unless asked otherwise. Paths "walk" and "line".
+Generated tetra(std::uint64_t seed, std::size_t triangles);
 /// The 2D scene of this name as a hall: two blocks full of crates from floor to ceiling, a gap between them, hidden
 /// crates behind and a house front beyond the gap. One size. Path "test".
 Generated bottleneck(std::uint64_t seed, std::size_t);

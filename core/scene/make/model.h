@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cmath>
 #include <initializer_list>
 #include <span>
 #include <vector>
@@ -23,6 +24,10 @@ enum BoxSides : unsigned {
     top_side = 32,
     all_sides = 63,
 };
+
+/// To 1/1024 m: a few such numbers added up are floats still, so that what is in line or in one plane stays there.
+inline double dyadic(double x) { return std::floor(x * 1024 + 0.5) / 1024; }
+inline Vec<2> dyadic(const Vec<2>& p) { return {dyadic(p.x), dyadic(p.y)}; }
 
 /// Triangles so far and the frame in which the next ones are given: turned about z, then moved. Fronts look out of the
 /// solids. Corners are rounded to float.
