@@ -158,9 +158,30 @@ void add_texts(const Settings& settings, std::string_view key_title, std::span<c
 /// Of a short legend.
 constexpr std::size_t short_rows = 5;
 /// Styles that can be left out, the first first: what they are can be guessed, or is seldom asked.
-constexpr auto seldom_asked =
-    std::to_array<std::string_view>({"view", "other", "rest", "eye", "clean", "seed", "unseen", "display_view", "last",
-                                     "plain", "hidden", "completed", "wasted"});
+constexpr std::array<std::string_view, 24> seldom_asked{"view",
+                                                        "other",
+                                                        "rest",
+                                                        "eye",
+                                                        "clean",
+                                                        "seed",
+                                                        "unseen",
+                                                        "display_view",
+                                                        "last",
+                                                        "plain",
+                                                        "hidden",
+                                                        "completed",
+                                                        "wasted",
+                                                        "own",
+                                                        "own_fails",
+                                                        "region_box",
+                                                        "last_box",
+                                                        "separating",
+                                                        "separating_fails",
+                                                        "potential",
+                                                        "supporting",
+                                                        "supporting_fails",
+                                                        "outside",
+                                                        "lit"};
 
 }  // namespace
 
@@ -234,10 +255,10 @@ std::vector<LegendRow> box_rows(const UsedStyles& used, const Colours& palette) 
     const Colour rim = palette.looks[style_index(Look::tessellation)].stroke;
     for (const UsedStyles::OtherSolid& other : used.other_solids)
         if (const BoxEntry* entry = box_entry(other.style.name))
-            placed.push_back({place_of(*entry), solid_row(other.style, other.use, entry->text, rim)});
+            placed.push_back({row_of(*entry), solid_row(other.style, other.use, entry->text, rim)});
     for (const Style& style : used.others)
         if (const BoxEntry* entry = box_entry(style.name))
-            placed.push_back({place_of(*entry), {entry->swatch, style, entry->text}});
+            placed.push_back({row_of(*entry), {entry->swatch, style, entry->text}});
     std::stable_sort(placed.begin(), placed.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     std::vector<LegendRow> rows;
     for (auto& [place, row] : placed) rows.push_back(std::move(row));
