@@ -158,30 +158,13 @@ void add_texts(const Settings& settings, std::string_view key_title, std::span<c
 /// Of a short legend.
 constexpr std::size_t short_rows = 5;
 /// Styles that can be left out, the first first: what they are can be guessed, or is seldom asked.
-constexpr std::array<std::string_view, 24> seldom_asked{"view",
-                                                        "other",
-                                                        "rest",
-                                                        "eye",
-                                                        "clean",
-                                                        "seed",
-                                                        "unseen",
-                                                        "display_view",
-                                                        "last",
-                                                        "plain",
-                                                        "hidden",
-                                                        "completed",
-                                                        "wasted",
-                                                        "own",
-                                                        "own_fails",
-                                                        "region_box",
-                                                        "last_box",
-                                                        "separating",
-                                                        "separating_fails",
-                                                        "potential",
-                                                        "supporting",
-                                                        "supporting_fails",
-                                                        "outside",
-                                                        "lit"};
+constexpr auto seldom_asked =
+    std::to_array<std::string_view>({"view", "other", "rest", "eye", "clean", "seed", "unseen", "display_view", "last",
+                                     "plain", "hidden", "completed", "wasted"});
+/// After those.
+constexpr auto seldom_asked_of_planes =
+    std::to_array<std::string_view>({"own", "own_fails", "region_box", "last_box", "separating", "separating_fails",
+                                     "potential", "supporting", "supporting_fails", "outside", "lit"});
 
 }  // namespace
 
@@ -196,10 +179,14 @@ template std::vector<LegendRow> callout_rows<2>(std::span<const Note<2>>);
 template std::vector<LegendRow> callout_rows<3>(std::span<const Note<3>>);
 
 std::vector<LegendRow> short_legend(std::vector<LegendRow> rows) {
-    for (const std::string_view name : seldom_asked) {
-        if (rows.size() <= short_rows) break;
-        std::erase_if(rows, [&](const LegendRow& row) { return row.style.name == name; });
-    }
+    const auto leave_out = [&](std::span<const std::string_view> names) {
+        for (const std::string_view name : names) {
+            if (rows.size() <= short_rows) break;
+            std::erase_if(rows, [&](const LegendRow& row) { return row.style.name == name; });
+        }
+    };
+    leave_out(seldom_asked);
+    leave_out(seldom_asked_of_planes);
     return rows;
 }
 
