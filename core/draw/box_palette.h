@@ -57,6 +57,6 @@ struct BoxEntry {
 };
 const BoxEntry* box_entry(std::string_view name);
 /// Its place among the rows of a legend, from 0.
-std::size_t place_of(const BoxEntry& entry);
+std::size_t row_of(const BoxEntry& entry);
 
 }  // namespace sightline

@@ -161,6 +161,10 @@ constexpr std::size_t short_rows = 5;
 constexpr auto seldom_asked =
     std::to_array<std::string_view>({"view", "other", "rest", "eye", "clean", "seed", "unseen", "display_view", "last",
                                      "plain", "hidden", "completed", "wasted"});
+/// After those.
+constexpr auto seldom_asked_of_planes =
+    std::to_array<std::string_view>({"own", "own_fails", "region_box", "last_box", "separating", "separating_fails",
+                                     "potential", "supporting", "supporting_fails", "outside", "lit"});
 
 }  // namespace
 
@@ -175,10 +179,14 @@ template std::vector<LegendRow> callout_rows<2>(std::span<const Note<2>>);
 template std::vector<LegendRow> callout_rows<3>(std::span<const Note<3>>);
 
 std::vector<LegendRow> short_legend(std::vector<LegendRow> rows) {
-    for (const std::string_view name : seldom_asked) {
-        if (rows.size() <= short_rows) break;
-        std::erase_if(rows, [&](const LegendRow& row) { return row.style.name == name; });
-    }
+    const auto leave_out = [&](std::span<const std::string_view> names) {
+        for (const std::string_view name : names) {
+            if (rows.size() <= short_rows) break;
+            std::erase_if(rows, [&](const LegendRow& row) { return row.style.name == name; });
+        }
+    };
+    leave_out(seldom_asked);
+    leave_out(seldom_asked_of_planes);
     return rows;
 }
 
@@ -234,10 +242,10 @@ std::vector<LegendRow> box_rows(const UsedStyles& used, const Colours& palette) 
     const Colour rim = palette.looks[style_index(Look::tessellation)].stroke;
     for (const UsedStyles::OtherSolid& other : used.other_solids)
         if (const BoxEntry* entry = box_entry(other.style.name))
-            placed.push_back({place_of(*entry), solid_row(other.style, other.use, entry->text, rim)});
+            placed.push_back({row_of(*entry), solid_row(other.style, other.use, entry->text, rim)});
     for (const Style& style : used.others)
         if (const BoxEntry* entry = box_entry(style.name))
-            placed.push_back({place_of(*entry), {entry->swatch, style, entry->text}});
+            placed.push_back({row_of(*entry), {entry->swatch, style, entry->text}});
     std::stable_sort(placed.begin(), placed.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     std::vector<LegendRow> rows;
     for (auto& [place, row] : placed) rows.push_back(std::move(row));

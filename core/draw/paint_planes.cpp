@@ -13,7 +13,7 @@ namespace sightline {
 
 namespace {
 
-BoxLook look_of(const TestedPlane<2>& plane) {
+BoxLook plane_look(const TestedPlane<2>& plane) {
     switch (plane.kind) {
         case PlaneKind::supporting:
             return plane.satisfied ? BoxLook::supporting : BoxLook::supporting_fails;
@@ -92,7 +92,7 @@ void PlanePainter::planes() {
         if (length == 0) continue;
         const Vec<2> reach = (b - a) * (far / length);
         if (i == session_.selected_plane) list_.add(ShapeKind::polyline, index(BoxLook::lit), {a - reach, a + reach});
-        list_.add(ShapeKind::polyline, index(look_of(planes[i])), {a - reach, a + reach});
+        list_.add(ShapeKind::polyline, index(plane_look(planes[i])), {a - reach, a + reach});
     }
     number(regions.hidden, "3");
     for (const auto& part : regions.parts_2) number(part, "2");

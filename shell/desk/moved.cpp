@@ -76,6 +76,7 @@ void traversal_changed(Workbench<D>& bench) {
 
 template <int D>
 void fly_on(Workbench<D>& bench, const ViewSpec<D>& view) {
+    bench.flight.ahead.clear();
     bench.last_stop = bench.session.fly(view);
     if (bench.other) {
         bench.other->session.unfreeze();

@@ -229,8 +229,7 @@ void write_occluders(Writer& to, const Session<D>& s, std::uint32_t node) {
     const auto some = std::count_if(tested.begin(), tested.end(), matters);
     to.heading("Tested against it: S, " + counted(tested.size(), "occluder"));
     if (tested.empty()) to.add("no occluder hides a part of the box around it", 1, Tone::faint);
-    for (const TestedOccluder& occluder : tested)
-        if (!occluder.handed_on) write_occluder<D>(to, occluder, node);
+    for (const TestedOccluder& occluder : tested) write_occluder<D>(to, occluder, node);
     if (some == 0 || std::any_of(tested.begin(), tested.end(), [](const auto& o) { return o.hides; })) return;
     const bool leaf = s.traversal().boxes()->nodes[node].first_child == none;
     to.heading(leaf ? "Of them, those that may hide a part: S'" : "Handed on to the boxes in it: S'");
