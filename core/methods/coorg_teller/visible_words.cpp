@@ -103,7 +103,7 @@ Verdict VisibleRun<D>::why_drawn(const Item& item) const {
     const Shadow<D>& shadow = states_.shadows()[best];
     const std::string who = members_words<D>(prepared_->polygons, shadow.polygons);
     std::string text =
-        "it is PARTIAL: " + who + (shadow.polygons.size() > 1 ? " hide" : " hides") + " the most of it, but ";
+        "it is PARTIAL: " + who + (who.find(' ') == who.rfind(' ') ? " hides" : " hide") + " the most of it, but ";
     for (const TestedPlane<D>& plane : box_planes(shadow, prepared_->polygons, *this->problem_.scene,
                                                   tree_->nodes[item.id].box, this->problem_.view.eye)) {
         if (plane.satisfied || plane.kind == PlaneKind::separating) continue;
