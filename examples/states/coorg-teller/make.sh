@@ -13,7 +13,7 @@ state() {
     shift 5
     # The view is several words.
     # shellcheck disable=SC2086
-    "$viewer" "$scene" --headless --method "$method" --budget unlimited --size "${size:-120mm}" $view \
+    "$viewer" "$scene" --headless --method "$method" --budget unlimited --size 120mm $view \
         --do "run; $1; save $out/$name.json" > "$out/$name.log" 2>&1 || { cat "$out/$name.log" >&2; exit 1; }
     rm "$out/$name.log"
 }
@@ -32,7 +32,7 @@ space() {
     (cd "$out" && state "$name" "$viewer3d" "$scene" "$@")
 }
 
-single="coorg-teller connected=off leaf=1"
+single="coorg-teller connected=off occluder_count=1 leaf=1"
 joint="coorg-teller connected=on leaf=1"
 near="coorg-teller leaf=1 threshold=0.6"
 
@@ -43,18 +43,15 @@ plane figure-1b viewpoints "$near" "--eye 11,3" \
 plane figure-2 three-walls "coorg-teller connected=fused leaf=1" "" \
     "select primitive:3; note text primitive:0 [-12,0] A; note text primitive:1 [10,0] B; \
 note text primitive:2 [-12,0] C; note text 9,3 [0,0] T"
-plane figure-3a wedge "$single" "" "select primitive:1; note text primitive:0 [0,30] A; note text 7.8,2.7 [0,0] T"
+plane figure-3a wedge "$single" "" "select primitive:1; note text primitive:0 [10,0] A; note text 9.2,2.8 [0,0] T"
 plane figure-3b two-walls "$joint" "" \
     "select primitive:2; note text primitive:0 [-8,0] A; note text primitive:1 [-8,0] B; note text 8.8,2.3 [0,0] T"
 plane figure-3c three-walls "$joint" "" \
     "select primitive:3; note text primitive:0 [-12,0] A; note text primitive:1 [10,0] B; \
 note text primitive:2 [-12,0] C; note text 8.8,2.3 [0,0] T"
-size=960x960
-plane figure-4a wedge "$single" "--eye 1,4.9 --set zoom_at=point --set zoom_x=4.5 --set zoom_y=3 --set zoom=0.65" \
-    "select primitive:1; note text primitive:0 [0,30] A; note text 7.8,2.7 [0,0] T; \
-note text 1.6,6.2 [0,0] 1; note text 1.6,4.7 [0,0] 2; note text 1.6,3 [0,0] 3; note text 1.6,1.3 [0,0] 2; \
-note text 1.6,-0.2 [0,0] 1"
-size=120mm
+plane figure-4a wedge "$single" "--eye 1,4.65" \
+    "select primitive:1; note text primitive:0 [10,0] A; note text 9.2,2.8 [0,0] T; \
+note text 1.7,5.6 [0,0] 1; note text 1.7,4.5 [0,0] 2; note text 1.7,3.2 [0,0] 3"
 plane figure-4b two-walls "$joint" "" \
     "select primitive:2; note text primitive:0 [-8,-8] A; note text primitive:1 [-8,8] B; note text 4.5,3 [8,0] e; \
 note text 8.8,2.3 [0,0] T"
@@ -68,4 +65,4 @@ space figure-5b notched "$joint" "--eye 0,0,0 --look-at 1,0,0 --fov 60" \
 plane figure-6 one-occluder "coorg-teller occluder_count=1 tree=octree leaf=1" "" \
     "note callout primitive:0 the only occluder"
 plane figure-8 wedge "coorg-teller threshold=0.5 leaf=1" "" \
-    "note callout primitive:0 area-angle 2 · cos 0° / 3 = 0.67"
+    "select primitive:1; note callout primitive:0 area-angle 2 · 1 / 3 = 0.667"
