@@ -182,7 +182,7 @@ std::vector<CodeLine> VisibleRun<D>::code(const CodePlace& at) const {
         0, !in_step && this->steps_ == 0,
         std::to_string(shadows) + " of " + counted(states_.potential().size(), "potential occluder"), "CT 3.3");
     add("while a box waits:", 0, !in_step && this->steps_ > 0 && !this->finished(),
-        counted(this->counters_.front_size, "box") + " wait", "");
+        counted(this->counters_.front_size, "node") + (this->counters_.front_size == 1 ? " waits" : " wait"), "");
     add("T = the next one, depth first", 1, testing, popped, "CT 3, Visible");
     add("outside the view: switch it off", 1, is(VisibleRule::outside), popped, "CT 3.1");
     add("all supporting planes of an occluder in S satisfied, or", 1, false, {}, "CT 2.1, TestOcclusion");
