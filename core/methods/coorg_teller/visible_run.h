@@ -54,8 +54,12 @@ public:
     Verdict why_not(const Item&) const override;
     Verdict why_drawn(const Item&) const override;
     std::vector<CodeLine> code(const CodePlace&) const override;
+    bool tests_planes() const override { return true; }
     std::vector<OccluderFact> occluders() const override;
     std::vector<TestedPlane<D>> tested_planes(const Item&, std::uint32_t primitive) const override;
+    std::vector<TestedOccluder> tested_occluders(const Item&) const override;
+    std::optional<Box<D>> eye_box() const override;
+    std::optional<OccluderRegion<D>> occluder_region(std::uint32_t primitive) const override;
 
     /// What the frame cost so far, besides drawing.
     const Effort& effort() const { return states_.effort(); }
