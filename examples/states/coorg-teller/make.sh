@@ -41,31 +41,30 @@ plane figure-1a viewpoints "$near" "--eye 1,3" \
 plane figure-1b viewpoints "$near" "--eye 11,3" \
     "note callout primitive:1 occluder; note callout primitive:0 occludee"
 plane figure-2 three-walls "coorg-teller connected=fused leaf=1" "" \
-    "select primitive:3; note text primitive:0 [-12,0] A; note text primitive:1 [10,0] B; \
+    "select node:6; note text primitive:0 [-12,0] A; note text primitive:1 [10,0] B; \
 note text primitive:2 [-12,0] C; note text 9,3 [0,0] T"
-plane figure-3a wedge "$single" "" "select primitive:1; note text primitive:0 [10,0] A; note text 9.2,2.8 [0,0] T"
+plane figure-3a wedge "$single" "" "select node:4; note text primitive:0 [10,0] A; note text 9.2,2.8 [0,0] T"
 plane figure-3b two-walls "$joint" "" \
-    "select primitive:2; note text primitive:0 [-8,0] A; note text primitive:1 [-8,0] B; note text 8.8,2.3 [0,0] T"
+    "select node:2; note text primitive:0 [-8,0] A; note text primitive:1 [-8,0] B; note text 8.8,2.3 [0,0] T"
 plane figure-3c three-walls "$joint" "" \
-    "select primitive:3; note text primitive:0 [-12,0] A; note text primitive:1 [10,0] B; \
+    "select node:6; note text primitive:0 [-12,0] A; note text primitive:1 [10,0] B; \
 note text primitive:2 [-12,0] C; note text 8.8,2.3 [0,0] T"
 plane figure-4a wedge "$single" "--eye 1,4.65" \
-    "select primitive:1; note text primitive:0 [10,0] A; note text 9.2,2.8 [0,0] T; \
-note text 1.7,5.6 [0,0] 1; note text 1.7,4.5 [0,0] 2; note text 1.7,3.2 [0,0] 3"
+    "select node:4; note text primitive:0 [10,0] A; note text 9.2,2.8 [0,0] T"
 plane figure-4b two-walls "$joint" "" \
-    "select primitive:2; note text primitive:0 [-8,-8] A; note text primitive:1 [-8,8] B; note text 4.5,3 [8,0] e; \
+    "select node:2; note text primitive:0 [-8,-8] A; note text primitive:1 [-8,8] B; note text 4.5,3 [8,0] e; \
 note text 8.8,2.3 [0,0] T"
 plane figure-4c bent-walls "$joint" "" \
-    "select primitive:2; note text primitive:0 [-8,0] A; note text primitive:1 [8,0] B; note text 4.5,3 [0,8] e; \
+    "select node:4; note text primitive:0 [-8,0] A; note text primitive:1 [8,0] B; note text 4.5,3 [0,8] e; \
 note text 8.8,2.3 [0,0] T"
 space figure-5a convex "$joint" "--eye 0,0,0 --look-at 1,0,0 --fov 60" \
-    "select primitive:6; note text primitive:0 [0,0] A; note text primitive:2 [0,0] B; note text primitive:4 [0,0] C"
+    "select node:10; note text primitive:0 [0,0] A; note text primitive:2 [0,0] B; note text primitive:4 [0,0] C"
 space figure-5b notched "$joint" "--eye 0,0,0 --look-at 1,0,0 --fov 60" \
-    "select primitive:4; note text primitive:0 [0,0] A; note text primitive:2 [0,0] B; note text 4.25,0.8,0.65 [0,8] e"
+    "select node:6; note text primitive:0 [0,0] A; note text primitive:2 [0,0] B; note text 4.25,0.8,0.65 [0,8] e"
 plane figure-6 one-occluder "coorg-teller occluder_count=1 tree=octree leaf=1" "" \
     "note callout primitive:0 the only occluder"
-plane figure-8 wedge "coorg-teller threshold=0.5 leaf=1" "" \
-    "select primitive:1; note callout primitive:0 area-angle 2 · 1 / 3 = 0.667"
+plane figure-8 wedge "coorg-teller threshold=1 leaf=1" "--eye 2.5,3" \
+    "select primitive:0; note callout primitive:0 area-angle 2 · 1 / 1.5 = 1.33"
 
 # A moving eye: the frame before this one is a lane, which no command makes in 2D. The catalogue makes the scene again.
 state moving-eye "$viewer2d" soda "coorg-teller step=change" "--fov 360 --eye 20,22" "seek start"
