@@ -36,6 +36,11 @@ const std::map<std::string_view, Range> ranges{
     {"opacity", {0, 1}},
     {"worth", {0, 1e6}},
     {"refresh", {1, 1e6, false, false, true}},
+    {"occluder_count", {1, 1024, false, false, true}},
+    {"shadows", {1, 256, false, false, true}},
+    {"threshold", {1e-6, 100}},
+    {"leaf", {1, 4096, false, false, true}},
+    {"workers", {0, 64, false, false, true}},
 };
 
 const std::set<std::string_view> any_number{"zoom_x", "zoom_y"};
