@@ -61,7 +61,7 @@ space figure-5a convex "$joint" "--eye 0,0,0 --look-at 1,0,0 --fov 60" \
     "select node:10; note text primitive:0 [0,0] A; note text primitive:2 [0,0] B; note text primitive:4 [0,0] C"
 space figure-5b notched "$joint" "--eye 0,0,0 --look-at 1,0,0 --fov 60" \
     "select node:6; note text primitive:0 [0,0] A; note text primitive:2 [0,0] B; note text 4.25,0.8,0.65 [0,8] e"
-plane figure-6 one-occluder "coorg-teller occluder_count=1 tree=octree leaf=1" "" \
+plane figure-6 one-occluder "coorg-teller threshold=1 tree=octree leaf=1" "" \
     "note callout primitive:0 the only occluder"
 plane figure-8 wedge "coorg-teller threshold=1 leaf=1" "--eye 2.5,3" \
     "select primitive:0; note callout primitive:0 area-angle 2 · 1 / 1.5 = 1.33"
