@@ -82,10 +82,13 @@ void all_are_found(std::uint64_t seed, int count) {
         const Prepared<D> prepared = prepare<D>(scene, random.below(2) ? TreeKind::kd : TreeKind::octree, 4, threshold);
         std::vector<Candidate> found;
         for (int k = 0; k < 40; ++k) {
-            const Vec<D> eye = any_point<D>(random, 2);
-            found = potential_occluders<D>(prepared, scene, eye);
+            View<D> view;
+            view.eye = any_point<D>(random, 2);
+            view.all_round = true;
+            const Vec<D>& eye = view.eye;
+            found = potential_occluders<D>(prepared, scene, view);
             const std::size_t few = random.below(found.size() + 2);
-            const auto first = potential_occluders<D>(prepared, scene, eye, few);
+            const auto first = potential_occluders<D>(prepared, scene, view, few);
             ASSERT_EQ(first.size(), std::min(few, found.size()));
             for (std::size_t i = 0; i < first.size(); ++i) ASSERT_EQ(first[i].polygon, found[i].polygon);
             std::vector<std::uint32_t> by_tree, by_hand;
@@ -119,7 +122,8 @@ TEST(OccluderChoice, ConvexOccludersAreConvex) {
         const Polygons<3>& polygons = prepared.polygons;
         for (std::size_t frame = 0; frame < scene.paths.front().frames.size(); frame += 60) {
             const Vec<3> eye = scene.paths.front().frames[frame].eye;
-            const std::vector<Candidate> found = potential_occluders<3>(prepared, scene, eye);
+            const View<3> view = make_view(scene.paths.front().frames[frame], 1.5);
+            const std::vector<Candidate> found = potential_occluders<3>(prepared, scene, view);
             near += prepared.near(eye).size();
             all += polygons.size();
             std::vector<std::uint8_t> taken(polygons.size());

@@ -32,6 +32,7 @@ template <int D>
 BoxStates<D>::BoxStates(const BoxStates& other)
     : prepared_(other.prepared_),
       scene_(other.scene_),
+      view_(other.view_),
       eye_(other.eye_),
       kind_(other.kind_),
       connected_(other.connected_),
@@ -70,17 +71,18 @@ void BoxStates<D>::begin(std::shared_ptr<const Prepared<D>> prepared, const Prob
     kind_ = kind;
     prepared_ = std::move(prepared);
     scene_ = problem.scene;
-    eye_ = problem.view.eye;
+    view_ = problem.view;
+    eye_ = view_.eye;
     connected_ = connected;
     ++epoch_;
     effort_ = {};
     // Convex occluders are grown out of a few more polygons than there will be of them.
     constexpr std::size_t polygons_each = 16;
     if (kind == OccluderKind::polygon)
-        place(single_occluders(potential_occluders(*prepared_, *scene_, eye_, count)));
+        place(single_occluders(potential_occluders(*prepared_, *scene_, view_, count)));
     else
         place(convex_occluders(*prepared_, *scene_, eye_,
-                               potential_occluders(*prepared_, *scene_, eye_, count * polygons_each), count));
+                               potential_occluders(*prepared_, *scene_, view_, count * polygons_each), count));
     if (connected_ != Connected::off) meetings_.find<D>(shadows_);
 }
 

@@ -79,7 +79,7 @@ public:
     bool hides_polygon(std::uint32_t leaf, std::uint32_t place, Effort& effort, BoxScratch<D>& scratch);
 
     /// Made anew.
-    std::vector<Candidate> potential() const { return potential_occluders(*prepared_, *scene_, eye_); }
+    std::vector<Candidate> potential() const { return potential_occluders(*prepared_, *scene_, view_); }
     /// By slot; those of slots that are not used have no polygons.
     std::span<const Shadow<D>> shadows() const { return shadows_; }
     const Meetings& meetings() const { return meetings_; }
@@ -132,6 +132,7 @@ private:
 
     std::shared_ptr<const Prepared<D>> prepared_;
     const Scene<D>* scene_ = nullptr;
+    View<D> view_;
     Vec<D> eye_{};
     OccluderKind kind_ = OccluderKind::polygon;
     Connected connected_ = Connected::off;

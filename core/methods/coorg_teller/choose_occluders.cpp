@@ -32,9 +32,16 @@ bool lies_behind(const Scene<D>& scene, const Polygons<D>& polygons, std::uint32
 }  // namespace
 
 template <int D>
-std::vector<Candidate> potential_occluders(const Prepared<D>& prepared, const Scene<D>& scene, const Vec<D>& eye,
+std::vector<Candidate> potential_occluders(const Prepared<D>& prepared, const Scene<D>& scene, const View<D>& view,
                                            std::size_t count) {
     const Polygons<D>& polygons = prepared.polygons;
+    const Vec<D>& eye = view.eye;
+    const auto can_hide = [&](std::uint32_t polygon) {
+        if (side_seen(scene, polygons, polygon, eye) == 0) return false;
+        const auto members = polygons.members_of(polygon);
+        return std::any_of(members.begin(), members.end(),
+                           [&](std::uint32_t member) { return in_view(view, scene.primitives[member]); });
+    };
     std::vector<Candidate> found;
     for (const std::uint32_t polygon : prepared.near(eye)) {
         double value = area_angle<D>(polygons.area[polygon], polygons.centre[polygon], eye);
@@ -52,7 +59,7 @@ std::vector<Candidate> potential_occluders(const Prepared<D>& prepared, const Sc
         const auto at = [&](std::size_t i) { return found.begin() + static_cast<std::ptrdiff_t>(i); };
         std::partial_sort(at(begin), at(end), found.end(), larger);
         for (; begin < end && seen.size() < count; ++begin)
-            if (side_seen(scene, polygons, found[begin].polygon, eye) != 0) seen.push_back(found[begin]);
+            if (can_hide(found[begin].polygon)) seen.push_back(found[begin]);
     }
     return seen;
 }
@@ -100,10 +107,10 @@ OccluderLists convex_occluders(const Prepared<D>& prepared, const Scene<D>& scen
     return all;
 }
 
-#define SIGHTLINE_INSTANTIATE(D)                                                                               \
-    template std::vector<Candidate> potential_occluders<D>(const Prepared<D>&, const Scene<D>&, const Vec<D>&, \
-                                                           std::size_t);                                       \
-    template OccluderLists convex_occluders<D>(const Prepared<D>&, const Scene<D>&, const Vec<D>&,             \
+#define SIGHTLINE_INSTANTIATE(D)                                                                                \
+    template std::vector<Candidate> potential_occluders<D>(const Prepared<D>&, const Scene<D>&, const View<D>&, \
+                                                           std::size_t);                                        \
+    template OccluderLists convex_occluders<D>(const Prepared<D>&, const Scene<D>&, const Vec<D>&,              \
                                                std::span<const Candidate>, std::size_t);
 SIGHTLINE_INSTANTIATE(2)
 SIGHTLINE_INSTANTIATE(3)

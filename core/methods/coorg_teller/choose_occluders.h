@@ -12,10 +12,10 @@ struct Candidate {
     std::uint32_t polygon = none;
 };
 
-/// The first `count` polygons whose area-angle at the eye is at least the threshold and of which it sees a side,
-/// largest first, of equal ones the lower number.
+/// The first `count` polygons whose area-angle at the eye is at least the threshold, of which it sees a side, and which
+/// meet the view: others hide nothing that is in it. Largest first, of equal ones the lower number.
 template <int D>
-std::vector<Candidate> potential_occluders(const Prepared<D>& prepared, const Scene<D>& scene, const Vec<D>& eye,
+std::vector<Candidate> potential_occluders(const Prepared<D>& prepared, const Scene<D>& scene, const View<D>& view,
                                            std::size_t count = none);
 
 /// Of several occluders the polygons of each, ascending; the occluders largest first.
