@@ -6,6 +6,7 @@
 
 #include "core/draw/notes.h"
 #include "core/draw/palette.h"
+#include "core/session/explain_box.h"
 #include "shell/commands/arguments.h"
 #include "shell/desk/conceal.h"
 #include "shell/desk/edit.h"
@@ -156,6 +157,7 @@ void Mouse2d::click(Ui& ui) {
     if (pick_.handle != Handle::none && pick_.handle < Handle::segment_start) return;
     Pick under = pick_;
     if (!pane_->same_cells) under.cell = none;
+    if (!pane_->lead && pane_->session->traversal().boxes() != bench_.session.traversal().boxes()) under.node = none;
     if (!pane_->lead || (asks_for_cell(bench_) && under.cell != none)) under.primitive = none;
     ui.act("select " + cycle_.next(choices(under), ImGui::GetIO().MousePos, drag_threshold * ui.unit));
 }
@@ -335,6 +337,7 @@ void Mouse2d::tooltip(Ui& ui) {
     if (!hovered_ || !ui.mouse_awake || drag_ || !pane_ || field_.is_open()) return;
     std::string text = handle_tip(pick_.handle);
     if (text.empty() && strip_) text = strip_words(*pane_->strip, *strip_);
+    if (text.empty() && pick_.node != none) text = conceal(bench_, box_sentence(*pane_->session, pick_.node));
     if (text.empty() && pick_.cell != none && !asks_for_cell(bench_))
         text = conceal(bench_, cell_words(*pane_->session, pick_.cell));
     if (text.empty()) return;

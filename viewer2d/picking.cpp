@@ -5,6 +5,8 @@
 #include <cmath>
 #include <string>
 
+#include "core/draw/shown_boxes.h"
+
 namespace sightline {
 
 namespace {
@@ -35,7 +37,10 @@ std::uint32_t segment_near(const Session<2>& session, const Camera& camera, cons
 Pick pick(const Session<2>& session, const Camera& camera, std::span<const HandlePoint> handles, const ImVec2& mouse,
           float unit, bool edit) {
     Pick found;
-    found.cell = locate(session.cells(), camera.to_scene(mouse));
+    if (walks_boxes(session))
+        found.node = box_near(session, camera.to_scene(mouse), primitive_reach * unit / camera.scale());
+    else
+        found.cell = locate(session.cells(), camera.to_scene(mouse));
     found.primitive = segment_near(session, camera, mouse, unit);
     float nearest = handle_reach * unit;
     bool any = false;
@@ -84,6 +89,7 @@ std::uint32_t centre_near(const Session<2>& session, const Camera& camera, const
 std::vector<std::string> choices(const Pick& under) {
     std::vector<std::string> here;
     if (under.primitive != none) here.push_back("primitive:" + std::to_string(under.primitive));
+    if (under.node != none) here.push_back("node:" + std::to_string(under.node));
     if (under.cell != none) here.push_back(std::to_string(under.cell));
     return here;
 }

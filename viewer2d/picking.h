@@ -14,6 +14,7 @@ struct Pick {
     Handle handle = Handle::none;
     std::uint32_t primitive = sightline::none;  ///< the nearest within reach
     std::uint32_t cell = sightline::none;
+    std::uint32_t node = sightline::none;     ///< of a method that walks boxes, in the place of a cell
     std::uint32_t segment = sightline::none;  ///< what the handle is of
 };
 
@@ -35,7 +36,7 @@ Vec<2> snapped_to_end(const Session<2>& session, const Camera& camera, const Vec
 /// The cell whose centre is the nearest within reach of the point; none when there is none.
 std::uint32_t centre_near(const Session<2>& session, const Camera& camera, const Vec<2>& at, float unit);
 
-/// What a click can take, as `select` takes it: the primitive, then the cell.
+/// What a click can take, as `select` takes it: the primitive, then the cell or the box.
 std::vector<std::string> choices(const Pick& under);
 
 }  // namespace sightline

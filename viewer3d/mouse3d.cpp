@@ -5,6 +5,8 @@
 
 #include "core/base/error.h"
 #include "core/draw/projection.h"
+#include "core/draw/shown_cells.h"
+#include "core/session/explain_box.h"
 #include "shell/commands/arguments.h"
 #include "shell/desk/camera.h"
 #include "shell/desk/change.h"
@@ -102,6 +104,14 @@ void Mouse3d::drag(Ui& ui, const Pane3d& pane) {
     }
 }
 
+/// The first box of a method that walks boxes, where it shows them: from outside.
+std::uint32_t Mouse3d::box_under(const Pane3d& pane, const ImVec2& at) const {
+    const Session<3>& session = bench_.session;
+    if (!walks_boxes(session) || !seen_from_outside(session)) return none;
+    const auto [from, along] = ray_through(pane.camera(), pane.to_plane(at));
+    return box_along(drawn_boxes(session), from, along);
+}
+
 /// Clicks at one place take the triangle, then the cell, and so on.
 void Mouse3d::click(Ui& ui, const Pane3d& pane) {
     const ImVec2 at = ImGui::GetIO().MousePos;
@@ -117,6 +127,7 @@ void Mouse3d::click(Ui& ui, const Pane3d& pane) {
         return;
     }
     std::vector<std::string> choices;
+    if (const std::uint32_t node = box_under(pane, at); node != none) choices.push_back("node:" + std::to_string(node));
     if (under.cell != none) choices.push_back(std::to_string(under.cell));
     if (under.primitive != none) choices.push_back("primitive:" + std::to_string(under.primitive));
     ui.act("select " + cycle_.next(choices, at, click_slack * ui.unit));
@@ -164,11 +175,13 @@ void Mouse3d::tooltip(Ui& ui, const Pane3d& pane) {
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     if (!pane.area().contains(mouse)) return;
     const Pick3d under = pick(pane.solid(), pane.to_plane(mouse));
-    if (!under.hits()) return;
+    const std::uint32_t node = box_under(pane, mouse);
+    if (!under.hits() && node == none) return;
     if (under.cell != none) ui.hovering = under.cell;
     if (asks_for_cell(bench_)) return;
-    const std::string text = under.cell != none ? conceal(bench_, cell_words(bench_.session, under.cell))
-                                                : "triangle " + std::to_string(under.primitive);
+    const std::string text = node != none         ? conceal(bench_, box_sentence(bench_.session, node))
+                             : under.cell != none ? conceal(bench_, cell_words(bench_.session, under.cell))
+                                                  : "triangle " + std::to_string(under.primitive);
     ImGui::SetNextWindowPos({mouse.x + 18 * ui.unit, mouse.y + 18 * ui.unit});
     ImGui::SetTooltip("%s", text.c_str());
 }

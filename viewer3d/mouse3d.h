@@ -30,6 +30,7 @@ private:
     enum class Drag { none, orbit, turn, pan, frozen_eye, frozen_look };
     void press(Ui& ui, const Pane3d& pane);
     void drag(Ui& ui, const Pane3d& pane);
+    std::uint32_t box_under(const Pane3d& pane, const ImVec2& at) const;
     void click(Ui& ui, const Pane3d& pane);
     void move_view(Ui& ui, const ViewSpec<3>& view);
     std::optional<ImVec2> handle_at(const Pane3d& pane, Drag handle) const;

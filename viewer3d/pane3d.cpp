@@ -26,6 +26,8 @@ void Pane3d::make_solid_list(const Session<3>& session, const PictureOptions3& o
     key.position = session.position();
     key.cell = session.selected_cell;
     key.primitive = session.selected_primitive;
+    key.node = session.selected_node;
+    key.plane = session.selected_plane;
     key.outside = session.display_view() != session.culling_view();
     key.flying = session.flying();
     key.differences.assign(options.differences.begin(), options.differences.end());

@@ -39,7 +39,7 @@ private:
     struct SolidKey {
         const Scene<3>* scene = nullptr;
         std::uint64_t run = 0;
-        std::uint32_t position = 0, cell = none, primitive = none;
+        std::uint32_t position = 0, cell = none, primitive = none, node = none, plane = none;
         bool outside = false, flying = false;
         std::vector<Differs> differences;
         Settings settings;

@@ -10,19 +10,8 @@ namespace sightline {
 
 namespace {
 
-struct Ray {
-    Vec<3> from, along;
-};
-
-Ray ray_through(const View<3>& view, const Vec<2>& plane) {
-    const double width = picture_plane(view).max.x;
-    const Vec<3> through = view.corners[0] + (view.corners[1] - view.corners[0]) * (plane.x / width) +
-                           (view.corners[3] - view.corners[0]) * plane.y;
-    return {view.eye, through - view.eye};
-}
-
 /// Where the ray, in multiples of its direction, meets a triangle (Möller and Trumbore, 1997); nothing behind the eye.
-std::optional<double> hit(const Ray& ray, const Vec<3>& a, const Vec<3>& b, const Vec<3>& c) {
+std::optional<double> hit(const Ray3d& ray, const Vec<3>& a, const Vec<3>& b, const Vec<3>& c) {
     const Vec<3> ab = b - a, ac = c - a, p = glm::cross(ray.along, ac);
     const double det = glm::dot(ab, p);
     if (det == 0) return std::nullopt;
@@ -38,8 +27,15 @@ std::optional<double> hit(const Ray& ray, const Vec<3>& a, const Vec<3>& b, cons
 
 }  // namespace
 
+Ray3d ray_through(const View<3>& view, const Vec<2>& plane) {
+    const double width = picture_plane(view).max.x;
+    const Vec<3> through = view.corners[0] + (view.corners[1] - view.corners[0]) * (plane.x / width) +
+                           (view.corners[3] - view.corners[0]) * plane.y;
+    return {view.eye, through - view.eye};
+}
+
 Pick3d pick(const SolidList& list, const Vec<2>& plane) {
-    const Ray ray = ray_through(list.camera, plane);
+    const Ray3d ray = ray_through(list.camera, plane);
     constexpr double far = std::numeric_limits<double>::infinity();
     double nearest_face = far, nearest_triangle = far;
     Pick3d found;

@@ -15,6 +15,12 @@ struct Pick3d {
     bool hits() const { return primitive != 0xffffffffu || cell != 0xffffffffu; }
 };
 
+struct Ray3d {
+    Vec<3> from, along;
+};
+/// From the eye through a point of the picture's plane.
+Ray3d ray_through(const View<3>& view, const Vec<2>& plane);
+
 /// Looks through a point of the picture's plane (projection.h). Takes time in proportion to the list.
 Pick3d pick(const SolidList& list, const Vec<2>& plane);
 

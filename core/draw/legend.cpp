@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/draw/box_palette.h"
 #include "core/draw/cell_number.h"
 #include "core/draw/palette.h"
 #include "core/draw/solid_palette.h"
@@ -160,6 +161,10 @@ constexpr std::size_t short_rows = 5;
 constexpr auto seldom_asked =
     std::to_array<std::string_view>({"view", "other", "rest", "eye", "clean", "seed", "unseen", "display_view", "last",
                                      "plain", "hidden", "completed", "wasted"});
+/// After those.
+constexpr auto seldom_asked_of_planes =
+    std::to_array<std::string_view>({"own", "own_fails", "region_box", "last_box", "separating", "separating_fails",
+                                     "potential", "supporting", "supporting_fails", "outside", "lit"});
 
 }  // namespace
 
@@ -174,10 +179,14 @@ template std::vector<LegendRow> callout_rows<2>(std::span<const Note<2>>);
 template std::vector<LegendRow> callout_rows<3>(std::span<const Note<3>>);
 
 std::vector<LegendRow> short_legend(std::vector<LegendRow> rows) {
-    for (const std::string_view name : seldom_asked) {
-        if (rows.size() <= short_rows) break;
-        std::erase_if(rows, [&](const LegendRow& row) { return row.style.name == name; });
-    }
+    const auto leave_out = [&](std::span<const std::string_view> names) {
+        for (const std::string_view name : names) {
+            if (rows.size() <= short_rows) break;
+            std::erase_if(rows, [&](const LegendRow& row) { return row.style.name == name; });
+        }
+    };
+    leave_out(seldom_asked);
+    leave_out(seldom_asked_of_planes);
     return rows;
 }
 
@@ -190,15 +199,16 @@ void add_used(const DrawList& list, UsedStyles& used) {
         }
         const Style& style = list.styles[shape.style];
         const auto has_its_name = [&](const auto& other) { return other.name == style.name; };
-        if (std::any_of(star_entries.begin(), star_entries.end(), has_its_name) &&
+        if ((std::any_of(star_entries.begin(), star_entries.end(), has_its_name) || box_entry(style.name)) &&
             std::none_of(used.others.begin(), used.others.end(), has_its_name) && is_shown(list, shape))
             used.others.push_back(style);
     }
 }
 
 void add_used(const SolidList& list, UsedStyles& in) {
-    std::vector<UsedStyles::Solid>& used = in.solids;
-    used.resize(static_cast<std::size_t>(SolidLook::count));
+    in.solids.resize(static_cast<std::size_t>(SolidLook::count));
+    std::vector<UsedStyles::Solid> used = in.solids;
+    used.resize(std::max(used.size(), list.styles.size()));
     const Sight sight(list);
     const std::span points(list.points), ends(list.edge_points);
     for (std::size_t i = 0; i < list.face_style.size(); ++i)
@@ -211,15 +221,46 @@ void add_used(const SolidList& list, UsedStyles& in) {
     for (const SolidList::Run& run : list.runs)
         for (std::uint32_t i = 0; run.style < used.size() && i < run.count && !used[run.style].faces; ++i)
             used[run.style].faces = sight.shows(list.scene->primitives[list.triangles[run.first + i]]);
+    for (std::size_t i = in.solids.size(); i < list.styles.size(); ++i) {
+        if (!(used[i].faces || used[i].edges) || !box_entry(list.styles[i].name)) continue;
+        auto& others = in.other_solids;
+        auto other = std::find_if(others.begin(), others.end(), [&](const UsedStyles::OtherSolid& known) {
+            return known.style.name == list.styles[i].name;
+        });
+        if (other == others.end()) other = others.insert(others.end(), {list.styles[i], {}});
+        other->use.faces |= used[i].faces;
+        other->use.edges |= used[i].edges;
+    }
+    std::copy_n(used.begin(), in.solids.size(), in.solids.begin());
 }
+
+namespace {
+
+/// What tells boxes, occluders and planes apart, in the order of their table.
+std::vector<LegendRow> box_rows(const UsedStyles& used, const Colours& palette) {
+    std::vector<std::pair<std::size_t, LegendRow>> placed;
+    const Colour rim = palette.looks[style_index(Look::tessellation)].stroke;
+    for (const UsedStyles::OtherSolid& other : used.other_solids)
+        if (const BoxEntry* entry = box_entry(other.style.name))
+            placed.push_back({row_of(*entry), solid_row(other.style, other.use, entry->text, rim)});
+    for (const Style& style : used.others)
+        if (const BoxEntry* entry = box_entry(style.name))
+            placed.push_back({row_of(*entry), {entry->swatch, style, entry->text}});
+    std::stable_sort(placed.begin(), placed.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<LegendRow> rows;
+    for (auto& [place, row] : placed) rows.push_back(std::move(row));
+    return rows;
+}
+
+}  // namespace
 
 std::vector<LegendRow> legend_rows(const UsedStyles& styles, const Settings& settings, std::span<const Note<2>> notes) {
     std::vector<std::uint8_t> used = styles.looks;
     used.resize(style_index(Look::count));
     const bool states = settings.heat == CellNumber::none && settings.show_states == Switch::on;
-    used[style_index(Look::clean)] = states && settings.show_tessellation == Switch::on;
     const std::vector<Style>& looks = colours(settings.palette).looks;
-    std::vector<LegendRow> rows;
+    std::vector<LegendRow> rows = box_rows(styles, colours(settings.palette));
+    used[style_index(Look::clean)] = states && settings.show_tessellation == Switch::on && rows.empty();
     for (const Entry& entry : entries)
         if (used[style_index(entry.look)]) {
             Style style = looks[style_index(entry.look)];
@@ -234,7 +275,7 @@ std::vector<LegendRow> legend_rows(const UsedStyles& styles, const Settings& set
 
 std::vector<LegendRow> legend_rows(const UsedStyles& used, const Settings& settings, std::span<const Note<3>> notes) {
     const Colours& palette = colours(settings.palette);
-    std::vector<LegendRow> rows;
+    std::vector<LegendRow> rows = box_rows(used, palette);
     for (const SolidEntry& entry : solid_entries)
         if (const auto look = static_cast<std::size_t>(entry.look);
             look < used.solids.size() && (used.solids[look].faces || used.solids[look].edges))

@@ -20,7 +20,12 @@ struct UsedStyles {
     std::vector<std::uint8_t> looks;  ///< per Look
     std::vector<Solid> solids;        ///< per SolidLook
     std::vector<Style> others;        ///< those beyond the looks that a legend names
-    std::string_view key_title{};     ///< what the method calls the key of a cell
+    struct OtherSolid {
+        SolidStyle style;
+        Solid use;
+    };
+    std::vector<OtherSolid> other_solids;
+    std::string_view key_title{};  ///< what the method calls the key of a cell
 };
 /// Takes time in proportion to the shapes.
 void add_used(const DrawList& list, UsedStyles& used);

@@ -2,12 +2,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/draw/box_palette.h"
 #include "core/draw/cell_number.h"
 #include "core/draw/palette.h"
 #include "core/draw/picture_3d.h"
 #include "core/draw/round_fields.h"
 #include "core/draw/shown_boxes.h"
 #include "core/draw/shown_cells.h"
+#include "core/draw/shown_planes.h"
 #include "core/draw/solid_cells.h"
 #include "core/draw/solid_palette.h"
 #include "core/draw/solid_triangles.h"
@@ -94,21 +96,58 @@ std::vector<CellPaint> paint_cells(const Session<3>& session, const PictureOptio
     return paint;
 }
 
-void paint_boxes(const Session<3>& session, SolidList& list) {
+SolidBoxLook box_look_of(CellState state) {
+    return state == CellState::hidden   ? SolidBoxLook::invisible
+           : state == CellState::unseen ? SolidBoxLook::outside
+                                        : SolidBoxLook::shown;
+}
+
+/// A solid box would hide the triangles in it that are drawn.
+DrawnAs drawn_as(const Settings& set, SolidBoxLook look) {
+    if (look == SolidBoxLook::outside) return set.unseen_as;
+    const bool wire = look == SolidBoxLook::shown && set.triangles != Triangles::off;
+    return wire && set.projected_as != DrawnAs::off ? DrawnAs::wireframe : set.projected_as;
+}
+
+DrawnAs drawn_as(const Session<3>& session, CellState state) {
     const Settings& set = session.settings();
+    if (session.traversal().tests_planes() && state != CellState::enqueued) return drawn_as(set, box_look_of(state));
+    return drawn_as(set, look_of(state, InRounds::nothing));
+}
+
+/// `first`: of the styles of box_palette.h, in the list of a method that decides by planes.
+void paint_boxes(const Session<3>& session, std::size_t first, SolidList& list) {
+    const bool by_planes = session.traversal().tests_planes();
     std::vector<Box<3>> boxes;
     std::vector<CellPaint> paint;
-    for (const ShownBox<3>& shown : shown_boxes(session)) {
-        if (set.only == OnlyCells::front && shown.state != CellState::enqueued) continue;
-        if (list.slice && glm::dot(list.slice->normal, shown.box.centre()) > list.slice->offset) continue;
-        const SolidLook look = look_of(shown.state, InRounds::nothing);
+    for (const ShownBox<3>& shown : drawn_boxes(session)) {
+        const bool own_look = by_planes && shown.state != CellState::enqueued;
         CellPaint& own = paint.emplace_back();
-        own.group = own.style = look_index(look);
-        own.as = drawn_as(set, look);
-        own.border = own.style;
+        own.as = drawn_as(session, shown.state);
+        own.style = own_look ? static_cast<std::uint8_t>(first + static_cast<std::size_t>(box_look_of(shown.state)))
+                             : look_index(look_of(shown.state, InRounds::nothing));
+        own.group = own.border = own.style;
         boxes.push_back(shown.box);
+        if (own_look && own.as == DrawnAs::translucent) list.styles[own.style].colour.a = translucent_alpha;
     }
     add_boxes(boxes, paint, list);
+}
+
+/// The supporting planes between the box and the occluder at hand, as glass; the separating ones where one is not
+/// satisfied; the one that is pointed out alone.
+void add_plane_pieces(const Session<3>& session, std::size_t first, SolidList& list) {
+    const std::vector<TestedPlane<3>> planes = planes_at_hand(session);
+    const bool lit = session.selected_plane < planes.size() && planes[session.selected_plane].kind != PlaneKind::own;
+    for (std::size_t i = 0; i < planes.size(); ++i) {
+        const TestedPlane<3>& plane = planes[i];
+        if (plane.kind == PlaneKind::own) continue;
+        if (lit ? i != session.selected_plane : plane.kind == PlaneKind::separating && plane.satisfied) continue;
+        for (const Vec<3>& p : piece_of(plane, session.culling_view().eye)) list.points.push_back(p);
+        list.face_begin.push_back(static_cast<std::uint32_t>(list.points.size()));
+        list.face_style.push_back(static_cast<std::uint8_t>(
+            first + static_cast<std::size_t>(plane.satisfied ? SolidBoxLook::satisfied : SolidBoxLook::fails)));
+        list.face_cell.push_back(none);
+    }
 }
 
 /// Wire over everything else, whatever the cells themselves are drawn as: those that only the other run projected are
@@ -138,6 +177,17 @@ View<3> picture_camera(const Session<3>& session, double aspect) {
                      session.scene().up_axis);
 }
 
+std::vector<ShownBox<3>> drawn_boxes(const Session<3>& session) {
+    const std::optional<Slice> slice = slice_of(session);
+    std::vector<ShownBox<3>> drawn = shown_boxes(session);
+    std::erase_if(drawn, [&](const ShownBox<3>& shown) {
+        return (session.settings().only == OnlyCells::front && shown.state != CellState::enqueued) ||
+               (slice && glm::dot(slice->normal, shown.box.centre()) > slice->offset) ||
+               drawn_as(session, shown.state) == DrawnAs::off;
+    });
+    return drawn;
+}
+
 SolidList make_solid(const Session<3>& session, const PictureOptions3& options) {
     const Settings& set = session.settings();
     SolidList list;
@@ -147,11 +197,18 @@ SolidList make_solid(const Session<3>& session, const PictureOptions3& options) 
     list.scene = session.shared_scene();
     list.slice = slice_of(session);
     const bool outside = seen_from_outside(session);
+    const bool by_planes = session.traversal().tests_planes();
+    const std::size_t first = list.styles.size();
+    if (by_planes) {
+        const auto& looks = solid_box_looks(set.palette);
+        list.styles.insert(list.styles.end(), looks.begin(), looks.end());
+    }
     add_triangles(session, set.show_visibility == Switch::on && (outside || set.triangles > Triangles::rendered), list);
     if (!outside) return list;
     make_glass(set, list);
     if (walks_boxes(session)) {
-        paint_boxes(session, list);
+        paint_boxes(session, first, list);
+        if (by_planes && set.show_planes == Switch::on) add_plane_pieces(session, first, list);
         return list;
     }
     add_cells(session.cells(), paint_cells(session, options, list), set.shrink, list);

@@ -11,6 +11,7 @@
 #include "core/draw/depth_strip.h"
 #include "core/draw/eye_strip.h"
 #include "core/draw/notes.h"
+#include "core/draw/paint_planes.h"
 #include "core/draw/palette.h"
 #include "core/draw/round_fields.h"
 #include "core/draw/shown_boxes.h"
@@ -35,6 +36,7 @@ public:
         concealed_ = options.concealed;
         list_.world = widened(options.world ? *options.world : figure_world(session), options.aspect);
         list_.styles = colours_.looks;
+        if (session.traversal().tests_planes()) planes_.emplace(session, list_);
         const bool by_state = set_.heat == CellNumber::none && set_.show_states == Switch::on;
         const auto wants = [&](PicturePart part) { return options.part == PicturePart::all || options.part == part; };
         if (wants(PicturePart::below)) {
@@ -47,10 +49,12 @@ public:
         if (!wants(PicturePart::above)) return;
         if (by_state) projected_borders();
         if (set_.show_states == Switch::on) only_here(options.differences);
+        if (planes_ && set_.show_states == Switch::on) planes_->occluders();
         if (set_.show_primitives == Switch::on) primitives();
         if (set_.show_view == Switch::on) view();
         if (set_.show_normals == Switch::on) normals();
         if (set_.show_penalties == Switch::on) penalties();
+        if (planes_ && set_.show_planes == Switch::on) planes_->planes();
         highlights();
         if (options.facet) crossed_facet(*options.facet);
         if (set_.show_chain == Switch::on && session.selected_cell != none) chain();
@@ -82,6 +86,7 @@ private:
     }
 
     void states() {
+        if (planes_) return planes_->boxes();
         if (walks_boxes(session_)) return box_states();
         const RoundFields<2> in_rounds(session_.traversal());
         for (std::uint32_t cell = 0; cell < cells_.cell_count(); ++cell) {
@@ -222,7 +227,12 @@ private:
     void highlights() {
         if (choice_.next != none) cell_shape(choice_.next, index(Look::next));
         if (const std::uint32_t last = last_cell(session_); last != none) cell_shape(last, index(Look::last));
-        if (const auto box = last_box(session_)) box_shape(*box, Look::last);
+        if (planes_)
+            planes_->outlines();
+        else if (const auto box = last_box(session_))
+            box_shape(*box, Look::last);
+        if (!planes_)
+            if (const auto box = selected_box(session_)) box_shape(*box, Look::selected);
         if (session_.selected_cell != none) cell_shape(session_.selected_cell, index(Look::selected));
         if (session_.selected_primitive == none) return;
         const Primitive<2>& segment = session_.scene().primitives[session_.selected_primitive];
@@ -304,6 +314,7 @@ private:
     Choice choice_;
     std::optional<std::uint32_t> concealed_;
     DrawList list_;
+    std::optional<PlanePainter> planes_;  ///< of a method that decides by planes
 };
 
 }  // namespace

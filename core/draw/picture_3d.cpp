@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/base/number.h"
+#include "core/draw/box_palette.h"
 #include "core/draw/cell_number.h"
 #include "core/draw/choice.h"
 #include "core/draw/notes.h"
@@ -13,6 +14,7 @@
 #include "core/draw/projection.h"
 #include "core/draw/shown_boxes.h"
 #include "core/draw/shown_cells.h"
+#include "core/draw/shown_planes.h"
 #include "core/draw/solid_cells.h"
 #include "core/methods/cells/facet_geometry.h"
 #include "core/methods/cells/star_shape.h"
@@ -24,8 +26,6 @@ namespace {
 
 /// More numbers than this find no room in a picture.
 constexpr std::size_t most_labels = 1000;
-
-std::uint16_t index(Look look) { return static_cast<std::uint16_t>(look); }
 
 class Painter {
 public:
@@ -39,9 +39,14 @@ public:
         concealed_ = options.concealed;
         list_.world = picture_plane(camera_);
         list_.styles = colours_.looks;
+        if (session.traversal().tests_planes()) {
+            const auto& looks = box_looks(set_.palette);
+            list_.styles.insert(list_.styles.end(), looks.begin(), looks.end());
+        }
         if (set_.show_view == Switch::on) seen_from_outside(session) ? view() : frame();
         if (set_.show_normals == Switch::on) normals();
         if (set_.show_penalties == Switch::on) penalties();
+        if (session.traversal().tests_planes()) planes();
         highlights();
         if (options.facet) crossed_facet(*options.facet);
         if (set_.show_chain == Switch::on && session.selected_cell != none) chain();
@@ -186,11 +191,48 @@ private:
         label.halo = colours_.halo;
     }
 
+    static std::uint16_t index(Look look) { return static_cast<std::uint16_t>(look); }
+    std::uint16_t index(BoxLook look) const {
+        return static_cast<std::uint16_t>(colours_.looks.size() + static_cast<std::size_t>(look));
+    }
+    void outline(const Box<3>& box, std::uint16_t style) {
+        for (const auto& edge : edges_of_boxes()) line(box.corner(edge[0]), box.corner(edge[1]), style);
+    }
+    void outline(std::span<const Vec<3>> closed, std::uint16_t style) {
+        for (std::size_t i = 0; i < closed.size(); ++i) line(closed[i], closed[(i + 1) % closed.size()], style);
+    }
+
+    /// Of a method that decides by planes, from outside: the leaf with the eye, the edges of the occluder at hand with
+    /// what their planes say, the plane that is pointed out, and from where the selected occluder is one.
+    void planes() {
+        if (!seen_from_outside(session_)) return;
+        if (const auto leaf = session_.traversal().eye_box(); leaf && set_.show_view == Switch::on)
+            outline(*leaf, index(BoxLook::eye_leaf));
+        if (set_.show_planes == Switch::off) return;
+        const std::vector<TestedPlane<3>> tested = planes_at_hand(session_);
+        for (std::size_t i = 0; i < tested.size(); ++i) {
+            const TestedPlane<3>& plane = tested[i];
+            if (i == session_.selected_plane)
+                plane.kind == PlaneKind::own
+                    ? outline(plane.points, index(BoxLook::lit))
+                    : outline(piece_of(plane, session_.culling_view().eye), index(BoxLook::lit));
+            if (plane.kind == PlaneKind::supporting)
+                line(plane.points[0], plane.points[1],
+                     index(plane.satisfied ? BoxLook::supporting : BoxLook::supporting_fails));
+        }
+        if (const auto region = region_at_hand(session_)) {
+            for (const auto& closed : region->outlines) outline(closed, index(BoxLook::region));
+            outline(region->box, index(BoxLook::region_box));
+        }
+    }
+
     void highlights() {
         if (choice_.next != none) outline_cell(choice_.next, index(Look::next));
         if (const std::uint32_t last = last_cell(session_); last != none) outline_cell(last, index(Look::last));
-        if (const auto box = last_box(session_))
-            for (const auto& edge : edges_of_boxes()) line(box->corner(edge[0]), box->corner(edge[1]), Look::last);
+        const bool by_planes = session_.traversal().tests_planes();
+        if (const auto box = last_box(session_)) outline(*box, by_planes ? index(BoxLook::last) : index(Look::last));
+        if (const auto box = selected_box(session_))
+            outline(*box, by_planes ? index(BoxLook::selected) : index(Look::selected));
         if (session_.selected_cell != none) outline_cell(session_.selected_cell, index(Look::selected));
         if (session_.selected_primitive == none) return;
         const Primitive<3>& triangle = session_.scene().primitives[session_.selected_primitive];

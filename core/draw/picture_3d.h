@@ -8,6 +8,7 @@
 #include <span>
 
 #include "core/draw/draw_list.h"
+#include "core/draw/shown_boxes.h"
 #include "core/draw/solid_list.h"
 #include "core/session/comparison.h"
 #include "core/session/session.h"
@@ -36,6 +37,9 @@ View<3> picture_camera(const Session<3>& session, double aspect = 0);
 /// where it tells visible from hidden triangles (show_visibility, from outside or with triangles = visible or all), and
 /// for what a heat map of share or zeta needs.
 SolidList make_solid(const Session<3>& session, const PictureOptions3& options = {});
+
+/// Of a method that walks boxes, those that make_solid draws from outside.
+std::vector<ShownBox<3>> drawn_boxes(const Session<3>& session);
 
 /// What lies over them, in the plane of the picture (picture_plane): frustum and eye of the culling view while seen
 /// from outside, else the border of its image where the picture has another shape; the last and the selected cell,

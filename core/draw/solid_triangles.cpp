@@ -2,7 +2,10 @@
 #include "core/draw/solid_triangles.h"
 
 #include <array>
+#include <utility>
 
+#include "core/draw/box_palette.h"
+#include "core/draw/shown_cells.h"
 #include "core/draw/solid_palette.h"
 
 namespace sightline {
@@ -20,9 +23,25 @@ void add_triangles(const Session<3>& session, bool tell_visible, SolidList& list
 
     const std::uint32_t before_completing = session.traversal().met_before_completing();
 
-    std::array<std::vector<std::uint32_t>, static_cast<std::size_t>(SolidLook::count)> by_look;
+    // Of the looks, then those of occluders, which are what they are whether they are drawn or not.
+    constexpr auto looks = static_cast<std::size_t>(SolidLook::count);
+    std::array<std::vector<std::uint32_t>, looks + static_cast<std::size_t>(SolidBoxLook::count)> by_look;
+    std::vector<std::uint8_t> is_occluder;
+    if (session.traversal().tests_planes() && seen_from_outside(session)) {
+        is_occluder.resize(session.scene().primitives.size());
+        for (const OccluderFact& occluder : session.traversal().occluders())
+            for (const std::uint32_t triangle : occluder.primitives) {
+                if (std::exchange(is_occluder[triangle], 1)) continue;
+                // From behind it hides nothing, and would hide the picture: a ceiling seen from above.
+                if (!shows_both_sides(session.scene(), triangle) &&
+                    !faces(list.camera, session.scene().primitives[triangle]))
+                    continue;
+                const SolidBoxLook look = occluder.actual ? SolidBoxLook::actual : SolidBoxLook::potential;
+                by_look[looks + static_cast<std::size_t>(look)].push_back(triangle);
+            }
+    }
     const auto add = [&](std::uint32_t triangle, SolidLook look) {
-        by_look[static_cast<std::size_t>(look)].push_back(triangle);
+        if (is_occluder.empty() || !is_occluder[triangle]) by_look[static_cast<std::size_t>(look)].push_back(triangle);
     };
     std::vector<std::uint8_t> is_rendered;
     if (wanted != Triangles::rendered) is_rendered.resize(session.scene().primitives.size());

@@ -35,11 +35,12 @@ constexpr std::array<std::span<const float>, 5> dashes{dashed, dotted, dash_dot,
 
 constexpr std::size_t line_count = shade_count * dashes.size();
 
-/// Of a method alone; numbers differ up to 8 hues x 3 shades x 6 markers.
+/// Of a method alone; numbers differ up to 8 hues x 3 shades. Shades of one hue have different markers, and so have
+/// hues that are near each other in different shades.
 VariantLook look_of_method(std::size_t number) {
     return {shades[number % hue_count][number / hue_count % shade_count],
             {},
-            static_cast<ChartMarker>((number + number / (hue_count * shade_count)) % marker_count)};
+            static_cast<ChartMarker>((number + number / hue_count) % marker_count)};
 }
 
 /// Of a variant: `line` and `marker` count on from any number.

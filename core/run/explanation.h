@@ -118,6 +118,21 @@ struct OccluderFact {
     bool actual = false;    ///< hides something for this eye; not: large enough, but others are larger
 };
 
+/// An occluder that was tested against a box.
+struct TestedOccluder {
+    std::vector<std::uint32_t> primitives;
+    std::uint8_t region = 1;  ///< of Coorg and Teller's figure 4a, that the eye lies in: 1, 2 or 3
+    bool hides = false;       ///< the box, alone or with the others that do
+    bool handed_on = false;   ///< to the boxes in it: it may hide a part
+};
+
+/// From where an occluder is large enough to be one.
+template <int D>
+struct OccluderRegion {
+    std::vector<std::vector<Vec<D>>> outlines;  ///< closed; 3D: of sections through its normal
+    Box<D> box;                                 ///< around all of it
+};
+
 /// What a plane asks of the eye: supporting, the eye and the box lie so that this edge lets nothing of the box be seen;
 /// separating, that it may hide a part; own: the box lies beyond the occluder's plane.
 enum class PlaneKind : std::uint8_t { own, supporting, separating };

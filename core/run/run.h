@@ -108,12 +108,22 @@ public:
     virtual std::vector<ReadTile> tiles() const { return {}; }
     /// The tree whose boxes it walks; nullptr: it walks none.
     virtual const BoxTree<D>* boxes() const { return nullptr; }
+    /// Whether planes between occluders and boxes decide: what follows has something to say.
+    virtual bool tests_planes() const { return false; }
     /// Those that may hide something, largest first; empty for methods that choose none.
     virtual std::vector<OccluderFact> occluders() const { return {}; }
     /// The planes between a box and the occluder of a primitive (none: the one that hides most of it); empty where the
     /// two were not tested.
     virtual std::vector<TestedPlane<D>> tested_planes(const Item& /*box*/, std::uint32_t /*primitive*/) const {
         return {};
+    }
+    /// Those that the box was tested against, largest first; empty for one that lies outside the view.
+    virtual std::vector<TestedOccluder> tested_occluders(const Item& /*box*/) const { return {}; }
+    /// The leaf of space that holds the eye; nothing: it is in none.
+    virtual std::optional<Box<D>> eye_box() const { return std::nullopt; }
+    /// Of the polygon of a primitive; nothing: it never is one.
+    virtual std::optional<OccluderRegion<D>> occluder_region(std::uint32_t /*primitive*/) const {
+        return std::nullopt;
     }
 
     const Problem<D>& problem() const { return problem_; }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/base/error.h"
 #include "core/base/number.h"
 
 namespace sightline {
@@ -57,6 +58,16 @@ Problem<D> problem_of(const Session<D>& session) {
     return problem;
 }
 
+/// A whole one has no half of 1.
+bool takes(const ParameterRow& row, const std::string& value) {
+    try {
+        row.read(row, value);
+        return true;
+    } catch (const InputError&) {
+        return false;
+    }
+}
+
 /// Other values of a parameter, each one step away from what it is.
 std::vector<std::string> other_values(const ParameterRow& row, const Parameters& parameters) {
     std::vector<std::string> values;
@@ -66,7 +77,7 @@ std::vector<std::string> other_values(const ParameterRow& row, const Parameters&
     if (row.words.empty() && row.low < row.high) {
         const double number = parameters.number(row);
         for (const double other : {number / 2, number * 2})
-            if (other != number && other >= row.low && other <= row.high) values.push_back(number_text(other));
+            if (other != number && takes(row, number_text(other))) values.push_back(number_text(other));
     }
     return values;
 }

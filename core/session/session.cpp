@@ -77,7 +77,9 @@ void Session<D>::restart() {
                                          : Services{{}, settings_.reference_size};
     const Problem<D> problem = make_problem(method_, settings_.parameters, *scene_, *cells_, view_,
                                             settings_.budget.primitives(scene_->primitives.size()), services, history_);
+    const BoxTree<D>* const tree = run_ ? run_->boxes() : nullptr;
     run_.start(problem, method_.start);
+    if (run_->boxes() != tree) selected_node = selected_plane = none;  // numbers of another tree
     flying_ = false;
     timeline_.begin(*run_);
     inversions_.reset();

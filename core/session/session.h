@@ -158,6 +158,8 @@ public:
     std::vector<Breakpoint> breakpoints;
     std::uint32_t selected_cell = none;
     std::uint32_t selected_primitive = none;
+    std::uint32_t selected_node = none;   ///< of the tree that the run walks
+    std::uint32_t selected_plane = none;  ///< of those between that box and its occluder (Run::tested_planes)
 
     /// Facets of the cell of a step, 1 <= step <= position(), across which it gave a key that carries a penalty.
     std::vector<HalfFacet> penalised_facets(std::uint32_t step) const;

@@ -219,6 +219,9 @@ std::vector<SettingRow> own_rows() {
                 choice<&S::show_eye>("show_eye", Invalidates::picture, "docs/figures.md",
                                      "draw a strip under the plan: what the eye sees, exact above, drawn so far below, "
                                      "red where they differ")),
+        choice<&S::show_planes>("show_planes", Invalidates::picture, "CT fig. 4a",
+                                "draw the planes between the selected or last box and its occluder, where planes "
+                                "decide what is hidden"),
         cell_number<&S::label>("label", "the number written on cells; also any field of the method, such as round"),
         choice<&S::label_where>("label_where", Invalidates::picture, "docs/figures.md",
                                 "which cells carry numbers: the front and the last cell, all touched, or the selected"),

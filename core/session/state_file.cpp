@@ -245,6 +245,9 @@ OpenedState<D> read_state(const Json& json, const std::string& name, std::span<c
     }
     session.selected_cell = read_selected(json, "selected_cell", session.cells().cell_count());
     session.selected_primitive = read_selected(json, "selected_primitive", session.scene().primitives.size());
+    const BoxTree<D>* const tree = session.traversal().boxes();
+    session.selected_node = read_selected(json, "selected_node", tree ? tree->nodes.size() : 0);
+    session.selected_plane = read_count(json, "selected_plane", none);
     read_breakpoints(json, session);
     return opened;
 }
@@ -318,6 +321,8 @@ OrderedJson session_part(const Session<D>& session) {
     if (session.time_stop() != none) json["time_stop"] = session.time_stop();
     if (session.selected_cell != none) json["selected_cell"] = session.selected_cell;
     if (session.selected_primitive != none) json["selected_primitive"] = session.selected_primitive;
+    if (session.selected_node != none) json["selected_node"] = session.selected_node;
+    if (session.selected_plane != none) json["selected_plane"] = session.selected_plane;
     for (const Bookmark& bookmark : session.bookmarks)
         json["bookmarks"].push_back({{"step", bookmark.step}, {"label", bookmark.label}});
     for (const Breakpoint& breakpoint : session.breakpoints)

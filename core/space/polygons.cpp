@@ -129,11 +129,19 @@ private:
         return edges;
     }
 
+    /// Again as long as something is joined: what was not convex with a part may be with the whole.
     void join_all() {
-        for (const SharedEdge& edge : shared_edges()) {
-            const std::uint32_t a = find(edge.a), b = find(edge.b);
-            if (a == b || shows_both_sides(scene_, edge.a) != shows_both_sides(scene_, edge.b)) continue;
-            if (in_one_plane(a, edge.b) && in_one_plane(b, edge.a)) join(a, b, edge.low, edge.high);
+        std::vector<SharedEdge> edges = shared_edges();
+        for (bool joined = true; joined;) {
+            joined = false;
+            std::erase_if(edges, [&](const SharedEdge& edge) {
+                const std::uint32_t a = find(edge.a), b = find(edge.b);
+                if (a == b || shows_both_sides(scene_, edge.a) != shows_both_sides(scene_, edge.b)) return true;
+                if (!in_one_plane(a, edge.b) || !in_one_plane(b, edge.a)) return true;
+                const bool is_joined = join(a, b, edge.low, edge.high);
+                joined |= is_joined;
+                return is_joined;
+            });
         }
     }
 
@@ -156,14 +164,14 @@ private:
     }
 
     /// Joins two polygons along all of the border that they share round the edge, if what comes out is convex.
-    void join(std::uint32_t a, std::uint32_t b, std::uint32_t low, std::uint32_t high) {
+    bool join(std::uint32_t a, std::uint32_t b, std::uint32_t low, std::uint32_t high) {
         const auto& p = loops_[a];
         const auto& q = loops_[b];
         const std::size_t n = p.size(), m = q.size();
         std::size_t i = 0, j = 0;  // p runs from low = p[i] to high = p[i + 1], q back: q[j] = high, q[j + 1] = low
         while (i < n && !(p[i] == low && p[(i + 1) % n] == high)) ++i;
         while (j < m && !(q[j] == high && q[(j + 1) % m] == low)) ++j;
-        if (i == n || j == m) return;
+        if (i == n || j == m) return false;
         std::size_t end = i + 1, begin_q = j;  // the shared chain: p[i..end], which is q[begin_q..j + 1] backwards
         std::size_t shared = 1;
         while (shared + 1 < std::min(n, m) && p[(end + 1) % n] == q[(begin_q + m - 1) % m]) {
@@ -183,13 +191,14 @@ private:
         for (std::size_t k = 0; k < m - shared; ++k) loop.push_back(q[(end_q + k) % m]);  // and from its begin back
         std::vector<std::uint32_t> sorted = loop;
         std::sort(sorted.begin(), sorted.end());
-        if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) return;
+        if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) return false;
         const Vec<3> normal = normals_[a] + normals_[b];
-        if (!turns_left(loop, 0, normal) || !turns_left(loop, n - shared, normal)) return;
+        if (!turns_left(loop, 0, normal) || !turns_left(loop, n - shared, normal)) return false;
         loops_[a] = std::move(loop);
         loops_[b].clear();
         normals_[a] = normal;
         joined_to_[b] = a;
+        return true;
     }
 
     /// Whether the loop turns left at a corner, or goes straight on but for the rounding of corners to floats: the

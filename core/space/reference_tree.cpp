@@ -11,7 +11,7 @@ namespace sightline {
 
 namespace {
 
-bool meets(const Primitive<2>& segment, const Box<2>& box) {
+bool touches(const Primitive<2>& segment, const Box<2>& box) {
     // The box lies on one side of the line, or the segment beside it.
     for (int i = 0; i < 2; ++i)
         if (std::max(segment[0][i], segment[1][i]) < box.min[i] || std::min(segment[0][i], segment[1][i]) > box.max[i])
@@ -25,7 +25,7 @@ bool meets(const Primitive<2>& segment, const Box<2>& box) {
     return left && right;
 }
 
-bool meets(const Primitive<3>& triangle, const Box<3>& box) { return TriangleTest(triangle).meets(box); }
+bool touches(const Primitive<3>& triangle, const Box<3>& box) { return TriangleTest(triangle).meets(box); }
 
 template <int D>
 class ReferenceBuilder {
@@ -95,7 +95,7 @@ private:
         const Box<D>&a = bounds_[primitive], &b = tree_.space.nodes[space].box;
         for (int i = 0; i < D; ++i)
             if (a.max[i] < b.min[i] || a.min[i] > b.max[i]) return false;
-        return meets(scene_.primitives[primitive], b);
+        return touches(scene_.primitives[primitive], b);
     }
 
     const Scene<D>& scene_;

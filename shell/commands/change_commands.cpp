@@ -43,6 +43,7 @@ constexpr std::array cycled{NamedArgument{"Heat map", "heat"},
                             NamedArgument{"Facet normals", "show_normals"},
                             NamedArgument{"Penalty marks", "show_penalties"},
                             NamedArgument{"Chain of updates", "show_chain"},
+                            NamedArgument{"Planes of a box", "show_planes"},
                             NamedArgument{"Colours", "palette"},
                             NamedArgument{"Split picture", "split"},
                             NamedArgument{"Inset picture", "inset"},
@@ -57,9 +58,9 @@ std::span<const Command<D>> change_commands() {
     static constexpr std::array table{
         Command<D>{"set", "Set value", "FIELD=VALUE", "change a setting", "", set<D>},
         Command<D>{"cycle", "Next value", "FIELD", "change a setting to its next value",
-                   D == 2 ? "H=heat L=label K=penalty N=show_normals X=show_penalties M=show_chain"
-                          : "H=heat L=label K=penalty N=show_normals X=show_penalties M=show_chain Z=split "
-                            "Shift+Z=inset",
+                   D == 2 ? "H=heat L=label K=penalty N=show_normals Shift+N=show_planes X=show_penalties M=show_chain"
+                          : "H=heat L=label K=penalty N=show_normals Shift+N=show_planes X=show_penalties M=show_chain "
+                            "Z=split Shift+Z=inset",
                    cycle<D>, "", cycled},
         Command<D>{"preset", "Preset", "ID", "apply a named set of settings", "", preset<D>},
         Command<D>{"method", "Method", "ID", "change the method", "",

@@ -3,7 +3,10 @@
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "core/draw/shown_boxes.h"
+#include "core/draw/shown_planes.h"
 #include "core/session/condition.h"
+#include "core/space/box_tree.h"
 #include "shell/commands/arguments.h"
 #include "shell/commands/groups.h"
 #include "shell/desk/moved.h"
@@ -14,18 +17,55 @@ namespace sightline {
 
 namespace {
 
-/// A segment or a note is selected to be edited, one at a time; the cell that is being explained stays meanwhile.
+/// A box of the tree that the run walks.
+template <int D>
+std::uint32_t node_argument(const Workbench<D>& bench, Text text) {
+    const BoxTree<D>* const tree = bench.session.traversal().boxes();
+    if (!tree) throw InputError("this method walks no boxes");
+    if (text == "last") {
+        if (const std::uint32_t node = last_node(bench.session); node != none) return node;
+        throw InputError("no box has been tested yet");
+    }
+    const std::uint32_t node = whole_argument(text, "a box");
+    if (node >= tree->nodes.size())
+        throw InputError("node " + text + " does not exist; there are " + std::to_string(tree->nodes.size()) +
+                         ", from 0");
+    return node;
+}
+
+/// Of those between the box and the occluder at hand; the same one again: none.
+template <int D>
+void select_plane(Workbench<D>& bench, Text text) {
+    const std::size_t count = planes_at_hand(bench.session).size();
+    const std::uint32_t plane = text == "none" ? none : whole_argument(text, "the number of a plane");
+    if (plane != none && plane >= count)
+        throw InputError("there is no plane " + text + "; there are " + std::to_string(count) + ", from 0");
+    std::uint32_t& selected = bench.session.selected_plane;
+    selected = selected == plane ? none : plane;
+}
+
+/// A segment or a note is selected to be edited, one at a time; the cell or box that is being explained stays
+/// meanwhile.
 template <int D>
 void select(Workbench<D>& bench, Text text) {
-    std::uint32_t cell = bench.session.selected_cell, primitive = none, note = none;
-    if (text.starts_with("primitive:"))
+    Session<D>& session = bench.session;
+    if (text.starts_with("plane:")) return select_plane(bench, text.substr(6));
+    std::uint32_t cell = session.selected_cell, node = session.selected_node, primitive = none, note = none;
+    if (text.starts_with("primitive:")) {
         primitive = primitive_argument(bench, text.substr(10));
-    else if (text.starts_with("note:"))
+    } else if (text.starts_with("note:")) {
         note = note_argument(bench, text.substr(5));
-    else
+    } else if (text.starts_with("node:")) {
+        node = node_argument(bench, text.substr(5));
+        cell = none;
+    } else {
         cell = text == "none" ? none : cell_argument(bench, text);
-    bench.session.selected_cell = cell;
-    bench.session.selected_primitive = primitive;
+        node = none;
+    }
+    session.selected_cell = cell;
+    session.selected_node = node;
+    session.selected_plane = none;
+    session.selected_primitive = primitive;
     bench.selected_note = note;
     take_along(bench);
 }
@@ -94,8 +134,9 @@ constexpr std::array stops{NamedArgument{"Break at selection", "selected"}, Name
 template <int D>
 std::span<const Command<D>> mark_commands() {
     static constexpr std::array table{
-        Command<D>{"select", "Select", "ID | last | primitive:ID | note:N | none",
-                   "select a cell, a primitive or a note", "J=last", select<D>, "", selectable},
+        Command<D>{"select", "Select", "ID | last | node:ID | node:last | plane:N | primitive:ID | note:N | none",
+                   "select a cell, a box, one of its planes, a primitive or a note", "J=last", select<D>, "",
+                   selectable},
         Command<D>{"bookmark", "Bookmark", "LABEL", "give this step a name", "B=?", bookmark<D>},
         Command<D>{"break", "Breakpoint", "CONDITION | selected | here | none", "set or remove a breakpoint",
                    "F9=? Shift+F9=selected", set_breakpoint<D>, "", stops},

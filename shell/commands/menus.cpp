@@ -63,9 +63,9 @@ MenuRow row_with_menu(std::string_view title) {
     if (title == "Panels") row.kind = RowKind::panels;
     if (title == "Export data") row.inside = menu_rows<D>({"cells ?", "trace ?", "stats ?", "panels ?"});
     if (title == "Picture")
-        row.inside =
-            menu_rows<D>({"cycle heat", "cycle label", "cycle show_normals", "cycle show_penalties", "cycle show_chain",
-                          "cycle palette", "3D: cycle triangles", "3D: cycle only", "3D: cycle slice"});
+        row.inside = menu_rows<D>({"cycle heat", "cycle label", "cycle show_normals", "cycle show_penalties",
+                                   "cycle show_chain", "cycle show_planes", "cycle palette", "3D: cycle triangles",
+                                   "3D: cycle only", "3D: cycle slice"});
     return row;
 }
 

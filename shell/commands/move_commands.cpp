@@ -6,6 +6,7 @@
 #include "core/base/number.h"
 #include "shell/commands/arguments.h"
 #include "shell/commands/groups.h"
+#include "shell/desk/frames.h"
 #include "shell/desk/into.h"
 #include "shell/desk/moves.h"
 #include "shell/desk/play.h"
@@ -80,6 +81,14 @@ void speed(Workbench<D>& bench, Text text) {
     bench.say("speed: " + short_number(speed) + " steps a second");
 }
 
+template <int D>
+void frame(Workbench<D>& bench, Text text) {
+    if (text == "keep") return keep_frame(bench);
+    if (text == "none") return forget_frames(bench);
+    step_into_frame(bench, whole_argument(text, "a frame of the lane"));
+}
+
+constexpr std::array frames{NamedArgument{"Keep frame", "keep"}, NamedArgument{"Forget frames", "none"}};
 constexpr std::array ten_steps{NamedArgument{"Ten steps", "10"}};
 constexpr std::array ten_back{NamedArgument{"Ten steps back", "10"}};
 constexpr std::array places{NamedArgument{"Go to the start", "start"}, NamedArgument{"Go to the end", "end"}};
@@ -113,6 +122,9 @@ std::span<const Command<D>> move_commands() {
                    "Y=20s", start_playing<D>, "", in_time},
         Command<D>{"pause", "Pause", "", "stop playing", "", [](Workbench<D>& bench, Text) { pause(bench); }},
         Command<D>{"toggle", "Play or pause", "", "play the run step by step, or stop", "Space", toggle_playing<D>},
+        Command<D>{"frame", "Frame", "N | keep | none",
+                   "step into frame N of the lane, from 0; keep this frame as the one before; or forget the lane", "",
+                   frame<D>, "", frames},
         Command<D>{"speed", "Speed", "half | double | N", "halve, double or set the steps per second",
                    "[=half ]=double", speed<D>, "", speeds},
     };

@@ -34,6 +34,7 @@ void open_part(Workbench<D>& bench, std::size_t part) {
     run_commands(bench, opened.act);
     if (opened.concealed) tell_truth(bench, false);
     bench.session.selected_cell = bench.session.selected_primitive = none;
+    bench.session.selected_node = bench.session.selected_plane = none;
     bench.desk.projector_panel = opened.panel;
 }
 

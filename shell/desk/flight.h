@@ -16,10 +16,11 @@ struct Flight {
     bool completed = false;  ///< it is
     FlightPath<D> path{};    ///< being recorded or replayed; empty: none
     bool recording = false, replaying = false;
-    bool loop = false;        ///< replaying begins again where it ends
-    bool bar = false;         ///< the window shows what the path can do
-    std::uint32_t frame = 0;  ///< of the path
-    double owed = 0;          ///< part of a frame of the path that the clock has already paid for
+    bool loop = false;                 ///< replaying begins again where it ends
+    bool bar = false;                  ///< the window shows what the path can do
+    std::uint32_t frame = 0;           ///< of the path
+    std::vector<ViewSpec<D>> ahead{};  ///< frames of the lane after the one that was stepped into
+    double owed = 0;                   ///< part of a frame of the path that the clock has already paid for
 };
 
 /// How fast paths are recorded and, where the machine keeps up, replayed. No frame is left out.

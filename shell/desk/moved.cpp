@@ -29,6 +29,9 @@ bool take_over(const Session<D>& lead, Other<D>& other) {
     session.notes = lead.notes;
     session.selected_primitive = lead.selected_primitive;
     session.selected_cell = lead.selected_cell;
+    const bool same_boxes = session.traversal().boxes() && session.traversal().boxes() == lead.traversal().boxes();
+    session.selected_node = same_boxes ? lead.selected_node : none;
+    session.selected_plane = same_boxes ? lead.selected_plane : none;
     const auto at_cell = [](const Note<D>& note) { return note.anchor == Note<D>::Anchor::cell; };
     const bool any = session.selected_cell != none || std::any_of(session.notes.begin(), session.notes.end(), at_cell);
     if (any && !same_cells(lead, session)) {
@@ -73,6 +76,7 @@ void traversal_changed(Workbench<D>& bench) {
 
 template <int D>
 void fly_on(Workbench<D>& bench, const ViewSpec<D>& view) {
+    bench.flight.ahead.clear();
     bench.last_stop = bench.session.fly(view);
     if (bench.other) {
         bench.other->session.unfreeze();

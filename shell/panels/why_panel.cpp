@@ -1,13 +1,16 @@
 // Why this cell now; where the selected cell stands, through which facets it was reached, and what holds it back.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
 
 #include "core/base/number.h"
 #include "core/base/text.h"
+#include "core/draw/shown_planes.h"
 #include "core/session/explain.h"
 #include "core/session/explain_box.h"
 #include "core/session/explain_primitive.h"
 #include "core/session/headline.h"
+#include "core/space/box_tree.h"
 #include "shell/desk/into.h"
 #include "shell/desk/what_if.h"
 #include "shell/panels/panel_table.h"
@@ -159,13 +162,95 @@ void write_primitive(Writer& to, const Session<D>& s, const PrimitiveExplanation
     Row& met = to.add(met_sentence(e, s.position()), 0, missed ? Tone::bad : Tone::plain);
     if (e.met_at > 0) met.command = "seek " + std::to_string(e.met_at);
     if (const std::uint32_t box = box_around(s, e.primitive); box != none) {
-        to.add("in " + box_sentence(s, box), 1);
+        if (box != box_at_hand(s))
+            to.add("in " + box_sentence(s, box), 1).command = "select node:" + std::to_string(box);
         return;
     }
     for (std::size_t i = 0; i < std::min(e.cells.size(), most_cells_told); ++i)
         to.cell("in " + name(e.cells[i]) + ": " + place_words(s, e.cells[i]), e.cells[i], 1);
     if (e.cells.size() > most_cells_told)
         to.add(counted(e.cells.size() - most_cells_told, "more cell"), 1, Tone::faint);
+}
+
+template <int D>
+std::string name_of(std::span<const std::uint32_t> primitives) {
+    constexpr std::size_t most_named = 3;
+    return some_of(D == 2 ? "segment" : "triangle", primitives, most_named);
+}
+
+/// "supporting, edge 2: satisfied, 0.31", those that fail first; a click points one out in the picture.
+template <int D>
+void write_planes(Writer& to, const Session<D>& s) {
+    const std::vector<TestedPlane<D>> planes = planes_at_hand(s);
+    if (planes.empty()) return;
+    const std::uint32_t selected = occluder_at_hand(s);
+    to.heading(selected != none ? "Planes to the selected occluder" : "Planes to the occluder that hides most of it");
+    for (const bool satisfied : {false, true})
+        for (std::size_t i = 0; i < planes.size(); ++i) {
+            const TestedPlane<D>& plane = planes[i];
+            if (plane.satisfied != satisfied) continue;
+            const std::string edge = (D == 2 ? "end " : "edge ") + std::to_string(plane.edge);
+            std::string text = satisfied ? "✓ " : "✗ ";
+            text += plane.kind == PlaneKind::own
+                        ? std::string("the occluder's own")
+                        : std::string(plane_kind_words[static_cast<std::size_t>(plane.kind)]) + ", " + edge;
+            text += (satisfied ? ": satisfied, " : ": not satisfied, ") + short_number(plane.distance);
+            Row& row = to.add(std::move(text), 1,
+                              i == s.selected_plane ? Tone::lit
+                              : satisfied           ? Tone::good
+                                                    : Tone::bad);
+            row.command = "select plane:" + std::to_string(i);
+            row.tip = plane.kind == PlaneKind::own          ? "how far the box lies beyond the occluder's own plane"
+                      : plane.kind == PlaneKind::supporting ? "satisfied: past this edge the eye sees nothing of the "
+                                                              "box; the number is how far the eye can move, or has to"
+                                                            : "satisfied: this edge may hide a part of the box; the "
+                                                              "number is how far the eye can move, or has to";
+        }
+}
+
+template <int D>
+void write_occluder(Writer& to, const TestedOccluder& occluder, std::uint32_t node) {
+    static constexpr std::array<std::string_view, 3> words{"hides nothing of it", "may hide a part", "hides it"};
+    std::string text = name_of<D>(occluder.primitives) + ": region " + std::to_string(occluder.region) + ", ";
+    text += occluder.hides && occluder.region < 3 ? "hides it with others" : words[occluder.region - 1u];
+    to.add(std::move(text), 1,
+           occluder.hides       ? Tone::good
+           : occluder.handed_on ? Tone::plain
+                                : Tone::faint)
+        .command =
+        "select node:" + std::to_string(node) + "; select primitive:" + std::to_string(occluder.primitives.front());
+}
+
+/// The occluders S that the box was tested against, and those S' that the boxes in it are tested against.
+template <int D>
+void write_occluders(Writer& to, const Session<D>& s, std::uint32_t node) {
+    const std::vector<TestedOccluder> tested = s.traversal().tested_occluders({node, Kind::node});
+    const auto matters = [](const TestedOccluder& occluder) { return occluder.hides || occluder.handed_on; };
+    const auto some = std::count_if(tested.begin(), tested.end(), matters);
+    to.heading("Tested against it: S, " + counted(tested.size(), "occluder"));
+    if (tested.empty()) to.add("no occluder hides a part of the box around it", 1, Tone::faint);
+    for (const TestedOccluder& occluder : tested) write_occluder<D>(to, occluder, node);
+    if (some == 0 || std::any_of(tested.begin(), tested.end(), [](const auto& o) { return o.hides; })) return;
+    const bool leaf = s.traversal().boxes()->nodes[node].first_child == none;
+    to.heading(leaf ? "Of them, those that may hide a part: S'" : "Handed on to the boxes in it: S'");
+    for (const TestedOccluder& occluder : tested)
+        if (occluder.handed_on) write_occluder<D>(to, occluder, node);
+}
+
+template <int D>
+void write_box(Writer& to, const Session<D>& s, std::uint32_t node) {
+    const bool is_selected = node == s.selected_node;
+    Row& row = to.add((is_selected ? "Selected: " : "Box: ") + item_name({node, Kind::node}), 0, Tone::heading);
+    if (!is_selected) row.command = "select node:" + std::to_string(node);
+    std::string sentence = box_sentence(s, node);
+    const std::string name = item_name({node, Kind::node}) + ", ";
+    if (sentence.starts_with(name)) sentence.erase(0, name.size());
+    to.add(std::move(sentence), 0, Tone::lit);
+    if (!s.traversal().tests_planes()) return;
+    const CellState state = s.traversal().mark(Item{node, Kind::node}).state;
+    if (state == CellState::clean || state == CellState::unseen || state == CellState::enqueued) return;
+    write_planes(to, s);
+    write_occluders(to, s, node);
 }
 
 /// What one change would do to what is selected; a click compares the run with it.
@@ -218,9 +303,12 @@ std::vector<Row> why_rows(const Workbench<D>& bench) {
         write_step(to, step, source, bench.substep.has_value());
     }
     if (s.selected_primitive != none) write_primitive(to, s, explain_primitive(bench.session, s.selected_primitive));
+    if (const std::uint32_t node = box_at_hand(s);
+        node != none && (s.traversal().tests_planes() || node == s.selected_node))
+        write_box(to, s, node);
     if (s.selected_cell != none) write_cell(to, explain_cell(s, s.selected_cell), key_title(s));
     write_what_if(to, bench);
-    if (s.selected_cell == none && s.selected_primitive == none)
+    if (s.selected_cell == none && s.selected_node == none && s.selected_primitive == none)
         to.add("Why not another? Click a cell or a primitive to see why it is rendered, waiting or hidden.", 0,
                Tone::faint);
     return to.rows;

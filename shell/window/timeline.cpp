@@ -8,6 +8,7 @@
 #include "shell/desk/play.h"
 #include "shell/window/parts.h"
 #include "shell/window/theme.h"
+#include "shell/window/timeline_frames.h"
 #include "shell/window/timeline_lanes.h"
 
 namespace sightline {
@@ -210,8 +211,10 @@ void timeline(Ui& ui, Workbench<D>& bench, const Area& area) {
     ImGui::PopStyleVar();
     TimelineData& data = ui.timeline;
     const float unit = ui.unit, side = 10 * unit;
-    const TimelineLayout layout = timeline_layout(
-        ui, {area.x + side, area.y + 3 * unit, std::max(area.w - 2 * side, 1.0f), std::max(area.h - 8 * unit, 1.0f)});
+    const float frames = frames_height(ui, bench);
+    const TimelineLayout layout =
+        timeline_layout(ui, {area.x + side, area.y + 3 * unit, std::max(area.w - 2 * side, 1.0f),
+                             std::max(area.h - 8 * unit - frames, 1.0f)});
     if (!update(data, bench, layout.ruler.x, layout.ruler.w, unit)) {
         ImGui::SetCursorScreenPos({area.x + side, area.y + area.h / 2 - ImGui::GetFontSize() / 2});
         ImGui::TextDisabled("The run has no steps: there is nothing to project from here.");
@@ -235,6 +238,8 @@ void timeline(Ui& ui, Workbench<D>& bench, const Area& area) {
     draw_step_of_cell(list, ui, layout, data, bench.hovered_cell);
     if (bench.session.flying()) draw_veil(list, ui, layout);
     note_places(bench, layout, data, unit);
+    if (frames > 0)
+        frames_row(ui, bench, layout, {area.x + side, area.y + area.h - 4 * unit - frames, area.w - 2 * side, frames});
     ImGui::End();
 }
 

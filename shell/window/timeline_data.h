@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,10 @@ struct TimelineData {
     float unit = 0;
     std::array<std::vector<LaneSpan>, static_cast<std::size_t>(Curve::count)> spans;
     std::vector<MarkGroup> groups;
+
+    // Of the lane of frames (timeline_frames.h).
+    std::uint64_t frames_of = 0;  ///< run that they were counted for
+    std::vector<std::optional<std::uint32_t>> frame_changes;
 
     // Of the mouse and the last frame.
     enum class Drag : std::uint8_t { none, seek, handle, pan } drag = Drag::none;

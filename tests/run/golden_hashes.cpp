@@ -126,7 +126,9 @@ struct Maker {
     void add_boxes() {
         const Settings start = settings(Tessellation::delaunay);
         const CellComplex<D> cells = build_cells(scene, start);
-        for (const char* text : {"view", "boxes refresh=16", "hzb", "hom", "two-pass occluders=plp"}) {
+        for (const char* text :
+             {"view", "boxes refresh=16", "hzb", "hom", "two-pass occluders=plp", "coorg-teller connected=on",
+              "coorg-teller connected=grow leaves=polygons", "shadow-frusta"}) {
             const Variant<D> variant = make_variant<D>(method_table<D>(), text, start.parameters);
             Services services;
             services.image = D == 2 ? ImageSize{2048, 0} : ImageSize{320, 240};

@@ -36,6 +36,11 @@ const std::map<std::string_view, Range> ranges{
     {"opacity", {0, 1}},
     {"worth", {0, 1e6}},
     {"refresh", {1, 1e6, false, false, true}},
+    {"occluder_count", {1, 1024, false, false, true}},
+    {"shadows", {1, 256, false, false, true}},
+    {"threshold", {1e-6, 100}},
+    {"leaf", {1, 4096, false, false, true}},
+    {"workers", {0, 64, false, false, true}},
 };
 
 const std::set<std::string_view> any_number{"zoom_x", "zoom_y"};
@@ -118,10 +123,10 @@ TEST(Settings, EveryFieldOfTheStructHasARow) {
     const auto& [t1, t2, t3, t4, t5, t6, t7, t8] = static_cast<const TessellationSettings&>(changed);
     static_cast<void>(t1);
     const auto& [p1, p2, p3, p4, p5, p6, p7, p8, p9, p10, p11, p12, p13, p14, p15, p16, p17, p18, p19, p20, p21, p22,
-                 p23, p24, p25, p26, p27, p28, p29, p30, p31, p32, p33] = static_cast<const PictureSettings&>(changed);
+                 p23, p24, p25, p26, p27, p28, p29, p30, p31, p32, p33, p34] = static_cast<const PictureSettings&>(changed);
     static_cast<void>(p1);
     constexpr std::size_t own = 5;  // two_sided, method, budget, reference_size, reference
-    EXPECT_EQ(settings_table().size(), 8u + 33u + own + all_parameters().size());
+    EXPECT_EQ(settings_table().size(), 8u + 34u + own + all_parameters().size());
 }
 
 TEST(Settings, NamesDefaultsAndWordsAreThoseOfTheDesign) {

@@ -13,11 +13,11 @@ namespace {
 /// The occluders that hide the box together; empty: none do, or nobody asks.
 template <int D>
 std::vector<std::uint32_t> hiding_set(std::span<const Shadow<D>> shadows, std::span<const Partial> partial,
-                                      const Meetings& meetings, Connected how, const EyeBox<D>& box,
-                                      JointScratch& scratch, double& slack) {
+                                      const Meetings& meetings, Connected how, std::span<const Vec<D>> corners,
+                                      const Vec<D>& eye, JointScratch& scratch, double& slack) {
     if (how == Connected::off || partial.size() < 2) return {};
     if constexpr (D == 2)
-        if (how == Connected::fused) return fused_set(shadows, partial, box, slack);
+        if (how == Connected::fused) return fused_set(shadows, partial, corners, eye, slack);
     return joint_set(partial, meetings, how == Connected::fused ? Connected::grow : how, scratch);
 }
 
@@ -32,6 +32,7 @@ template <int D>
 BoxStates<D>::BoxStates(const BoxStates& other)
     : prepared_(other.prepared_),
       scene_(other.scene_),
+      view_(other.view_),
       eye_(other.eye_),
       kind_(other.kind_),
       connected_(other.connected_),
@@ -39,7 +40,6 @@ BoxStates<D>::BoxStates(const BoxStates& other)
       epoch_(1),
       version_(1),
       next_key_(other.next_key_),
-      potential_(other.potential_),
       slots_(other.slots_),
       shadows_(other.shadows_),
       meetings_(other.meetings_),
@@ -55,6 +55,7 @@ void BoxStates<D>::begin(std::shared_ptr<const Prepared<D>> prepared, const Prob
     if (keeps != keeps_ || kind != kind_ || connected != connected_ || prepared != prepared_ ||
         scene_ != problem.scene || records_.size() != boxes || epoch_ == none) {
         records_.assign(boxes, {});
+        polygon_records_.clear();
         slots_.clear();
         travelled_ = 0;
         epoch_ = version_ = next_key_ = 0;
@@ -63,17 +64,25 @@ void BoxStates<D>::begin(std::shared_ptr<const Prepared<D>> prepared, const Prob
         travelled_ += std::sqrt(glm::dot(way, way)) * (1 + 0x1p-40);
         if (!keeps) slots_.clear();
     }
+    if (keeps && polygon_records_.empty() &&
+        problem.parameters.template choice<Leaves>(leaves_row()) == Leaves::polygons)
+        polygon_records_.resize(prepared->tree.boxes.primitives.size());
     keeps_ = keeps;
     kind_ = kind;
     prepared_ = std::move(prepared);
     scene_ = problem.scene;
-    eye_ = problem.view.eye;
+    view_ = problem.view;
+    eye_ = view_.eye;
     connected_ = connected;
     ++epoch_;
     effort_ = {};
-    potential_occluders(*prepared_, *scene_, eye_, potential_);
-    place(kind == OccluderKind::polygon ? single_occluders(potential_, count)
-                                        : convex_occluders(*prepared_, *scene_, eye_, potential_, count));
+    // Convex occluders are grown out of a few more polygons than there will be of them.
+    constexpr std::size_t polygons_each = 16;
+    if (kind == OccluderKind::polygon)
+        place(single_occluders(potential_occluders(*prepared_, *scene_, view_, count)));
+    else
+        place(convex_occluders(*prepared_, *scene_, eye_,
+                               potential_occluders(*prepared_, *scene_, view_, count * polygons_each), count));
     if (connected_ != Connected::off) meetings_.find<D>(shadows_);
 }
 
@@ -129,7 +138,7 @@ void BoxStates<D>::place(const OccluderLists& occluders) {
 
 template <int D>
 double BoxStates<D>::until(const Relation& relation) const {
-    return travelled_ + relation.slack * (1 - 0x1p-40);
+    return until(relation.slack);
 }
 
 template <int D>
@@ -153,7 +162,7 @@ void BoxStates<D>::for_asked(std::uint32_t node, Each each) const {
 }
 
 template <int D>
-BoxState BoxStates<D>::state(std::uint32_t node, Effort& effort, BoxScratch& scratch) {
+BoxState BoxStates<D>::state(std::uint32_t node, Effort& effort, BoxScratch<D>& scratch) {
     Record& record = records_[node];
     if (record.epoch == epoch_) return record.state;
     // Those around it first, where nobody has asked for them at this eye: after going back in a recording.
@@ -169,7 +178,7 @@ BoxState BoxStates<D>::state(std::uint32_t node, Effort& effort, BoxScratch& scr
 }
 
 template <int D>
-void BoxStates<D>::make(std::uint32_t node, Record& record, Effort& effort, BoxScratch& scratch) {
+void BoxStates<D>::make(std::uint32_t node, Record& record, Effort& effort, BoxScratch<D>& scratch) {
     const EyeBox<D> box(prepared_->tree.boxes.nodes[node].box, eye_);
     const bool all_sides = connected_ != Connected::off && (D == 3 || connected_ != Connected::fused);
     const BoxState before = record.state;
@@ -236,9 +245,11 @@ void BoxStates<D>::make(std::uint32_t node, Record& record, Effort& effort, BoxS
                 if (known.region == Region::partial)
                     scratch.partial.push_back(partial_of<D>(shadows_, known.slot, known.beyond, known.satisfied));
             double slack = std::numeric_limits<double>::infinity();
-            if (!hiding_set<D>(shadows_, scratch.partial, meetings_, connected_, box, scratch.joint, slack).empty())
+            if (!hiding_set<D>(shadows_, scratch.partial, meetings_, connected_, box.box.corners(), eye_, scratch.joint,
+                               slack)
+                     .empty())
                 record.state = BoxState::invisible;
-            record.until = std::min(record.until, travelled_ + slack * (1 - 0x1p-40));
+            record.until = std::min(record.until, until(slack));
         }
     }
     effort.changed += was_made && before != record.state;
@@ -282,10 +293,12 @@ Relation BoxStates<D>::relation_to(std::uint32_t node, std::uint32_t slot) const
 }
 
 template <int D>
-std::vector<std::uint32_t> BoxStates<D>::hiding(std::uint32_t node, std::span<const std::uint32_t> slots) const {
+template <typename RelationTo>
+std::vector<std::uint32_t> BoxStates<D>::hiding_of(std::span<const Vec<D>> corners,
+                                                   std::span<const std::uint32_t> slots, RelationTo relation_to) const {
     std::vector<Partial> partial;
     for (const std::uint32_t slot : slots) {
-        const Relation found = relation_to(node, slot);
+        const Relation found = relation_to(slot);
         if (found.region == Region::hidden) return {slot};
         if (found.region == Region::partial)
             partial.push_back(partial_of<D>(shadows_, slot, found.beyond, found.satisfied));
@@ -293,15 +306,74 @@ std::vector<std::uint32_t> BoxStates<D>::hiding(std::uint32_t node, std::span<co
     JointScratch scratch;
     double slack = 0;
     std::vector<std::uint32_t> set =
-        hiding_set<D>(shadows_, partial, meetings_, connected_, EyeBox<D>(prepared_->tree.boxes.nodes[node].box, eye_),
-                      scratch, slack);
+        hiding_set<D>(shadows_, partial, meetings_, connected_, corners, eye_, scratch, slack);
     for (std::uint32_t& member : set) member = partial[member].shadow;
     return set;
 }
 
 template <int D>
+std::vector<std::uint32_t> BoxStates<D>::hiding(std::uint32_t node, std::span<const std::uint32_t> slots) const {
+    const auto corners = prepared_->tree.boxes.nodes[node].box.corners();
+    return hiding_of(corners, slots, [&](std::uint32_t slot) { return relation_to(node, slot); });
+}
+
+template <int D>
+Relation BoxStates<D>::relation_to_polygon(std::uint32_t polygon, std::uint32_t slot) const {
+    std::uint64_t products = 0;
+    const std::vector<Vec<D>> corners = prepared_->polygons.corners_of(polygon);
+    return relation(shadows_[slot], *scene_, EyePolygon<D>(corners, eye_), true, products);
+}
+
+template <int D>
+std::vector<std::uint32_t> BoxStates<D>::hiding_polygon(std::uint32_t polygon,
+                                                        std::span<const std::uint32_t> slots) const {
+    return hiding_of(prepared_->polygons.corners_of(polygon), slots,
+                     [&](std::uint32_t slot) { return relation_to_polygon(polygon, slot); });
+}
+
+template <int D>
+bool BoxStates<D>::hides_polygon(std::uint32_t leaf, std::uint32_t place, Effort& effort, BoxScratch<D>& scratch) {
+    const Record& record = records_[leaf];
+    PolygonRecord unkept;
+    PolygonRecord& known = polygon_records_.empty() ? unkept : polygon_records_[place];
+    const bool still_chosen =
+        known.hidden_by < slots_.size() && slots_[known.hidden_by].used && slots_[known.hidden_by].key == known.key;
+    // One that hides it alone does so whoever else is there.
+    if (travelled_ < known.until && (known.hidden_by != none ? still_chosen : known.asked == record.version)) {
+        ++effort.reused;
+        return known.hidden;
+    }
+    const std::uint32_t polygon = prepared_->polygons.polygon_of[prepared_->tree.boxes.primitives[place]];
+    scratch.corners.clear();
+    for (const auto& side : prepared_->polygons.sides_of(polygon))
+        scratch.corners.push_back(prepared_->polygons.points[side.point]);
+    const EyePolygon<D> seen(scratch.corners, eye_);
+    const bool all_sides = connected_ != Connected::off && (D == 3 || connected_ != Connected::fused);
+    known = {record.version, none, 0, false, std::numeric_limits<double>::infinity()};
+    scratch.partial.clear();
+    for (const KnownRelation& asked : record.known) {
+        if (asked.region != Region::partial) continue;
+        ++effort.tested;
+        const Relation found = relation(shadows_[asked.slot], *scene_, seen, all_sides, effort.products);
+        if (found.region == Region::hidden) {
+            known = {record.version, asked.slot, asked.key, true, until(found)};
+            return true;
+        }
+        known.until = std::min(known.until, until(found));
+        if (found.region == Region::partial)
+            scratch.partial.push_back(partial_of<D>(shadows_, asked.slot, found.beyond, found.satisfied));
+    }
+    double slack = std::numeric_limits<double>::infinity();
+    known.hidden =
+        !hiding_set<D>(shadows_, scratch.partial, meetings_, connected_, scratch.corners, eye_, scratch.joint, slack)
+             .empty();
+    known.until = std::min(known.until, until(slack));
+    return known.hidden;
+}
+
+template <int D>
 std::size_t BoxStates<D>::kept_bytes() const {
-    std::size_t bytes = records_.capacity() * sizeof(Record);
+    std::size_t bytes = records_.capacity() * sizeof(Record) + polygon_records_.capacity() * sizeof(PolygonRecord);
     for (const Record& record : records_) bytes += record.known.capacity() * sizeof(KnownRelation);
     return bytes;
 }

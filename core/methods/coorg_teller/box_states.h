@@ -49,10 +49,13 @@ struct KnownRelation {
 };
 
 /// Working memory of one thread.
+template <int D>
 struct BoxScratch {
     JointScratch joint;
     std::vector<KnownRelation> now;
     std::vector<Partial> partial;
+    std::vector<Vec<D>> corners;
+    std::vector<std::pair<std::uint32_t, bool>> polygons;  ///< of a leaf, and whether they are hidden
 };
 
 template <int D>
@@ -69,9 +72,14 @@ public:
 
     /// The state of a box with respect to the occluders that hide a part of the box around it. Different boxes that are
     /// not one in another may be asked for at the same time, when those around them have been.
-    BoxState state(std::uint32_t node, Effort& effort, BoxScratch& scratch);
+    BoxState state(std::uint32_t node, Effort& effort, BoxScratch<D>& scratch);
 
-    const std::vector<Candidate>& potential() const { return potential_; }
+    /// Whether the occluders that hide a part of a leaf hide a polygon of it altogether. `place`: of one of its
+    /// primitives in the tree. The leaf's state is PARTIAL and has been asked for.
+    bool hides_polygon(std::uint32_t leaf, std::uint32_t place, Effort& effort, BoxScratch<D>& scratch);
+
+    /// Made anew.
+    std::vector<Candidate> potential() const { return potential_occluders(*prepared_, *scene_, view_); }
     /// By slot; those of slots that are not used have no polygons.
     std::span<const Shadow<D>> shadows() const { return shadows_; }
     const Meetings& meetings() const { return meetings_; }
@@ -83,6 +91,9 @@ public:
     /// Those of `slots` that hide the box: one, or several together; empty: none does.
     std::vector<std::uint32_t> hiding(std::uint32_t node, std::span<const std::uint32_t> slots) const;
     Relation relation_to(std::uint32_t node, std::uint32_t slot) const;
+    Relation relation_to_polygon(std::uint32_t polygon, std::uint32_t slot) const;
+    /// The same of a polygon; `slots` are those that hide a part of its leaf.
+    std::vector<std::uint32_t> hiding_polygon(std::uint32_t polygon, std::span<const std::uint32_t> slots) const;
 
     Effort& effort() { return effort_; }
     const Effort& effort() const { return effort_; }
@@ -100,26 +111,39 @@ private:
         std::vector<KnownRelation> known;  ///< by slot
     };
 
+    /// Of a polygon in a leaf, by the place of its primitive.
+    struct PolygonRecord {
+        std::uint32_t asked = 0;  ///< version of the occluders that it was made with
+        std::uint32_t hidden_by = none, key = 0;
+        bool hidden = false;
+        double until = -1;
+    };
+
     void place(const OccluderLists& occluders);
-    void make(std::uint32_t node, Record& record, Effort& effort, BoxScratch& scratch);
+    template <typename RelationTo>
+    std::vector<std::uint32_t> hiding_of(std::span<const Vec<D>> corners, std::span<const std::uint32_t> slots,
+                                         RelationTo relation_to) const;
+    void make(std::uint32_t node, Record& record, Effort& effort, BoxScratch<D>& scratch);
     template <typename Each>
     void for_asked(std::uint32_t node, Each each) const;
     std::uint32_t asked_version(std::uint32_t node) const;
     double until(const Relation& relation) const;
+    double until(double slack) const { return travelled_ + slack * (1 - 0x1p-40); }
 
     std::shared_ptr<const Prepared<D>> prepared_;
     const Scene<D>* scene_ = nullptr;
+    View<D> view_;
     Vec<D> eye_{};
     OccluderKind kind_ = OccluderKind::polygon;
     Connected connected_ = Connected::off;
     bool keeps_ = true;
     double travelled_ = 0;  ///< by the eye, since there is anything kept
     std::uint32_t epoch_ = 0, version_ = 0, next_key_ = 0;
-    std::vector<Candidate> potential_;
     std::vector<Slot> slots_;
     std::vector<Shadow<D>> shadows_;
     Meetings meetings_;
     std::vector<Record> records_;
+    std::vector<PolygonRecord> polygon_records_;  ///< coherence=on
     Effort effort_;
 };
 

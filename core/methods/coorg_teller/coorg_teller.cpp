@@ -23,6 +23,7 @@ Method<D> object_space_method(std::string_view id, std::string_view title, std::
                       &threshold_row(),
                       &tree_row(),
                       &leaf_row(),
+                      &leaves_row(),
                       &coherence_row(),
                       &step_is_row(),
                       &workers_row()};

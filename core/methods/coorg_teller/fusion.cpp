@@ -29,17 +29,20 @@ private:
 }  // namespace
 
 std::vector<std::uint32_t> fused_set(std::span<const Shadow<2>> shadows, std::span<const Partial> partial,
-                                     const EyeBox<2>& box, double& slack) {
-    if (box.box.contains(box.eye)) {
-        slack = 0;
-        return {};
-    }
-    Turns turns(box.eye, slack);
-    const auto corners = box.box.corners();
+                                     std::span<const Vec<2>> corners, const Vec<2>& eye, double& slack) {
+    Turns turns(eye, slack);
     Vec<2> right = corners[0], left = corners[0];  // of the box, as the eye sees it
     for (const Vec<2>& corner : corners) {
         if (turns(right, corner) < 0) right = corner;
         if (turns(left, corner) > 0) left = corner;
+    }
+    // With the eye inside there is no such corner.
+    const bool is_outside = std::all_of(corners.begin(), corners.end(), [&](const Vec<2>& corner) {
+        return turns(right, corner) >= 0 && turns(corner, left) >= 0;
+    });
+    if (!is_outside || (turns(right, left) == 0 && glm::dot(right - eye, left - eye) <= 0)) {
+        slack = 0;
+        return {};
     }
     struct Ends {
         Vec<2> right, left;

@@ -8,8 +8,9 @@ namespace sightline {
 
 /// The answer to CT figure 3c in the plane: the occluders of a set that hides the box, as indices into `partial`, from
 /// its right end to its left; empty: there is none among those that the box lies beyond, or the eye is in the box.
-/// Exact. Lowers `slack` to what the eye can move before a turn that was asked can be another.
+/// `corners`: of the box, or of whatever convex shape. Exact. Lowers `slack` to what the eye can move before a turn
+/// that was asked can be another.
 std::vector<std::uint32_t> fused_set(std::span<const Shadow<2>> shadows, std::span<const Partial> partial,
-                                     const EyeBox<2>& box, double& slack);
+                                     std::span<const Vec<2>> corners, const Vec<2>& eye, double& slack);
 
 }  // namespace sightline

@@ -42,6 +42,13 @@ const ParameterRow& leaf_row() {
     return row;
 }
 
+const ParameterRow& leaves_row() {
+    static const ParameterRow row =
+        choice_row("leaves", Leaves::whole, "CT 2.1, CT 3",
+                   "what is drawn of a leaf that is PARTIAL: all of it, or its polygons that no occluders hide");
+    return row;
+}
+
 const ParameterRow& coherence_row() {
     static const ParameterRow row =
         choice_row("coherence", Coherence::on, "CT 3.1",

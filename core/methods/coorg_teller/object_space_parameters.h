@@ -16,6 +16,11 @@ inline constexpr auto words<Connected> = std::to_array<std::string_view>({"off",
 template <>
 inline constexpr auto words<TreeKind> = std::to_array<std::string_view>({"kd", "octree"});
 
+/// What is drawn of a leaf that is PARTIAL: all of it, as printed, or its polygons that are not INVISIBLE themselves.
+enum class Leaves : std::uint8_t { whole, polygons };
+template <>
+inline constexpr auto words<Leaves> = std::to_array<std::string_view>({"whole", "polygons"});
+
 /// Whether what was found out for one eye is kept for the next.
 enum class Coherence : std::uint8_t { off, on };
 template <>
@@ -32,6 +37,7 @@ const ParameterRow& shadow_count_row();
 const ParameterRow& threshold_row();
 const ParameterRow& tree_row();
 const ParameterRow& leaf_row();
+const ParameterRow& leaves_row();
 const ParameterRow& coherence_row();
 const ParameterRow& step_is_row();
 const ParameterRow& workers_row();

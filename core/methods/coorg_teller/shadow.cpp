@@ -86,34 +86,108 @@ Range range_over(const ShadowPlane<D>& plane, const EyeBox<D>& box) {
     return range;
 }
 
-template <int D, typename Exact>
-CornerSides signs(const Range& range, const Box<D>& box, Exact exact) {
+/// Of a polygon, corner by corner.
+template <int D>
+Range range_over(const ShadowPlane<D>& plane, const EyePolygon<D>& polygon) {
+    constexpr double far = std::numeric_limits<double>::infinity();
+    Range range{far, -far, 0};
+    for (const Vec<D>& corner : polygon.corners) {
+        const Vec<D> q = corner - polygon.eye;
+        const double value = glm::dot(plane.inward, q) - plane.offset;
+        range.low = std::min(range.low, value);
+        range.high = std::max(range.high, value);
+        range.uncertainty = std::max(range.uncertainty, glm::dot(plane.uncertainty, glm::abs(q)));
+    }
+    range.uncertainty += plane.offset_uncertainty + least_product;
+    return range;
+}
+
+template <int D>
+std::array<Vec<D>, 1 << D> corners_of(const EyeBox<D>& box) {
+    return box.box.corners();
+}
+template <int D>
+std::span<const Vec<D>> corners_of(const EyePolygon<D>& polygon) {
+    return polygon.corners;
+}
+
+template <typename Occludee, typename Exact>
+CornerSides signs(const Range& range, const Occludee& occludee, Exact exact) {
     const auto sure = [&](double value) { return value > range.uncertainty ? 1 : value < -range.uncertainty ? -1 : 0; };
     CornerSides found{sure(range.low), sure(range.high)};
     if (found.low != 0 && found.high != 0) return found;
     found = {1, -1};
-    for (int i = 0; i < 1 << D; ++i) {
-        const int side = exact(box.corner(i));
+    for (const auto& corner : corners_of(occludee)) {
+        const int side = exact(corner);
         found.low = std::min(found.low, side);
         found.high = std::max(found.high, side);
     }
     return found;
 }
 
-template <int D>
-CornerSides signs_of(const ShadowSide<D>& side, const EyeBox<D>& box, const Range& range) {
-    return signs<D>(range, box.box, [&](const Vec<D>& corner) { return exact_side(side, box.eye, corner); });
+template <int D, typename Occludee>
+CornerSides signs_of(const ShadowSide<D>& side, const Occludee& occludee, const Range& range) {
+    return signs(range, occludee, [&](const Vec<D>& corner) { return exact_side(side, occludee.eye, corner); });
 }
 
 /// A bound from below on the distance of the eye from the planes through the side's edge and a corner, where the value
 /// of the plane through the eye is at least `value` for each such corner: the value is the volume of edge, corner and
 /// eye (2D: the area), and the base of that is no larger than length times reach.
-template <int D>
-double distance_of_eye(const ShadowSide<D>& side, const EyeBox<D>& box, const Vec<D>& centre, double value) {
+template <int D, typename Occludee>
+double distance_of_eye(const ShadowSide<D>& side, const Occludee& occludee, double value) {
     if (!(value > 0)) return 0;
-    const Vec<D> away = centre - side.a;
-    const double reach = std::sqrt(glm::dot(away, away)) + box.half_diagonal;
+    const Vec<D> away = occludee.centre - side.a;
+    const double reach = std::sqrt(glm::dot(away, away)) + occludee.half_diagonal;
     return value / (side.length * reach);
+}
+
+template <int D, typename Occludee>
+Relation relation_of(const Shadow<D>& shadow, const Scene<D>& scene, const Occludee& occludee, bool all_sides,
+                     std::uint64_t& products) {
+    Relation result;
+    result.beyond = true;
+    // The occluder's planes stay where they are when the eye moves.
+    constexpr double for_ever = std::numeric_limits<double>::infinity();
+    for (const ShadowFront<D>& front : shadow.fronts) {
+        ++products;
+        const CornerSides beyond = signs(range_over(front.plane, occludee), occludee,
+                                         [&](const Vec<D>& corner) { return exact_side(front, scene, corner); });
+        if (beyond.high <= 0) return {Region::visible, false, 0, for_ever};
+        if (beyond.low <= 0) result.beyond = false;
+    }
+    bool all = true;
+    double separating = for_ever, supporting = for_ever, failing = 0;
+    for (std::size_t i = 0; i < shadow.sides.size(); ++i) {
+        const ShadowSide<D>& side = shadow.sides[i];
+        ++products;
+        const Range range = range_over(side.plane, occludee);
+        const CornerSides inside = signs_of(side, occludee, range);
+        if (inside.high <= 0)
+            return {Region::visible, result.beyond, 0,
+                    distance_of_eye(side, occludee, -range.high - range.uncertainty)};
+        separating = std::min(separating, distance_of_eye(side, occludee, range.high - range.uncertainty));
+        if (inside.low >= 0) {
+            if (i < most_sides) result.satisfied |= std::uint64_t{1} << i;
+            supporting = std::min(supporting, distance_of_eye(side, occludee, range.low - range.uncertainty));
+        } else {
+            all = false;
+            const double from = distance_of_eye(side, occludee, -range.low - range.uncertainty);
+            failing = std::max(failing, from);
+            if (all_sides) supporting = std::min(supporting, from);
+        }
+    }
+    if (all && result.beyond) {
+        result.region = Region::hidden;
+        result.slack = supporting;
+        return result;
+    }
+    result.region = Region::partial;
+    // Not hidden while one plane that is not satisfied stays so, or as long as a part of the box is not beyond.
+    if (all_sides)
+        result.slack = std::min(separating, supporting);
+    else
+        result.slack = result.beyond ? std::min(separating, failing) : separating;
+    return result;
 }
 
 }  // namespace
@@ -122,6 +196,16 @@ template <int D>
 EyeBox<D>::EyeBox(const Box<D>& of, const Vec<D>& from) : box(of), eye(from), low(of.min - from), high(of.max - from) {
     reach = glm::max(glm::abs(low), glm::abs(high));
     const Vec<D> extent = high - low;
+    half_diagonal = std::sqrt(glm::dot(extent, extent)) / 2;
+    centre = of.centre();
+}
+
+template <int D>
+EyePolygon<D>::EyePolygon(std::span<const Vec<D>> of, const Vec<D>& from) : corners(of), eye(from) {
+    Box<D> box;
+    for (const Vec<D>& corner : of) box.add(corner);
+    const Vec<D> extent = box.extent();
+    centre = box.centre();
     half_diagonal = std::sqrt(glm::dot(extent, extent)) / 2;
 }
 
@@ -190,60 +274,24 @@ void make_shadow(const Scene<D>& scene, const Polygons<D>& polygons, std::span<c
 template <int D>
 Relation relation(const Shadow<D>& shadow, const Scene<D>& scene, const EyeBox<D>& box, bool all_sides,
                   std::uint64_t& products) {
-    Relation result;
-    result.beyond = true;
-    // The occluder's planes stay where they are when the eye moves.
-    constexpr double for_ever = std::numeric_limits<double>::infinity();
-    for (const ShadowFront<D>& front : shadow.fronts) {
-        ++products;
-        const CornerSides beyond = signs<D>(range_over(front.plane, box), box.box,
-                                            [&](const Vec<D>& corner) { return exact_side(front, scene, corner); });
-        if (beyond.high <= 0) return {Region::visible, false, 0, for_ever};
-        if (beyond.low <= 0) result.beyond = false;
-    }
-    bool all = true;
-    double separating = for_ever, supporting = for_ever, failing = 0;
-    const Vec<D> centre = box.box.centre();
-    for (std::size_t i = 0; i < shadow.sides.size(); ++i) {
-        const ShadowSide<D>& side = shadow.sides[i];
-        ++products;
-        const Range range = range_over(side.plane, box);
-        const CornerSides inside = signs_of(side, box, range);
-        if (inside.high <= 0)
-            return {Region::visible, result.beyond, 0,
-                    distance_of_eye(side, box, centre, -range.high - range.uncertainty)};
-        separating = std::min(separating, distance_of_eye(side, box, centre, range.high - range.uncertainty));
-        if (inside.low >= 0) {
-            if (i < most_sides) result.satisfied |= std::uint64_t{1} << i;
-            supporting = std::min(supporting, distance_of_eye(side, box, centre, range.low - range.uncertainty));
-        } else {
-            all = false;
-            const double from = distance_of_eye(side, box, centre, -range.low - range.uncertainty);
-            failing = std::max(failing, from);
-            if (all_sides) supporting = std::min(supporting, from);
-        }
-    }
-    if (all && result.beyond) {
-        result.region = Region::hidden;
-        result.slack = supporting;
-        return result;
-    }
-    result.region = Region::partial;
-    // Not hidden while one plane that is not satisfied stays so, or as long as a part of the box is not beyond.
-    if (all_sides)
-        result.slack = std::min(separating, supporting);
-    else
-        result.slack = result.beyond ? std::min(separating, failing) : separating;
-    return result;
+    return relation_of(shadow, scene, box, all_sides, products);
+}
+
+template <int D>
+Relation relation(const Shadow<D>& shadow, const Scene<D>& scene, const EyePolygon<D>& polygon, bool all_sides,
+                  std::uint64_t& products) {
+    return relation_of(shadow, scene, polygon, all_sides, products);
 }
 
 #define SIGHTLINE_INSTANTIATE(D)                                                                                     \
+    template struct EyePolygon<D>;                                                                                   \
     template struct EyeBox<D>;                                                                                       \
     template CornerSides corner_sides<D>(const ShadowSide<D>&, const EyeBox<D>&);                                    \
     template int side_seen<D>(const Scene<D>&, const Polygons<D>&, std::uint32_t, const Vec<D>&);                    \
     template void make_shadow<D>(const Scene<D>&, const Polygons<D>&, std::span<const std::uint32_t>, const Vec<D>&, \
                                  Shadow<D>&);                                                                        \
-    template Relation relation<D>(const Shadow<D>&, const Scene<D>&, const EyeBox<D>&, bool, std::uint64_t&);
+    template Relation relation<D>(const Shadow<D>&, const Scene<D>&, const EyeBox<D>&, bool, std::uint64_t&);        \
+    template Relation relation<D>(const Shadow<D>&, const Scene<D>&, const EyePolygon<D>&, bool, std::uint64_t&);
 SIGHTLINE_INSTANTIATE(2)
 SIGHTLINE_INSTANTIATE(3)
 #undef SIGHTLINE_INSTANTIATE

@@ -62,9 +62,21 @@ struct EyeBox {
     const Box<D>& box;
     const Vec<D>& eye;
     Vec<D> low, high, reach;  ///< corners relative to the eye; the larger absolute value of both
+    Vec<D> centre;
     double half_diagonal = 0;
 
     EyeBox(const Box<D>& of, const Vec<D>& from);
+};
+
+/// A convex polygon as an eye sees it.
+template <int D>
+struct EyePolygon {
+    std::span<const Vec<D>> corners;
+    const Vec<D>& eye;
+    Vec<D> centre;             ///< of the corners' box
+    double half_diagonal = 0;  ///< of that
+
+    EyePolygon(std::span<const Vec<D>> of, const Vec<D>& from);
 };
 
 enum class Region : std::uint8_t {
@@ -91,6 +103,9 @@ struct Relation {
 /// Exact. `all_sides`: also `satisfied` of a partial one. Adds to `products` the planes it looked at.
 template <int D>
 Relation relation(const Shadow<D>& shadow, const Scene<D>& scene, const EyeBox<D>& box, bool all_sides,
+                  std::uint64_t& products);
+template <int D>
+Relation relation(const Shadow<D>& shadow, const Scene<D>& scene, const EyePolygon<D>& polygon, bool all_sides,
                   std::uint64_t& products);
 
 /// On which side of the side's plane the least and the most inner corner of the box lie: 1 inside, 0 on it, -1 outside.

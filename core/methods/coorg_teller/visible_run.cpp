@@ -40,6 +40,7 @@ template <int D>
 void VisibleRun<D>::begin_frame() {
     const Parameters& parameters = this->problem_.parameters;
     by_change_ = parameters.template choice<StepIs>(step_is_row()) == StepIs::change;
+    by_polygons_ = parameters.template choice<Leaves>(leaves_row()) == Leaves::polygons;
     workers_ = static_cast<int>(parameters.number(workers_row()));
     prepared_ = prepared(this->problem_);
     tree_ = &prepared_->tree.boxes;
@@ -123,7 +124,7 @@ bool VisibleRun<D>::is_in_view(std::uint32_t node, bool& whole) const {
 }
 
 template <int D>
-VisibleRule VisibleRun<D>::rule_of(std::uint32_t node, Effort& effort, BoxScratch& scratch, bool& whole) {
+VisibleRule VisibleRun<D>::rule_of(std::uint32_t node, Effort& effort, BoxScratch<D>& scratch, bool& whole) {
     if (!is_in_view(node, whole)) return VisibleRule::outside;
     const bool is_leaf = tree_->nodes[node].first_child == none;
     switch (states_.state(node, effort, scratch)) {
@@ -162,24 +163,41 @@ bool VisibleRun<D>::pop(std::uint32_t node, Recorder* recorder) {
 
 template <int D>
 void VisibleRun<D>::collect(std::uint32_t node, bool whole, std::vector<std::uint32_t>& found,
-                            std::vector<SideSeen>& facing) const {
+                            std::vector<SideSeen>& facing, Effort& effort, BoxScratch<D>& scratch) {
     const auto primitives = tree_->primitives_of(node);
+    const std::uint32_t first = tree_->nodes[node].begin;
+    const bool tests_polygons = by_polygons_ && tree_->nodes[node].first_child == none &&
+                                states_.state(node, effort, scratch) == BoxState::partial;
+    scratch.polygons.clear();
     facing.assign(primitives.size(), D == 2 ? SideSeen::seen : SideSeen::unsure);
     if constexpr (D == 3) tree_->facing.tell(this->problem_.view.eye, tree_->nodes[node].begin, facing);
     for (std::size_t i = 0; i < primitives.size(); ++i) {
         const std::uint32_t primitive = primitives[i];
         if (facing[i] == SideSeen::away || this->drawn_.has(primitive)) continue;
-        if (whole ? facing[i] == SideSeen::seen || turns_a_seen_side(this->problem_, primitive)
-                  : shows(this->problem_, primitive))
-            found.push_back(primitive);
+        if (!(whole ? facing[i] == SideSeen::seen || turns_a_seen_side(this->problem_, primitive)
+                    : shows(this->problem_, primitive)))
+            continue;
+        if (tests_polygons && is_hidden(node, first + static_cast<std::uint32_t>(i), effort, scratch)) continue;
+        found.push_back(primitive);
     }
+}
+
+/// Whether the polygon of a place in a PARTIAL leaf is INVISIBLE; asked once for all its primitives in the leaf.
+template <int D>
+bool VisibleRun<D>::is_hidden(std::uint32_t leaf, std::uint32_t place, Effort& effort, BoxScratch<D>& scratch) {
+    const std::uint32_t polygon = prepared_->polygons.polygon_of[tree_->primitives[place]];
+    for (const auto& [known, hidden] : scratch.polygons)
+        if (known == polygon) return hidden;
+    const bool hidden = states_.hides_polygon(leaf, place, effort, scratch);
+    scratch.polygons.emplace_back(polygon, hidden);
+    return hidden;
 }
 
 /// Until the budget ends; false: it did, and the box is the partial one.
 template <int D>
 bool VisibleRun<D>::draw_slowly(std::uint32_t node, bool whole) {
     found_.clear();
-    collect(node, whole, found_, facing_);
+    collect(node, whole, found_, facing_, states_.effort(), scratch_);
     for (const std::uint32_t primitive : found_)
         if (!this->meet(primitive, false)) {
             this->counters_.partial_cell = node;
@@ -204,7 +222,7 @@ void VisibleRun<D>::run_side_by_side() {
         subtrees_each *
         static_cast<std::size_t>(workers_ > 0 ? workers_ : std::max(1u, std::thread::hardware_concurrency()));
     // One box; appends what comes out of it.
-    const auto visit = [&](std::uint32_t node, Part& part, BoxScratch& scratch, std::vector<SideSeen>& facing,
+    const auto visit = [&](std::uint32_t node, Part& part, BoxScratch<D>& scratch, std::vector<SideSeen>& facing,
                            std::uint8_t worker) {
         bool whole;
         const VisibleRule rule = rule_of(node, part.effort, scratch, whole);
@@ -212,7 +230,7 @@ void VisibleRun<D>::run_side_by_side() {
             node, {static_cast<double>(tree_->nodes[node].begin), static_cast<std::uint32_t>(rule), state_after(rule)});
         ++part.boxes;
         worker_of_[node] = worker;
-        if (draws(rule)) collect(node, whole, part.found, facing);
+        if (draws(rule)) collect(node, whole, part.found, facing, part.effort, scratch);
         return opens(rule);
     };
     std::vector<Part> parts, next;
@@ -251,7 +269,7 @@ void VisibleRun<D>::run_side_by_side() {
             worker = static_cast<std::uint8_t>(std::min<std::ptrdiff_t>(me - threads.begin(), 0xfe));
             if (me == threads.end()) threads.push_back(std::this_thread::get_id());
         }
-        BoxScratch scratch;
+        BoxScratch<D> scratch;
         std::vector<SideSeen> facing;
         std::vector<std::uint32_t> stack{part.node};
         while (!stack.empty()) {

@@ -54,8 +54,12 @@ public:
     Verdict why_not(const Item&) const override;
     Verdict why_drawn(const Item&) const override;
     std::vector<CodeLine> code(const CodePlace&) const override;
+    bool tests_planes() const override { return true; }
     std::vector<OccluderFact> occluders() const override;
     std::vector<TestedPlane<D>> tested_planes(const Item&, std::uint32_t primitive) const override;
+    std::vector<TestedOccluder> tested_occluders(const Item&) const override;
+    std::optional<Box<D>> eye_box() const override;
+    std::optional<OccluderRegion<D>> occluder_region(std::uint32_t primitive) const override;
 
     /// What the frame cost so far, besides drawing.
     const Effort& effort() const { return states_.effort(); }
@@ -68,13 +72,14 @@ private:
     Stop next(Recorder*);
     /// Whether its state is another than in the frame before.
     bool pop(std::uint32_t node, Recorder*);
-    VisibleRule rule_of(std::uint32_t node, Effort& effort, BoxScratch& scratch, bool& whole);
+    VisibleRule rule_of(std::uint32_t node, Effort& effort, BoxScratch<D>& scratch, bool& whole);
     bool is_in_view(std::uint32_t node, bool& whole) const;
     void refill_stack();
     bool draw_slowly(std::uint32_t node, bool whole);
     /// Appends what is seen of the box and not drawn yet; an entry may come twice.
-    void collect(std::uint32_t node, bool whole, std::vector<std::uint32_t>& found,
-                 std::vector<SideSeen>& facing) const;
+    void collect(std::uint32_t node, bool whole, std::vector<std::uint32_t>& found, std::vector<SideSeen>& facing,
+                 Effort& effort, BoxScratch<D>& scratch);
+    bool is_hidden(std::uint32_t leaf, std::uint32_t place, Effort& effort, BoxScratch<D>& scratch);
     void run_side_by_side();
     std::string occluders_words(std::uint32_t node) const;
 
@@ -83,13 +88,13 @@ private:
     const BoxTree<D>* tree_ = nullptr;
     BoxStates<D> states_;
     Marks marks_;
-    bool by_change_ = false;
+    bool by_change_ = false, by_polygons_ = false;
     int workers_ = 1;
     std::vector<std::uint32_t> stack_;
     bool stack_is_stale_ = false;
     std::vector<std::uint32_t> found_;  ///< scratch
     std::vector<SideSeen> facing_;      ///< scratch
-    BoxScratch scratch_;
+    BoxScratch<D> scratch_;
     std::vector<std::uint8_t> worker_of_;
 };
 

@@ -3,6 +3,7 @@
 #include "core/base/number.h"
 #include "core/base/text.h"
 #include "core/methods/coorg_teller/box_planes.h"
+#include "core/methods/coorg_teller/occluder_region.h"
 #include "core/methods/coorg_teller/visible_run.h"
 
 namespace sightline {
@@ -103,7 +104,7 @@ Verdict VisibleRun<D>::why_drawn(const Item& item) const {
     const Shadow<D>& shadow = states_.shadows()[best];
     const std::string who = members_words<D>(prepared_->polygons, shadow.polygons);
     std::string text =
-        "it is PARTIAL: " + who + (shadow.polygons.size() > 1 ? " hide" : " hides") + " the most of it, but ";
+        "it is PARTIAL: " + who + (who.find(' ') == who.rfind(' ') ? " hides" : " hide") + " the most of it, but ";
     for (const TestedPlane<D>& plane : box_planes(shadow, prepared_->polygons, *this->problem_.scene,
                                                   tree_->nodes[item.id].box, this->problem_.view.eye)) {
         if (plane.satisfied || plane.kind == PlaneKind::separating) continue;
@@ -160,6 +161,62 @@ std::vector<TestedPlane<D>> VisibleRun<D>::tested_planes(const Item& box, std::u
 }
 
 template <int D>
+std::vector<TestedOccluder> VisibleRun<D>::tested_occluders(const Item& box) const {
+    if (box.kind != Kind::node || marks_[box.id].state == CellState::unseen) return {};
+    std::vector<std::uint32_t> slots = states_.tested_for(box.id);
+    std::stable_sort(slots.begin(), slots.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return states_.shadows()[a].area_angle > states_.shadows()[b].area_angle;
+    });
+    const std::vector<std::uint32_t> hiding = states_.hiding(box.id, slots);
+    std::vector<TestedOccluder> all;
+    for (const std::uint32_t slot : slots) {
+        TestedOccluder& occluder = all.emplace_back();
+        for (const std::uint32_t polygon : states_.shadows()[slot].polygons) {
+            const auto members = prepared_->polygons.members_of(polygon);
+            occluder.primitives.insert(occluder.primitives.end(), members.begin(), members.end());
+        }
+        const Region region = states_.relation_to(box.id, slot).region;
+        occluder.region = static_cast<std::uint8_t>(region);
+        occluder.hides = std::find(hiding.begin(), hiding.end(), slot) != hiding.end();
+        occluder.handed_on = hiding.empty() && region != Region::visible;
+    }
+    return all;
+}
+
+template <int D>
+std::optional<Box<D>> VisibleRun<D>::eye_box() const {
+    const Tree<D>& space = prepared_->tree.space;
+    const Vec<D>& eye = this->problem_.view.eye;
+    if (space.nodes.empty() || !space.root_box().contains(eye)) return std::nullopt;
+    return space.nodes[space.leaves[space.leaf_at(eye)]].box;
+}
+
+template <int D>
+std::optional<OccluderRegion<D>> VisibleRun<D>::occluder_region(std::uint32_t primitive) const {
+    constexpr int points = 49;
+    const Polygons<D>& polygons = prepared_->polygons;
+    const std::uint32_t polygon = polygons.polygon_of[primitive];
+    const Vec<D>&area = polygons.area[polygon], &centre = polygons.centre[polygon];
+    if (glm::dot(area, area) == 0) return std::nullopt;
+    const bool both = polygons.two_sided[polygon];
+    OccluderRegion<D> region{{}, sightline::occluder_region(area, centre, prepared_->threshold, both)};
+    std::vector<Vec<D>> across;
+    if constexpr (D == 2) {
+        across.push_back({-area.y, area.x});
+    } else {
+        // Two sections, along an edge and across it.
+        const std::vector<Vec<D>> corners = polygons.corners_of(polygon);
+        across.push_back(corners[1] - corners[0]);
+        across.push_back(glm::cross(area, across[0]));
+    }
+    for (const Vec<D>& along : across) {
+        region.outlines.push_back(region_outline(area, centre, prepared_->threshold, along, points));
+        if (both) region.outlines.push_back(region_outline(-area, centre, prepared_->threshold, along, points));
+    }
+    return region;
+}
+
+template <int D>
 std::vector<CodeLine> VisibleRun<D>::code(const CodePlace& at) const {
     const bool in_step = at.in_step(), testing = in_step && *at.substep == 0;
     VisibleRule rule = VisibleRule::waits;
@@ -182,7 +239,7 @@ std::vector<CodeLine> VisibleRun<D>::code(const CodePlace& at) const {
         0, !in_step && this->steps_ == 0,
         std::to_string(shadows) + " of " + counted(states_.potential().size(), "potential occluder"), "CT 3.3");
     add("while a box waits:", 0, !in_step && this->steps_ > 0 && !this->finished(),
-        counted(this->counters_.front_size, "box") + " wait", "");
+        counted(this->counters_.front_size, "node") + (this->counters_.front_size == 1 ? " waits" : " wait"), "");
     add("T = the next one, depth first", 1, testing, popped, "CT 3, Visible");
     add("outside the view: switch it off", 1, is(VisibleRule::outside), popped, "CT 3.1");
     add("all supporting planes of an occluder in S satisfied, or", 1, false, {}, "CT 2.1, TestOcclusion");
@@ -210,6 +267,9 @@ std::vector<CodeLine> VisibleRun<D>::code(const CodePlace& at) const {
     template Verdict VisibleRun<D>::why_drawn(const Item&) const;                                                \
     template std::vector<OccluderFact> VisibleRun<D>::occluders() const;                                         \
     template std::vector<TestedPlane<D>> VisibleRun<D>::tested_planes(const Item&, std::uint32_t) const;         \
+    template std::vector<TestedOccluder> VisibleRun<D>::tested_occluders(const Item&) const;                     \
+    template std::optional<Box<D>> VisibleRun<D>::eye_box() const;                                               \
+    template std::optional<OccluderRegion<D>> VisibleRun<D>::occluder_region(std::uint32_t) const;               \
     template std::vector<CodeLine> VisibleRun<D>::code(const CodePlace&) const;
 SIGHTLINE_INSTANTIATE(2)
 SIGHTLINE_INSTANTIATE(3)

@@ -16,6 +16,26 @@ TEST_F(EachCommand, step) {
     EXPECT_EQ(bench->last_stop, Stop::steps);
 }
 
+TEST_F(EachCommand, frame) {
+    test::expect_input_error([&] { run("frame keep"); },
+                             "command 'frame': this method does not look at the frame before");
+    run("method coorg-teller");
+    test::expect_input_error([&] { run("frame 0"); },
+                             "command 'frame': there are no frames: fly, or keep one with `frame keep`");
+    const ViewSpec<2> before = session().culling_view();
+    run("frame keep; eye 1,1");
+    EXPECT_EQ(session().lane(), std::vector{before});
+    const ViewSpec<2> after = session().culling_view();
+    run("frame 0");
+    EXPECT_EQ(session().culling_view(), before);
+    EXPECT_TRUE(session().lane().empty());
+    run("frame 1");
+    EXPECT_EQ(session().culling_view(), after);
+    run("frame none");
+    EXPECT_TRUE(session().lane().empty());
+    EXPECT_EQ(session().culling_view(), after);
+}
+
 TEST_F(EachCommand, back) {
     run("back; back 4");
     EXPECT_EQ(session().position(), 5u);
