@@ -127,9 +127,10 @@ std::optional<Regime> pays(const ObjectSpaceScene& scene, const ObjectSpaceOptio
             return Regime{{},
                           options.walk,
                           short_number(cull) + " ms" +
-                              (is_drawn ? ", " + two(cull / hidden) + " of the " + short_number(hidden) +
-                                              " ms that view culling spends on what it hides"
-                                        : std::string()),
+                              (!is_drawn     ? std::string()
+                               : hidden <= 0 ? ", and what it hides costs view culling nothing that shows"
+                                             : ", " + two(cull / hidden) + " of the " + short_number(hidden) +
+                                                   " ms that view culling spends on what it hides"),
                           cull <= 0.5 && (!is_drawn || (hidden > 0 && cull <= hidden / 4)),
                           nullptr};
         }

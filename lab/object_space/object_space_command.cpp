@@ -101,7 +101,7 @@ int object_space_command(int argc, const char* const* argv, const MethodTables& 
         ->delimiter(',')
         ->check(CLI::Range(1, 64));
     app.add_option("--out", out, "folder of the results")->capture_default_str();
-    app.add_option("--markdown", markdown_file, "also write the tables as a part of a page of documentation");
+    app.add_option("--markdown", markdown_file, "also write a documentation page, FILE.md");
     if (!parse(app, argc, argv)) return 0;
     if (scenes.empty()) scenes = {"soda", "blocks", "tetra"};
     if (large.empty()) large = {"city:1M"};

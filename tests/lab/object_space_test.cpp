@@ -280,7 +280,7 @@ TEST(ObjectSpaceCommand, WritesItsPageAndNamesWhatIsWrong) {
               json["scenes"][0]["all_round"][2]["culled_polygons"])
         << "another seed is another scene";
     EXPECT_NE(read_file(folder / "object-space.html").find("Table 3"), std::string::npos);
-    EXPECT_NE(read_file(folder / "page.md").find("### Table 2"), std::string::npos);
+    EXPECT_NE(read_file(folder / "page.md").find("## Table 2"), std::string::npos);
     fs::remove_all(folder);
     const auto complains = [&](const std::vector<std::string>& words, const std::string& of) {
         const auto [failed, text] = lab(words);
