@@ -54,7 +54,7 @@ std::vector<double> numbers_of(const std::vector<std::string>& values) {
     return numbers;
 }
 
-Chart chart_of(const std::vector<const SweepCurve*>& curves, Measure measure, bool is_judge) {
+Chart sweep_chart(const std::vector<const SweepCurve*>& curves, Measure measure, bool is_judge) {
     const SweepCurve& first = *curves.front();
     const bool is_share = measure_row(measure).unit == "share";
     const std::vector<double> numbers = numbers_of(first.values);
@@ -80,7 +80,7 @@ Chart chart_of(const std::vector<const SweepCurve*>& curves, Measure measure, bo
     return chart;
 }
 
-std::string table_of(const SweepCurve& curve, Measure measure) {
+std::string sweep_table(const SweepCurve& curve, Measure measure) {
     std::string html = "<h3>" + escaped(method_text(curve.method)) + "</h3><table><tr><th class=t>" +
                        escaped(curve.parameter) +
                        "</th><th>drawn</th><th>drawn / V</th><th>tested</th><th>coverage, %</th><th>wrong pixels, %"
@@ -209,10 +209,10 @@ void write_sweep_report(const std::vector<SweepCurve>& curves, Measure measure, 
                 folder / "charts" /
                 file_stem("sweep-" + first.parameter + "-" + first.scene + "-" + first.path + "-" + first.budget + "-" +
                           std::string(measure_row(m).id));
-            write_chart(chart_of(group, m, m == measure), stem);
+            write_chart(sweep_chart(group, m, m == measure), stem);
             html += picture(stem.string() + ".svg", "");
         }
-        for (const SweepCurve* const curve : group) html += table_of(*curve, measure);
+        for (const SweepCurve* const curve : group) html += sweep_table(*curve, measure);
     }
     write_file(folder / "sweep.html", page("What a parameter does", html));
 }
