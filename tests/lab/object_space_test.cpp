@@ -1,5 +1,5 @@
-// What the lab measures of culling in object space: the tables beside the paper's, the claims, and sweeps of a
-// parameter. SPDX-License-Identifier: GPL-3.0-or-later
+// What the lab measures of culling in object space, and sweeps of a parameter.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 #include <unistd.h>
 
