@@ -156,14 +156,15 @@ Culled culled_by(const VisibleRun<3>& run, const Polygons<3>& polygons, const st
         polygon.boxed |= in_drawn_box[i] != 0;
         polygon.faces |= turns_a_seen_side(problem, i);
         found.invisible_primitives += !seen;
-        found.culled_primitives += !seen && !in_drawn_box[i];
+        found.culled_primitives += !seen && (!in_drawn_box[i] || (!drawn[i] && turns_a_seen_side(problem, i)));
         found.missed += seen && !drawn[i];
         found.missed_pixels += seen && !drawn[i] ? pixels[i] : 0;
     }
     for (const OfPolygon& polygon : all) {
         if (polygon.seen) continue;
         ++found.invisible;
-        found.culled += !polygon.boxed;
+        // What turns its front to an eye that looks all round and is not drawn was hidden by occluders.
+        found.culled += !polygon.boxed || (polygon.faces && !polygon.drawn);
         found.not_drawn += !polygon.drawn;
         found.facing += polygon.faces;
         found.culled_facing += polygon.faces && !polygon.drawn;

@@ -43,7 +43,7 @@ struct FrameCost {
 /// What an all-round view misses of the exact visible set of six item buffers; summed over the frames.
 struct Culled {
     std::size_t invisible = 0;      ///< polygons of which no pixel is seen
-    std::size_t culled = 0;         ///< of those, in no box that is drawn: by occlusion alone
+    std::size_t culled = 0;         ///< of those, by occluders: with their boxes, or alone (leaves=polygons)
     std::size_t not_drawn = 0;      ///< of those, not drawn: the back faces in the drawn boxes as well
     std::size_t facing = 0;         ///< invisible ones that turn a side to the eye that is seen
     std::size_t culled_facing = 0;  ///< of those, not drawn

@@ -80,7 +80,7 @@ int object_space_command(int argc, const char* const* argv, const MethodTables& 
                    "3D scenes of the catalogue, with a size if you like, or files; default: soda blocks tetra");
     app.add_option("--methods", methods,
                    "variants of coorg-teller and shadow-frusta with semicolons between; default: single and connected "
-                   "occluders, those grown, and shadow frusta");
+                   "occluders, those grown, those that polygons of leaves are tested against, and shadow frusta");
     app.add_option("--seeds", seeds, "seeds of each generated scene over which culling is averaged")
         ->check(CLI::Range(1, 100))
         ->capture_default_str();
@@ -101,7 +101,7 @@ int object_space_command(int argc, const char* const* argv, const MethodTables& 
         ->delimiter(',')
         ->check(CLI::Range(1, 64));
     app.add_option("--out", out, "folder of the results")->capture_default_str();
-    app.add_option("--markdown", markdown_file, "also write the tables as a part of a page of documentation");
+    app.add_option("--markdown", markdown_file, "also write a documentation page, FILE.md");
     if (!parse(app, argc, argv)) return 0;
     if (scenes.empty()) scenes = {"soda", "blocks", "tetra"};
     if (large.empty()) large = {"city:1M"};
@@ -115,7 +115,12 @@ int object_space_command(int argc, const char* const* argv, const MethodTables& 
     for (const std::string& list : methods)
         for (const std::string& one : split_variants(list)) variants.push_back(make_variant<3>(tables.in_3d, one).text);
     if (variants.empty())
-        variants = {"coorg-teller", "coorg-teller connected=on", "coorg-teller connected=grow", "shadow-frusta"};
+        variants = {"coorg-teller",
+                    "coorg-teller connected=on",
+                    "coorg-teller connected=grow",
+                    "coorg-teller connected=on leaves=polygons",
+                    "coorg-teller connected=on leaves=polygons tree=octree",
+                    "shadow-frusta"};
     check_methods(variants, tables);
     std::vector<std::string> against_view{std::string(view_culling)};
     against_view.insert(against_view.end(), variants.begin(), variants.end());

@@ -136,7 +136,9 @@ void write_object_space(const ObjectSpaceResults& results, const std::filesystem
 }
 
 std::string object_space_markdown(const ObjectSpaceResults& results, const std::string& command) {
-    std::string text = "```sh\n" + command + "\n```\n\n" + conditions_text(results) + "\n\n";
+    std::string text = "# Culling in object space\n\nMade by\n\n```sh\n" + command + "\n```\n\n" +
+                       conditions_text(results) +
+                       " [Measuring](measuring.md) says what each number is, and what we make of them.\n\n";
     TextTable claims{{"they", "we", ""}, {}};
     for (const Claim& claim : object_space_claims(results)) {
         std::string ours;
@@ -145,7 +147,7 @@ std::string object_space_markdown(const ObjectSpaceResults& results, const std::
     }
     if (!claims.rows.empty()) text += markdown(claims) + "\n";
     for (const TitledTable& table : object_space_tables(results))
-        text += "### " + table.title + "\n\n" + table.caption + "\n\n" + markdown(table.table) + "\n";
+        text += "## " + table.title + "\n\n" + table.caption + "\n\n" + markdown(table.table) + "\n";
     return text;
 }
 

@@ -54,7 +54,7 @@ std::string object_space_json(const ObjectSpaceResults& results);
 /// results.json and object-space.html. Throws WorkError.
 void write_object_space(const ObjectSpaceResults& results, const std::filesystem::path& folder);
 
-/// As a part of a page of documentation, from "## " on. `command` is what made it.
+/// As a page of documentation. `command` is what made it.
 std::string object_space_markdown(const ObjectSpaceResults& results, const std::string& command);
 
 }  // namespace sightline::lab

@@ -56,10 +56,12 @@ TitledTable table_of_culling(const ObjectSpaceResults& results) {
     TitledTable made{
         "Table 2: a walk, seen all round",
         "Occ: choosing occluders; Vis: down the tree, with listing what is drawn; ms a frame. Rel: boxes tested per "
-        "occluder. Cull: polygons in no box that is drawn, over all that no pixel of six item buffers shows, so back "
-        "faces count as hidden; Cull+: the same with back faces in drawn boxes taken as culled; of those that turn "
-        "their front to the eye, Cull f; of triangles, Cull t. Missed: triangles that are seen and were not drawn, in "
-        "all frames and seeds. Means over frames and seeds.",
+        "occluder. Cull: polygons that occluders hide, with their boxes or alone (leaves=polygons), over all that no "
+        "pixel "
+        "of six item buffers shows, so back faces count as hidden; Cull+: the same with back faces that are left out "
+        "of "
+        "drawn boxes taken as culled; Cull f: of those that turn their front to the eye; Cull t: of triangles. Missed: "
+        "triangles that are seen and were not drawn, in all frames and seeds. Means over frames and seeds.",
         {{"scene", "method", "Occ", "Rel", "Vis", "Cull", "Cull+", "Cull f", "Cull t", "missed", "occluders", "boxes",
           "of them kept", "tested", "planes", "changed", "drawn"},
          {}}};

@@ -59,8 +59,13 @@ std::vector<std::string> causes(const std::vector<Regime>& regimes) {
 }  // namespace
 
 const char* papers_name(const std::string& scene) {
-    static constexpr std::array<std::array<const char*, 2>, 4> names{
-        {{"city", "CITY"}, {"cars", "5CBEM"}, {"room", "ROOM"}, {"plant", "PLANT"}}};
+    static constexpr std::array<std::array<const char*, 2>, 7> names{{{"city", "CITY"},
+                                                                      {"cars", "5CBEM"},
+                                                                      {"room", "ROOM"},
+                                                                      {"plant", "PLANT"},
+                                                                      {"soda", "SODA"},
+                                                                      {"blocks", "CITY OF BOXES"},
+                                                                      {"tetra", "TETRA"}}};
     for (const auto& [ours, theirs] : names)
         if (family(scene) == ours) return theirs;
     return nullptr;

@@ -27,7 +27,8 @@ struct Claim {
 };
 
 /// Those that the study can judge, on each scene and path that stands for one of the papers': city for CITY, cars for
-/// 5CBEM, room for ROOM, plant for the gem's power plant (PLANT). They need methods and budgets; what needs
+/// 5CBEM, room for ROOM, plant for the gem's power plant (PLANT), soda, blocks and tetra for the models of Coorg and
+/// Teller. They need methods and budgets; what needs
 /// neighbouring frames is judged on parts of paths (part_of_path), the rest on whole ones. The papers' data are not to
 /// be had: shapes are compared, not figures. Rows are those of `results`.
 std::vector<Claim> judge_claims(const Results& results);

@@ -167,10 +167,11 @@ TEST(LabClaims, AboutRoomAreJudgedFromInside) {
 
 TEST(LabClaims, EachCitesWhereItStands) {
     std::vector<Row> rows;
-    for (const char* scene : {"city", "cars", "room", "plant"})
+    for (const char* scene : {"city", "cars", "room", "plant", "soda"})
         for (const char* path : {"street", "street:60-67", "outside"})
             for (const char* budget : {"1%", "5%", "10%", "unlimited"})
-                for (const char* method : {"published", "published@tree", "centroid", "view", "layers", "cplp"})
+                for (const char* method : {"published", "published@tree", "centroid", "view", "layers", "cplp",
+                                           "coorg-teller", "coorg-teller connected=on", "coorg-teller coherence=off"})
                     rows.push_back(along(with(report_row(scene, method, budget, 9, 0.1, 0.5), {{M::zeta, 1},
                                                                                                {M::pop, 0},
                                                                                                {M::flip, 0},
@@ -179,9 +180,11 @@ TEST(LabClaims, EachCitesWhereItStands) {
                                                                                                {M::rendered, 1000}}),
                                          path));
     const auto claims = judge_claims(results_of(rows));
-    EXPECT_EQ(claims.size(), 23u) << "every one is judged";
+    EXPECT_EQ(claims.size(), 26u) << "every one is judged";
     for (const Claim& claim : claims) {
-        EXPECT_TRUE(claim.source.starts_with("TVCG ") || claim.source.starts_with("gem, ")) << claim.text;
+        EXPECT_TRUE(claim.source.starts_with("TVCG ") || claim.source.starts_with("gem, ") ||
+                    claim.source.starts_with("CT "))
+            << claim.text;
         EXPECT_EQ(claim.source.find("5.1"), std::string::npos) << claim.text << ": 5.1 is about preprocessing";
     }
 }
@@ -205,6 +208,27 @@ TEST(LabClaims, OfTheGemAreJudgedInThePlant) {
     EXPECT_EQ(table.rows[2],
               (std::vector<std::string>{"plant:200k, test", "layers@tree", "1%", "50", "50", "98", "98"}));
     EXPECT_TRUE(gem_table(results_of({report_row("city", "layers", "1%", 1, 0, 1)})).rows.empty());
+}
+
+TEST(LabClaims, OfCoorgAndTellerAreJudgedOnTheirModels) {
+    const auto rows = [](const char* scene, double drawn, double ms) {
+        const auto row = [&](const char* method, double rendered, double traverse) {
+            return with(report_row(scene, method, "unlimited", 1, 0, 1),
+                        {{M::rendered, rendered}, {M::traverse_ms, traverse}});
+        };
+        return std::vector{row("coorg-teller", 100, 1), row("coorg-teller connected=on", drawn, ms),
+                           row("coorg-teller coherence=off", 100, 3)};
+    };
+    EXPECT_EQ(judged(rows("soda", 90, 0.9), "Connected occluders"), "holds");
+    EXPECT_EQ(judged(rows("blocks", 90, 1.1), "Connected occluders"), "does not hold") << "slower";
+    EXPECT_EQ(judged(rows("tetra", 110, 0.9), "Connected occluders"), "does not hold") << "culls less";
+    EXPECT_EQ(judged(rows("city", 90, 0.9), "Connected occluders"), "not judged") << "no model of theirs";
+    std::vector<Row> city = rows("city", 90, 0.9);
+    city.push_back(with(report_row("city", "view", "unlimited", 1, 0, 1), {{M::rendered, 179}, {M::visible, 20}}));
+    EXPECT_EQ(judged(city, "many small polygons"), "holds") << "79 of 159";
+    city.back() = with(city.back(), {{M::rendered, 181}});
+    EXPECT_EQ(judged(city, "many small polygons"), "does not hold") << "81 of 161";
+    EXPECT_EQ(judged(rows("soda", 90, 0.9), "kept from frame to frame"), "holds");
 }
 
 TEST(PapersTables, PutTheirFiguresBesideOurs) {
