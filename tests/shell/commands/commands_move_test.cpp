@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/substep.h"
 #include "shell/desk/play.h"
+#include "tests/scene/scene_support.h"
 #include "tests/shell/commands/commands_support.h"
 
 namespace sightline {
