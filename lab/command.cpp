@@ -23,6 +23,8 @@ std::span<const Command> commands() {
                 cells_command},
         Command{"compare", "says what changed between two studies or two methods, and whether it is more than noise",
                 compare_command},
+        Command{"object-space", "measures culling by occluders plane by plane, beside the tables of Coorg and Teller",
+                object_space_command},
         Command{"reduce", "shrinks a scene to the fewest primitives for which an expression still holds",
                 reduce_command},
         Command{"merge", "merges the parts of a study that were measured separately", merge_command},
@@ -36,7 +38,7 @@ void print_help(std::ostream& out) {
     out << "Measures occlusion-culling methods: speed against accuracy, stability, and where they fail.\n\n"
            "lab COMMAND …   (lab COMMAND --help lists its options)\n\n";
     for (const Command& command : commands())
-        out << "  " << command.id << std::string(12 - command.id.size(), ' ') << command.text << "\n";
+        out << "  " << command.id << std::string(14 - command.id.size(), ' ') << command.text << "\n";
 }
 
 int run(int argc, const char* const* argv, const MethodTables& tables) {

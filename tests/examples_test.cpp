@@ -112,6 +112,26 @@ TEST_F(Examples, EveryStateFileOpensAsItWasSaved) {
     }
 }
 
+template <int D>
+void expect_same_state(const fs::path& file, const fs::path& again) {
+    SCOPED_TRACE(file);
+    ASSERT_TRUE(fs::exists(again)) << "it is not made by the script";
+    const OpenedState<D> saved = open_state<D>(read_file(file.string()), file.string());
+    const OpenedState<D> made = open_state<D>(read_file(again.string()), again.string());
+    EXPECT_TRUE(saved.warnings.empty()) << saved.warnings.front();
+    EXPECT_EQ(saved.session.hash(), made.session.hash());
+    EXPECT_EQ(saved.session.settings(), made.session.settings());
+    EXPECT_EQ(saved.session.position(), made.session.position());
+    EXPECT_EQ(saved.session.selected_cell, made.session.selected_cell);
+    EXPECT_EQ(saved.session.selected_primitive, made.session.selected_primitive);
+    EXPECT_EQ(saved.session.notes.size(), made.session.notes.size());
+    ASSERT_EQ(saved.other.has_value(), made.other.has_value());
+    if (saved.other) {
+        EXPECT_EQ(saved.other->hash(), made.other->hash());
+    }
+    EXPECT_EQ(saved.align, made.align);
+}
+
 /// A lesson's files open as they were saved, and are what their script makes.
 TEST_F(Examples, EveryStateOfTheLessonIsWhatItsScriptMakes) {
     ASSERT_EQ(run("sh '" + (source / "examples/lesson/make.sh").string() + "' '" + viewer + "' out"), 0) << said_;
@@ -121,21 +141,27 @@ TEST_F(Examples, EveryStateOfTheLessonIsWhatItsScriptMakes) {
     const std::string page = read_file((source / "docs/teaching.md").string());
     for (const fs::path& file : states) {
         EXPECT_NE(page.find("--state examples/lesson/" + file.filename().string()), std::string::npos) << file;
+        expect_same_state<2>(file, folder_ / "out" / file.filename());
+    }
+}
+
+/// So do those of the figures of Coorg and Teller, each of which is on the page of figures.
+TEST_F(Examples, EveryStateOfCoorgAndTellerIsWhatItsScriptMakes) {
+    const fs::path states = source / "examples/states/coorg-teller";
+    ASSERT_EQ(run("sh '" + (states / "make.sh").string() + "' '" + viewer + "' '" + SIGHTLINE_VIEWER3D + "' out"), 0)
+        << said_;
+    const auto files = files_in(states, ".json");
+    ASSERT_GE(files.size(), 13u);
+    EXPECT_EQ(files_in(folder_ / "out", ".json").size(), files.size());
+    const std::string page = read_file((source / "docs/figures.md").string());
+    for (const fs::path& file : files) {
+        EXPECT_NE(page.find("--state examples/states/coorg-teller/" + file.filename().string()), std::string::npos)
+            << file;
         const fs::path again = folder_ / "out" / file.filename();
-        ASSERT_TRUE(fs::exists(again)) << file << " is not made by the script";
-        const OpenedState saved = open_state(read_file(file.string()), file.string());
-        const OpenedState made = open_state(read_file(again.string()), again.string());
-        EXPECT_TRUE(saved.warnings.empty()) << file << ": " << saved.warnings.front();
-        EXPECT_EQ(saved.session.hash(), made.session.hash()) << file;
-        EXPECT_EQ(saved.session.settings(), made.session.settings()) << file;
-        EXPECT_EQ(saved.session.position(), made.session.position()) << file;
-        EXPECT_EQ(saved.session.selected_cell, made.session.selected_cell) << file;
-        EXPECT_EQ(saved.session.notes.size(), made.session.notes.size()) << file;
-        ASSERT_EQ(saved.other.has_value(), made.other.has_value()) << file;
-        if (saved.other) {
-            EXPECT_EQ(saved.other->hash(), made.other->hash()) << file;
-        }
-        EXPECT_EQ(saved.align, made.align) << file;
+        if (read_file(file.string()).find("\"dimension\": 3") == std::string::npos)
+            expect_same_state<2>(file, again);
+        else
+            expect_same_state<3>(file, again);
     }
 }
 

@@ -32,6 +32,10 @@ void add_triangles(const Session<3>& session, bool tell_visible, SolidList& list
         for (const OccluderFact& occluder : session.traversal().occluders())
             for (const std::uint32_t triangle : occluder.primitives) {
                 if (std::exchange(is_occluder[triangle], 1)) continue;
+                // From behind it hides nothing, and would hide the picture: a ceiling seen from above.
+                if (!shows_both_sides(session.scene(), triangle) &&
+                    !faces(list.camera, session.scene().primitives[triangle]))
+                    continue;
                 const SolidBoxLook look = occluder.actual ? SolidBoxLook::actual : SolidBoxLook::potential;
                 by_look[looks + static_cast<std::size_t>(look)].push_back(triangle);
             }

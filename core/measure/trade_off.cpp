@@ -153,6 +153,8 @@ void TradeOffStudy<D>::take_time(TradeOffDot& dot) {
     if (sample <= repeats) {
         work.problem.budget = primitives(dot.budget);
         OwnRun<D>& run = timed_[dot.variant];
+        // What a run keeps of the frame before must not be of this very view.
+        if (task_.variants[dot.variant].method.needs.last_frame) run = {};
         const double ms = run_milliseconds(task_.variants[dot.variant].method, work.problem, run);
         // In 2D nothing is drawn: what a perfect order costs is all that there is to show.
         if (sample > 0 && (!drawn || pays_for_traversal(task_.variants[dot.variant].method)))

@@ -8,6 +8,7 @@
 #include "core/base/quote.h"
 #include "core/base/text.h"
 #include "lab/cells/cells_report.h"
+#include "lab/cells/sweep.h"
 #include "lab/command.h"
 #include "lab/measure/run_study.h"
 #include "lab/measure/study_options.h"
@@ -45,6 +46,38 @@ std::string on_cells(const Row& row, const MethodTables& tables) {
     return ", " + std::to_string(row.cells) + " cells (error bound " + short_number(row.error_bound) + ")";
 }
 
+/// Parameters of methods instead of cells.
+int sweep_parameters(const Study& asked, const std::vector<std::string>& texts, Measure measure,
+                     const std::string& out) {
+    std::vector<Sweep> sweeps;
+    for (const std::string& text : texts) sweeps.push_back(parse_sweep(text));
+    const Study study = parameter_study(asked, sweeps);
+    LabGraphics graphics;
+    note_interrupts();
+    const Results results = run_study(study, out, graphics, {.say = say, .stopped = interrupted});
+    if (interrupted()) return stopped();
+    write_results(results, out);
+    const std::vector<SweepCurve> curves = sweep_curves(asked, sweeps, results);
+    say("drawing the charts");
+    write_sweep_report(curves, measure, out);
+    say("");
+    for (const SweepCurve& curve : curves) {
+        const std::size_t at = best(curve, measure);
+        const std::filesystem::path file =
+            std::filesystem::path(out) /
+            (file_stem(curve.scene + "-" + method_text(curve.method) + "-" + curve.parameter + "-" + curve.budget) +
+             ".settings.json");
+        write_file(file, sweep_settings(curve, measure));
+        std::cout << one_line(curve.scene, 1000) << ", " << method_text(curve.method) << " " << curve.budget << ": "
+                  << curve.parameter << " " << curve.values[at] << ", " << measure_row(measure).title << " "
+                  << short_number(summary(curve.rows[at], measure)) << "; --settings " << shell_quoted(file.string())
+                  << "\n";
+    }
+    std::cout << "Written: " << one_line(out, 4096)
+              << "/sweep.html, results.json, results.csv, charts/, *.settings.json\n";
+    return 0;
+}
+
 }  // namespace
 
 int cells_command(int argc, const char* const* argv, const MethodTables& tables) {
@@ -56,23 +89,33 @@ int cells_command(int argc, const char* const* argv, const MethodTables& tables)
     options.methods = {"published", "layers", "centroid", "view"};
     add_study_options(app, options);
     std::vector<double> bounds = default_error_bounds();
+    std::vector<std::string> sweeps;
     std::string measure_id = "wrong", out = "out/cells";
     double within = 0.01;
     std::optional<double> reach;
     app.add_option("--error-bounds", bounds, "comma-separated, each in (0, 1]")
         ->delimiter(',')
         ->check(CLI::Range(1e-3, 1.0));
-    app.add_option("--measure", measure_id, "the measure to judge by, such as wrong, coverage or total_ms")
-        ->capture_default_str();
+    app.add_option(
+           "--sweep", sweeps,
+           "PARAMETER=VALUE,VALUE,… of a method instead of the size of cells: occluder_count=8,16,32; judged by "
+           "ms per frame unless --measure is given; may be given several times")
+        ->allow_extra_args(false);
+    const CLI::Option* const measure_option =
+        app.add_option("--measure", measure_id, "the measure to judge by, such as wrong, coverage or total_ms")
+            ->capture_default_str();
     app.add_option("--within", within,
                    "how much worse than the best the knee may be, in units of the measure (shares: 0.01 is 1 %)")
         ->capture_default_str();
     app.add_option("--reach", reach, "also name the simplest method that reaches this value of the measure");
     app.add_option("--out", out, "folder of the results")->capture_default_str();
     if (!parse(app, argc, argv)) return 0;
+    if (!sweeps.empty() && measure_option->empty()) measure_id = "total_ms";
+    if (!sweeps.empty() && app.get_option("--methods")->empty()) options.methods.clear();  // all that have it
     const Measure measure = measure_named(measure_id);
-    const Study asked = study_of(options, tables), study = sweep_study(asked, bounds),
-                cell_free = cell_free_study(asked);
+    const Study asked = study_of(options, tables);
+    if (!sweeps.empty()) return sweep_parameters(asked, sweeps, measure, out);
+    const Study study = sweep_study(asked, bounds), cell_free = cell_free_study(asked);
     if (study.methods.empty()) throw InputError("lab cells: none of these methods orders cells");
     LabGraphics graphics;
     note_interrupts();

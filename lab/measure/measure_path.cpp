@@ -116,6 +116,18 @@ private:
         run->run(none);
         return run->next_history();
     }
+    /// What a run keeps of the frame before saves time in the next one: it has to see that frame before each repeat, or
+    /// it would be asked for what it knows already.
+    void show_frame_before(Choice& c, std::uint32_t i, Problem<D> problem) const {
+        if (!c.variant.method.needs.last_frame) return;
+        if (!lab_.before[i]) {
+            c.timed = {};
+            return;
+        }
+        problem.view = *lab_.before[i];
+        c.timed.start(problem, c.variant.method.start);
+        c.timed->run(none);
+    }
     Services services_of(const FrameOfAll& frame) const {
         return known_services(std::make_shared<std::vector<std::uint8_t>>(frame.reference.visible),
                               lab_.settings.reference_size);
@@ -187,6 +199,7 @@ private:
                 TimeSamples times;
                 const bool pays = pays_for_traversal(c.variant.method);
                 for (std::uint32_t repeat = 0; repeat <= (pays ? study_.repeats : 0); ++repeat) {
+                    show_frame_before(c, i, problem);
                     const double ms = run_milliseconds<D>(c.variant.method, problem, c.timed);
                     if (repeat > 0) times.traverse.push_back(ms);
                 }

@@ -82,8 +82,15 @@ void all_are_found(std::uint64_t seed, int count) {
         const Prepared<D> prepared = prepare<D>(scene, random.below(2) ? TreeKind::kd : TreeKind::octree, 4, threshold);
         std::vector<Candidate> found;
         for (int k = 0; k < 40; ++k) {
-            const Vec<D> eye = any_point<D>(random, 2);
-            potential_occluders<D>(prepared, scene, eye, found);
+            View<D> view;
+            view.eye = any_point<D>(random, 2);
+            view.all_round = true;
+            const Vec<D>& eye = view.eye;
+            found = potential_occluders<D>(prepared, scene, view);
+            const std::size_t few = random.below(found.size() + 2);
+            const auto first = potential_occluders<D>(prepared, scene, view, few);
+            ASSERT_EQ(first.size(), std::min(few, found.size()));
+            for (std::size_t i = 0; i < first.size(); ++i) ASSERT_EQ(first[i].polygon, found[i].polygon);
             std::vector<std::uint32_t> by_tree, by_hand;
             for (const Candidate& candidate : found) by_tree.push_back(candidate.polygon);
             for (std::uint32_t p = 0; p < prepared.polygons.size(); ++p) {
@@ -107,16 +114,18 @@ TEST(OccluderChoice, AllAreFound3d) { all_are_found<3>(94, test::soak_count(20))
 /// Convex occluders: no polygon reaches before another's plane, each polygon is in one at most, and the shadow's sides
 /// are a single ring as the eye sees them.
 TEST(OccluderChoice, ConvexOccludersAreConvex) {
-    std::size_t larger = 0;
+    std::size_t larger = 0, near = 0, all = 0;
     for (const char* id : {"blocks", "soda", "tetra"}) {
         const CatalogueRow<3>& row = *find_in_catalogue<3>(id);
         const Scene<3> scene = make_scene(row, row.triangles);
-        const Prepared<3> prepared = prepare<3>(scene, TreeKind::kd, 8, 0.003);
+        const Prepared<3> prepared = prepare<3>(scene, TreeKind::kd, 8, 0.01);
         const Polygons<3>& polygons = prepared.polygons;
         for (std::size_t frame = 0; frame < scene.paths.front().frames.size(); frame += 60) {
             const Vec<3> eye = scene.paths.front().frames[frame].eye;
-            std::vector<Candidate> found;
-            potential_occluders<3>(prepared, scene, eye, found);
+            const View<3> view = make_view(scene.paths.front().frames[frame], 1.5);
+            const std::vector<Candidate> found = potential_occluders<3>(prepared, scene, view);
+            near += prepared.near(eye).size();
+            all += polygons.size();
             std::vector<std::uint8_t> taken(polygons.size());
             for (const auto& body : convex_occluders<3>(prepared, scene, eye, found, 16)) {
                 larger += body.size() > 1;
@@ -140,6 +149,7 @@ TEST(OccluderChoice, ConvexOccludersAreConvex) {
         }
     }
     EXPECT_GT(larger, 20u);
+    EXPECT_LT(near, all / 2) << "the tree keeps most away";
 }
 
 }  // namespace

@@ -32,6 +32,7 @@ template <int D>
 BoxStates<D>::BoxStates(const BoxStates& other)
     : prepared_(other.prepared_),
       scene_(other.scene_),
+      view_(other.view_),
       eye_(other.eye_),
       kind_(other.kind_),
       connected_(other.connected_),
@@ -39,7 +40,6 @@ BoxStates<D>::BoxStates(const BoxStates& other)
       epoch_(1),
       version_(1),
       next_key_(other.next_key_),
-      potential_(other.potential_),
       slots_(other.slots_),
       shadows_(other.shadows_),
       meetings_(other.meetings_),
@@ -71,13 +71,18 @@ void BoxStates<D>::begin(std::shared_ptr<const Prepared<D>> prepared, const Prob
     kind_ = kind;
     prepared_ = std::move(prepared);
     scene_ = problem.scene;
-    eye_ = problem.view.eye;
+    view_ = problem.view;
+    eye_ = view_.eye;
     connected_ = connected;
     ++epoch_;
     effort_ = {};
-    potential_occluders(*prepared_, *scene_, eye_, potential_);
-    place(kind == OccluderKind::polygon ? single_occluders(potential_, count)
-                                        : convex_occluders(*prepared_, *scene_, eye_, potential_, count));
+    // Convex occluders are grown out of a few more polygons than there will be of them.
+    constexpr std::size_t polygons_each = 16;
+    if (kind == OccluderKind::polygon)
+        place(single_occluders(potential_occluders(*prepared_, *scene_, view_, count)));
+    else
+        place(convex_occluders(*prepared_, *scene_, eye_,
+                               potential_occluders(*prepared_, *scene_, view_, count * polygons_each), count));
     if (connected_ != Connected::off) meetings_.find<D>(shadows_);
 }
 

@@ -78,7 +78,8 @@ public:
     /// primitives in the tree. The leaf's state is PARTIAL and has been asked for.
     bool hides_polygon(std::uint32_t leaf, std::uint32_t place, Effort& effort, BoxScratch<D>& scratch);
 
-    const std::vector<Candidate>& potential() const { return potential_; }
+    /// Made anew.
+    std::vector<Candidate> potential() const { return potential_occluders(*prepared_, *scene_, view_); }
     /// By slot; those of slots that are not used have no polygons.
     std::span<const Shadow<D>> shadows() const { return shadows_; }
     const Meetings& meetings() const { return meetings_; }
@@ -131,13 +132,13 @@ private:
 
     std::shared_ptr<const Prepared<D>> prepared_;
     const Scene<D>* scene_ = nullptr;
+    View<D> view_;
     Vec<D> eye_{};
     OccluderKind kind_ = OccluderKind::polygon;
     Connected connected_ = Connected::off;
     bool keeps_ = true;
     double travelled_ = 0;  ///< by the eye, since there is anything kept
     std::uint32_t epoch_ = 0, version_ = 0, next_key_ = 0;
-    std::vector<Candidate> potential_;
     std::vector<Slot> slots_;
     std::vector<Shadow<D>> shadows_;
     Meetings meetings_;

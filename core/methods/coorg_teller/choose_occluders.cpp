@@ -32,25 +32,41 @@ bool lies_behind(const Scene<D>& scene, const Polygons<D>& polygons, std::uint32
 }  // namespace
 
 template <int D>
-void potential_occluders(const Prepared<D>& prepared, const Scene<D>& scene, const Vec<D>& eye,
-                         std::vector<Candidate>& found) {
-    found.clear();
+std::vector<Candidate> potential_occluders(const Prepared<D>& prepared, const Scene<D>& scene, const View<D>& view,
+                                           std::size_t count) {
     const Polygons<D>& polygons = prepared.polygons;
+    const Vec<D>& eye = view.eye;
+    const auto can_hide = [&](std::uint32_t polygon) {
+        if (side_seen(scene, polygons, polygon, eye) == 0) return false;
+        const auto members = polygons.members_of(polygon);
+        return std::any_of(members.begin(), members.end(),
+                           [&](std::uint32_t member) { return in_view(view, scene.primitives[member]); });
+    };
+    std::vector<Candidate> found;
     for (const std::uint32_t polygon : prepared.near(eye)) {
         double value = area_angle<D>(polygons.area[polygon], polygons.centre[polygon], eye);
         if (polygons.two_sided[polygon]) value = std::abs(value);
-        if (value >= prepared.threshold && side_seen(scene, polygons, polygon, eye) != 0)
-            found.push_back({value, polygon});
+        if (value >= prepared.threshold) found.push_back({value, polygon});
     }
-    std::sort(found.begin(), found.end(), [](const Candidate& a, const Candidate& b) {
+    const auto larger = [](const Candidate& a, const Candidate& b) {
         return a.area_angle != b.area_angle ? a.area_angle > b.area_angle : a.polygon < b.polygon;
-    });
+    };
+    // Sorted piece by piece, as far as anybody asks: few of many are large.
+    std::vector<Candidate> seen;
+    std::size_t begin = 0;
+    while (seen.size() < count && begin < found.size()) {
+        const std::size_t end = std::min(found.size() - begin, count == none ? found.size() : count) + begin;
+        const auto at = [&](std::size_t i) { return found.begin() + static_cast<std::ptrdiff_t>(i); };
+        std::partial_sort(at(begin), at(end), found.end(), larger);
+        for (; begin < end && seen.size() < count; ++begin)
+            if (can_hide(found[begin].polygon)) seen.push_back(found[begin]);
+    }
+    return seen;
 }
 
-OccluderLists single_occluders(std::span<const Candidate> potential, std::size_t count) {
+OccluderLists single_occluders(std::span<const Candidate> chosen) {
     OccluderLists all;
-    for (const Candidate& candidate : potential.first(std::min(count, potential.size())))
-        all.push_back({candidate.polygon});
+    for (const Candidate& candidate : chosen) all.push_back({candidate.polygon});
     return all;
 }
 
@@ -91,9 +107,10 @@ OccluderLists convex_occluders(const Prepared<D>& prepared, const Scene<D>& scen
     return all;
 }
 
-#define SIGHTLINE_INSTANTIATE(D)                                                                                       \
-    template void potential_occluders<D>(const Prepared<D>&, const Scene<D>&, const Vec<D>&, std::vector<Candidate>&); \
-    template OccluderLists convex_occluders<D>(const Prepared<D>&, const Scene<D>&, const Vec<D>&,                     \
+#define SIGHTLINE_INSTANTIATE(D)                                                                                \
+    template std::vector<Candidate> potential_occluders<D>(const Prepared<D>&, const Scene<D>&, const View<D>&, \
+                                                           std::size_t);                                        \
+    template OccluderLists convex_occluders<D>(const Prepared<D>&, const Scene<D>&, const Vec<D>&,              \
                                                std::span<const Candidate>, std::size_t);
 SIGHTLINE_INSTANTIATE(2)
 SIGHTLINE_INSTANTIATE(3)

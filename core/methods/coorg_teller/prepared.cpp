@@ -33,10 +33,10 @@ private:
         for (int i = 0; i < D; ++i) {
             const bool open_below = box.min[i] == root.min[i], open_above = box.max[i] == root.max[i];
             if ((!open_below && region.max[i] < box.min[i]) || (!open_above && region.min[i] > box.max[i])) return;
-            inside &= (open_below || region.min[i] <= box.min[i]) && (open_above || region.max[i] >= box.max[i]);
+            inside &= !open_below && region.min[i] <= box.min[i] && !open_above && region.max[i] >= box.max[i];
         }
         const std::uint32_t first = space_.nodes[node].first_child;
-        if (first == none || inside || box.longest_side() <= region.longest_side() / 2) {
+        if (first == none || inside || box.longest_side() <= region.longest_side()) {
             at_[node].push_back(polygon);
             return;
         }

@@ -104,7 +104,7 @@ Verdict VisibleRun<D>::why_drawn(const Item& item) const {
     const Shadow<D>& shadow = states_.shadows()[best];
     const std::string who = members_words<D>(prepared_->polygons, shadow.polygons);
     std::string text =
-        "it is PARTIAL: " + who + (shadow.polygons.size() > 1 ? " hide" : " hides") + " the most of it, but ";
+        "it is PARTIAL: " + who + (who.find(' ') == who.rfind(' ') ? " hides" : " hide") + " the most of it, but ";
     for (const TestedPlane<D>& plane : box_planes(shadow, prepared_->polygons, *this->problem_.scene,
                                                   tree_->nodes[item.id].box, this->problem_.view.eye)) {
         if (plane.satisfied || plane.kind == PlaneKind::separating) continue;
@@ -239,7 +239,7 @@ std::vector<CodeLine> VisibleRun<D>::code(const CodePlace& at) const {
         0, !in_step && this->steps_ == 0,
         std::to_string(shadows) + " of " + counted(states_.potential().size(), "potential occluder"), "CT 3.3");
     add("while a box waits:", 0, !in_step && this->steps_ > 0 && !this->finished(),
-        counted(this->counters_.front_size, "box") + " wait", "");
+        counted(this->counters_.front_size, "node") + (this->counters_.front_size == 1 ? " waits" : " wait"), "");
     add("T = the next one, depth first", 1, testing, popped, "CT 3, Visible");
     add("outside the view: switch it off", 1, is(VisibleRule::outside), popped, "CT 3.1");
     add("all supporting planes of an occluder in S satisfied, or", 1, false, {}, "CT 2.1, TestOcclusion");

@@ -86,7 +86,8 @@ Scene<2> make_scene(const CatalogueRow<2>& row);
 Scene<3> make_scene(const CatalogueRow<3>& row, std::size_t triangles);
 
 /// "city", or with a size "city:500k", "city:16M", "city:20000". Nothing when what stands before the colon is no id of
-/// the 3D catalogue; throws InputError when what stands behind it is no size that the scene can have.
-std::optional<Scene<3>> generated_scene(std::string_view name);
+/// the 3D catalogue; throws InputError when what stands behind it is no size that the scene can have. `seed`: another
+/// than the row's, for what is measured over several.
+std::optional<Scene<3>> generated_scene(std::string_view name, std::optional<std::uint64_t> seed = std::nullopt);
 
 }  // namespace sightline

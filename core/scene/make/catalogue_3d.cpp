@@ -198,7 +198,7 @@ Scene<3> make_scene(const CatalogueRow<3>& row, std::size_t triangles) {
     return scene;
 }
 
-std::optional<Scene<3>> generated_scene(std::string_view name) {
+std::optional<Scene<3>> generated_scene(std::string_view name, std::optional<std::uint64_t> seed) {
     const std::size_t colon = name.find(':');
     const CatalogueRow<3>* const row = find_in_catalogue<3>(name.substr(0, colon));
     if (!row) return std::nullopt;
@@ -217,7 +217,10 @@ std::optional<Scene<3>> generated_scene(std::string_view name) {
                     " to 16M, such as 20000, 500k or 2M");
         triangles = *size;
     }
-    return make_scene(*row, triangles);
+    if (!seed) return make_scene(*row, triangles);
+    CatalogueRow<3> seeded = *row;
+    seeded.seed = *seed;
+    return make_scene(seeded, triangles);
 }
 
 }  // namespace sightline

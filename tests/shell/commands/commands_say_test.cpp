@@ -49,6 +49,12 @@ TEST_F(EachCommand, what_if) {
     EXPECT_EQ(what_if(*bench), nullptr);
     run("select none; method everything; select 3; what-if");
     EXPECT_EQ(said.back(), "this method orders no cells: select a primitive");
+    run("method coorg-teller; select primitive:10; what-if");
+    const auto tells = [&](const std::string& change) {
+        return std::any_of(said.begin(), said.end(), [&](const auto& s) { return s.find(change) != s.npos; });
+    };
+    EXPECT_TRUE(tells("workers=2"));
+    EXPECT_FALSE(tells("workers=0.5")) << "there is no half of a worker";
 }
 
 TEST_F(EachCommand, glossary) {
