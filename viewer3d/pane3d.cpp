@@ -34,7 +34,9 @@ void Pane3d::make_solid_list(const Session<3>& session, const PictureOptions3& o
     key.settings = session.settings();
     key.facet = options.facet;
     key.heat = options.heat_range;
-    if (key.settings.slice == SliceAcross::view) key.sliced_from = session.display_view();
+    // A slice across the view turns with it, and occluders are marked where their fronts are seen.
+    const bool turns = key.settings.slice == SliceAcross::view || (key.outside && session.traversal().tests_planes());
+    if (turns) key.made_from = session.display_view();
     if (key_ != key) {
         solid_ = make_solid(session, options);
         solid_renderer_.set(solid_);

@@ -44,7 +44,7 @@ private:
         std::vector<Differs> differences;
         Settings settings;
         std::optional<std::uint32_t> facet;
-        std::optional<ViewSpec<3>> sliced_from;  ///< the plane of a slice across the view turns with it
+        std::optional<ViewSpec<3>> made_from;  ///< where what is shown turns with the view
         std::optional<std::array<double, 2>> heat;
         bool operator==(const SolidKey&) const = default;
     };

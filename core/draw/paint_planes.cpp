@@ -111,7 +111,7 @@ void PlanePainter::planes() {
 
 void PlanePainter::outlines() {
     if (const auto last = last_box(session_)) box(*last, BoxLook::last);
-    if (const auto selected = selected_box(session_)) box(*selected, BoxLook::selected);
+    if (const auto at_hand = explained_box(session_)) box(*at_hand, BoxLook::selected);
 }
 
 }  // namespace sightline

@@ -231,7 +231,7 @@ private:
         if (const std::uint32_t last = last_cell(session_); last != none) outline_cell(last, index(Look::last));
         const bool by_planes = session_.traversal().tests_planes();
         if (const auto box = last_box(session_)) outline(*box, by_planes ? index(BoxLook::last) : index(Look::last));
-        if (const auto box = selected_box(session_))
+        if (const auto box = by_planes ? explained_box(session_) : selected_box(session_))
             outline(*box, by_planes ? index(BoxLook::selected) : index(Look::selected));
         if (session_.selected_cell != none) outline_cell(session_.selected_cell, index(Look::selected));
         if (session_.selected_primitive == none) return;

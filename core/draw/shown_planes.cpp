@@ -48,6 +48,13 @@ std::uint32_t box_at_hand(const Session<D>& session) {
 }
 
 template <int D>
+std::optional<Box<D>> explained_box(const Session<D>& session) {
+    const std::uint32_t node = box_at_hand(session);
+    if (node == none || (node == last_node(session) && node != session.selected_node)) return std::nullopt;
+    return session.traversal().boxes()->nodes[node].box;
+}
+
+template <int D>
 bool is_of_occluder(const Session<D>& session, std::uint32_t primitive, bool actual) {
     for (const OccluderFact& occluder : session.traversal().occluders())
         if ((occluder.actual || !actual) &&
@@ -137,6 +144,7 @@ std::array<Vec<3>, 4> piece_of(const TestedPlane<3>& plane, const Vec<3>& eye) {
 
 #define SIGHTLINE_INSTANTIATE(D)                                               \
     template std::uint32_t box_at_hand<D>(const Session<D>&);                  \
+    template std::optional<Box<D>> explained_box<D>(const Session<D>&);        \
     template bool is_of_occluder<D>(const Session<D>&, std::uint32_t, bool);   \
     template std::uint32_t occluder_at_hand<D>(const Session<D>&);             \
     template std::vector<TestedPlane<D>> planes_at_hand<D>(const Session<D>&); \

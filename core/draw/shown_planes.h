@@ -14,6 +14,10 @@ namespace sightline {
 template <int D>
 std::uint32_t box_at_hand(const Session<D>& session);
 
+/// That box, where it is not only what the last step popped.
+template <int D>
+std::optional<Box<D>> explained_box(const Session<D>& session);
+
 /// Whether the primitive is of an occluder; `actual`: of one that hides something.
 template <int D>
 bool is_of_occluder(const Session<D>& session, std::uint32_t primitive, bool actual);

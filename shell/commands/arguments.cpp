@@ -5,6 +5,8 @@
 
 #include "core/base/error.h"
 #include "core/base/number.h"
+#include "core/draw/shown_boxes.h"
+#include "core/space/box_tree.h"
 
 namespace sightline {
 
@@ -75,6 +77,23 @@ std::uint32_t cell_argument(const Workbench<D>& bench, Text text) {
 }
 
 template <int D>
+std::uint32_t node_argument(const Workbench<D>& bench, Text text) {
+    const Session<D>& session = bench.session;
+    if (session.method().pops != Kind::node)
+        throw InputError("method '" + std::string(session.method().id) + "' walks no tree of boxes");
+    if (text == "last") {
+        if (const std::uint32_t node = last_node(session); node != none) return node;
+        throw InputError("no box has been popped yet");
+    }
+    const std::uint32_t node = whole_argument(text, "the number of a node");
+    const std::size_t count = session.traversal().boxes()->nodes.size();
+    if (node >= count)
+        throw InputError("node " + std::to_string(node) + " does not exist; there are " + std::to_string(count) +
+                         ", from 0");
+    return node;
+}
+
+template <int D>
 std::uint32_t primitive_argument(const Workbench<D>& bench, Text text) {
     if (text == "selected") {
         if (bench.session.selected_primitive == none) throw InputError("no primitive is selected");
@@ -122,6 +141,8 @@ std::string point_text(const Vec<D>& point, const Scene<D>& scene) {
 
 template std::uint32_t cell_argument<2>(const Workbench<2>&, Text);
 template std::uint32_t cell_argument<3>(const Workbench<3>&, Text);
+template std::uint32_t node_argument<2>(const Workbench<2>&, Text);
+template std::uint32_t node_argument<3>(const Workbench<3>&, Text);
 template std::uint32_t primitive_argument<2>(const Workbench<2>&, Text);
 template std::uint32_t primitive_argument<3>(const Workbench<3>&, Text);
 template std::uint32_t note_argument<2>(const Workbench<2>&, Text);

@@ -39,6 +39,10 @@ const std::string& file_argument(Text text);
 template <int D>
 std::uint32_t cell_argument(const Workbench<D>& bench, Text text);
 
+/// A number or "last". Throws InputError when the method's tree has no such box.
+template <int D>
+std::uint32_t node_argument(const Workbench<D>& bench, Text text);
+
 /// A number or "selected". Throws InputError when there is no such primitive.
 template <int D>
 std::uint32_t primitive_argument(const Workbench<D>& bench, Text text);

@@ -3,10 +3,8 @@
 #include <algorithm>
 
 #include "core/base/error.h"
-#include "core/draw/shown_boxes.h"
 #include "core/draw/shown_planes.h"
 #include "core/session/condition.h"
-#include "core/space/box_tree.h"
 #include "shell/commands/arguments.h"
 #include "shell/commands/groups.h"
 #include "shell/desk/moved.h"
@@ -16,22 +14,6 @@
 namespace sightline {
 
 namespace {
-
-/// A box of the tree that the run walks.
-template <int D>
-std::uint32_t node_argument(const Workbench<D>& bench, Text text) {
-    const BoxTree<D>* const tree = bench.session.traversal().boxes();
-    if (!tree) throw InputError("this method walks no boxes");
-    if (text == "last") {
-        if (const std::uint32_t node = last_node(bench.session); node != none) return node;
-        throw InputError("no box has been tested yet");
-    }
-    const std::uint32_t node = whole_argument(text, "a box");
-    if (node >= tree->nodes.size())
-        throw InputError("node " + text + " does not exist; there are " + std::to_string(tree->nodes.size()) +
-                         ", from 0");
-    return node;
-}
 
 /// Of those between the box and the occluder at hand; the same one again: none.
 template <int D>

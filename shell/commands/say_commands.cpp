@@ -60,15 +60,7 @@ void say_primitive(Workbench<D>& bench, Text id, bool seeds, const std::string& 
 
 template <int D>
 void say_box(Workbench<D>& bench, Text id) {
-    const Session<D>& session = bench.session;
-    if (session.method().pops != Kind::node)
-        throw InputError("method '" + std::string(session.method().id) + "' walks no tree of boxes");
-    const std::uint32_t node = whole_argument(id, "the number of a node");
-    const std::size_t count = session.traversal().boxes()->nodes.size();
-    if (node >= count)
-        throw InputError("node " + std::to_string(node) + " does not exist; there are " + std::to_string(count) +
-                         ", from 0");
-    bench.say(box_sentence(session, node));
+    bench.say(box_sentence(bench.session, node_argument(bench, id)));
 }
 
 template <int D>

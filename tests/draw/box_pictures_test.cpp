@@ -57,7 +57,7 @@ std::size_t count_of(const DrawList& list, std::string_view name) {
 }
 
 /// Goldens: the plan in the middle and at the end, the town from above with a box and a plane selected.
-constexpr std::array plane_goldens{"3359a7228743c57e", "ad8669f8fc46c097", "b0f8f334a539eb4a", "17c796a6bd29716e"};
+constexpr std::array plane_goldens{"8697856c3a07e783", "e0b5186927e96c64", "b0f8f334a539eb4a", "17c796a6bd29716e"};
 
 TEST(BoxPictures, AreThoseOfTheGoldens) {
     std::array<std::string, 4> now;
@@ -132,7 +132,8 @@ bool is_inside(const std::vector<Vec<2>>& polygon, const Vec<2>& p) {
     int left = 0, right = 0;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
         const double side = cross(polygon[(i + 1) % polygon.size()] - polygon[i], p - polygon[i]);
-        side > 0 ? ++left : ++right;
+        left += side > 0;
+        right += side < 0;
     }
     return left == 0 || right == 0;
 }
@@ -162,8 +163,10 @@ TEST(BoxPictures, AnEyeInARegionSeesWhatTheRegionSays) {
             const auto side = [&](const Vec<2>& p) { return cross(own.points[1] - own.points[0], p - own.points[0]); };
             if (is_near(planes, eye) || side(eye) * side(from.eye) <= 0) continue;
             other.set_culling_view({eye, eye + Vec<2>(0, 1), 360});
+            const std::vector<TestedPlane<2>> there = other.traversal().tested_planes(box, primitive);
+            if (there.empty()) continue;  // nearly edge-on: others are larger
             int region = 3;
-            for (const TestedPlane<2>& plane : other.traversal().tested_planes(box, primitive))
+            for (const TestedPlane<2>& plane : there)
                 if (!plane.satisfied) region = std::min(region, plane.kind == PlaneKind::separating ? 1 : 2);
             const int promised = is_inside(regions.hidden, eye) ? 3 : is_inside(regions.partial, eye) ? 2 : 1;
             ASSERT_EQ(promised, region) << "node " << node << ", segment " << primitive;

@@ -1,5 +1,5 @@
-// Culling in object space in the scenes of catalogue and gallery, from anywhere and along all paths: nothing that can
-// be seen is culled. SPDX-License-Identifier: GPL-3.0-or-later
+// Culling in object space, in all scenes, from anywhere and along all paths: nothing that can be seen is culled.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
 #include "core/base/random.h"
@@ -78,7 +78,7 @@ private:
 };
 
 template <int D>
-void miss_nothing_from_anywhere(std::uint64_t seed, int views, int frames) {
+void cull_nothing_visible(std::uint64_t seed, int views, int frames) {
     Random random(seed);
     std::vector<CatalogueRow<D>> rows(catalogue<D>().begin(), catalogue<D>().end());
     rows.insert(rows.end(), failure_scenes<D>().begin(), failure_scenes<D>().end());
@@ -112,10 +112,10 @@ void miss_nothing_from_anywhere(std::uint64_t seed, int views, int frames) {
 }
 
 TEST(ObjectSpaceViews, InThePlaneNothingVisibleIsCulled) {
-    miss_nothing_from_anywhere<2>(63, test::soak_count(100), 0);
+    cull_nothing_visible<2>(63, test::soak_count(100), 0);
 }
 TEST(ObjectSpaceViews, InSpaceNothingVisibleIsCulled) {
-    miss_nothing_from_anywhere<3>(64, test::soak_count(100), test::soak_count(6));
+    cull_nothing_visible<3>(64, test::soak_count(100), test::soak_count(6));
 }
 
 }  // namespace

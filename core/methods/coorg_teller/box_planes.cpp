@@ -44,8 +44,10 @@ std::vector<TestedPlane<D>> box_planes(const Shadow<D>& shadow, const Polygons<D
     std::uint32_t number = 0;
     for (const ShadowFront<D>& front : shadow.fronts) {
         TestedPlane<D> plane{PlaneKind::own, number++, scene.primitives[front.primitive], false, 0};
-        plane.distance = least_beyond(front, box, eye);
-        plane.satisfied = plane.distance > 0;
+        plane.satisfied = corner_sides(front, scene, EyeBox<D>(box, eye)).low > 0;
+        // The rounded distance may say otherwise by a rounding error.
+        const double beyond = least_beyond(front, box, eye);
+        plane.distance = plane.satisfied ? std::max(beyond, 0.0) : std::min(beyond, 0.0);
         planes.push_back(plane);
     }
     const EyeBox<D> seen(box, eye);
@@ -55,24 +57,29 @@ std::vector<TestedPlane<D>> box_planes(const Shadow<D>& shadow, const Polygons<D
         // A corner of its polygon off the edge: on which side of a plane through the edge the occluder lies.
         const std::vector<Vec<D>> own = polygons.corners_of(side.polygon);
         const CornerSides decided = corner_sides(side, seen);
-        for (const PlaneKind kind : {PlaneKind::supporting, PlaneKind::separating})
-            for (const Vec<D>& corner : corners) {
+        for (const PlaneKind kind : {PlaneKind::supporting, PlaneKind::separating}) {
+            // As the test decides it; where the box lies beyond the occluder, that is: the eye lies on the occluder's
+            // side of the plane.
+            const bool satisfied = kind == PlaneKind::supporting ? decided.low >= 0 : decided.high > 0;
+            const auto touches = [&](const Vec<D>& corner) {
                 int occluder = 0;
                 for (const Vec<D>& p : own)
                     if (occluder == 0) occluder = side_of(side, corner, p);
                 const int wanted = kind == PlaneKind::supporting ? occluder : -occluder;
-                if (wanted == 0 || !std::all_of(corners.begin(), corners.end(), [&](const Vec<D>& other) {
-                        return side_of(side, corner, other) * wanted >= 0;
-                    }))
-                    continue;
-                TestedPlane<D> plane{kind, number, points_of(side, corner), false, distance_to(side, corner, eye)};
-                // As the test decides it; where the box lies beyond the occluder, that is: the eye lies on the
-                // occluder's side of the plane.
-                plane.satisfied = kind == PlaneKind::supporting ? decided.low >= 0 : decided.high > 0;
-                if (!plane.satisfied) plane.distance = -plane.distance;
-                planes.push_back(plane);
-                break;
+                return wanted != 0 && std::all_of(corners.begin(), corners.end(), [&](const Vec<D>& other) {
+                           return side_of(side, corner, other) * wanted >= 0;
+                       });
+            };
+            auto corner = std::find_if(corners.begin(), corners.end(), touches);
+            if (corner == corners.end()) {
+                if (satisfied) continue;
+                corner = std::min_element(corners.begin(), corners.end(), [&](const Vec<D>& a, const Vec<D>& b) {
+                    return glm::dot(side.plane.inward, a - eye) < glm::dot(side.plane.inward, b - eye);
+                });
             }
+            const double distance = distance_to(side, *corner, eye);
+            planes.push_back({kind, number, points_of(side, *corner), satisfied, satisfied ? distance : -distance});
+        }
         ++number;
     }
     return planes;

@@ -9,7 +9,8 @@ namespace sightline {
 
 /// First the occluder's own planes, then of each silhouette edge the supporting and the separating one (CT figure 4a).
 /// Their corner of the box is the one at which a plane through the edge touches it: with occluder and box on one side,
-/// or on both. An edge whose line meets the box has none and is left out.
+/// or on both. An edge whose line meets the box has none: its planes are left out where they are satisfied, else they
+/// go through the corner that lies farthest on the wrong side.
 template <int D>
 std::vector<TestedPlane<D>> box_planes(const Shadow<D>& shadow, const Polygons<D>& polygons, const Scene<D>& scene,
                                        const Box<D>& box, const Vec<D>& eye);

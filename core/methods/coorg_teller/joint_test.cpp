@@ -12,27 +12,17 @@ void Meetings::find(std::span<const Shadow<D>> shadows) {
     std::uint32_t count = 0;
     for (std::uint32_t shadow = 0; shadow < shadows.size(); ++shadow) {
         begin_.push_back(count);
-        for (std::uint32_t side = 0; side < shadows[shadow].sides.size(); ++side, ++count)
-            halves_.push_back({shadows[shadow].sides[side].edge, shadow, side, shadows[shadow].sides[side].reversed});
+        const auto& sides = shadows[shadow].sides;
+        for (std::uint32_t side = 0; side < sides.size(); ++side, ++count)
+            halves_.push_back({sides[side].edge, sides[side].polygon, shadow, side, sides[side].reversed});
     }
-    partner_.assign(count, none);
+    group_.resize(count);
     std::sort(halves_.begin(), halves_.end(), [](const Half& a, const Half& b) {
-        return a.edge != b.edge ? a.edge < b.edge : a.shadow != b.shadow ? a.shadow < b.shadow : a.side < b.side;
+        return a.edge != b.edge ? a.edge < b.edge : a.polygon != b.polygon ? a.polygon < b.polygon : a.side < b.side;
     });
-    for (std::size_t i = 0, end; i < halves_.size(); i = end) {
-        end = i;
-        while (end < halves_.size() && halves_[end].edge == halves_[i].edge) ++end;
-        for (std::size_t a = i; a < end; ++a) {
-            if (partner(halves_[a].shadow, halves_[a].side) != none) continue;
-            for (std::size_t b = a + 1; b < end; ++b) {
-                if (halves_[b].reversed == halves_[a].reversed || halves_[b].shadow == halves_[a].shadow ||
-                    partner(halves_[b].shadow, halves_[b].side) != none)
-                    continue;
-                partner_[begin_[halves_[a].shadow] + halves_[a].side] = halves_[b].shadow;
-                partner_[begin_[halves_[b].shadow] + halves_[b].side] = halves_[a].shadow;
-                break;
-            }
-        }
+    for (std::uint32_t i = 0, first = 0; i < halves_.size(); ++i) {
+        if (halves_[i].edge != halves_[first].edge) first = i;
+        group_[begin_[halves_[i].shadow] + halves_[i].side] = first;
     }
 }
 
@@ -47,8 +37,9 @@ std::vector<std::uint32_t> joint_set(std::span<const Partial> partial, const Mee
         if (partial[i].beyond) place[partial[i].shadow] = i;
     }
     const auto partner_of = [&](std::uint32_t i, std::uint32_t side) {
-        const std::uint32_t shadow = meetings.partner(partial[i].shadow, side);
-        return shadow == none || shadow >= place.size() ? none : place[shadow];
+        const std::uint32_t shadow = meetings.partner(
+            partial[i].shadow, side, [&](std::uint32_t other) { return other < place.size() && place[other] != none; });
+        return shadow == none ? none : place[shadow];
     };
     const auto is_satisfied = [&](std::uint32_t i, std::uint32_t side) {
         return side < most_sides && (partial[i].satisfied >> side & 1);

@@ -7,22 +7,52 @@
 
 namespace sightline {
 
-/// For each side of each shadow, the shadow that shares its edge from the opposite side as the eye sees it; none: the
-/// side is a silhouette whoever is asked. An edge of more than two polygons joins the first two that fit.
+/// Which sides of shadows share an edge. Of those that are asked about a box, a side is crossed to the one that runs
+/// along its edge the other way as the eye sees it; where several do, each is crossed once, those of lower polygons
+/// first.
 class Meetings {
 public:
+    /// A side of a shadow.
+    struct Half {
+        std::uint32_t edge = none, polygon = none, shadow = none, side = 0;
+        bool reversed = false;
+    };
+
     template <int D>
     void find(std::span<const Shadow<D>> shadows);
-    std::uint32_t partner(std::uint32_t shadow, std::uint32_t side) const { return partner_[begin_[shadow] + side]; }
+    /// The shadow on the other side, among those for which `is_asked(shadow)`; none: the side is a silhouette.
+    template <typename IsAsked>
+    std::uint32_t partner(std::uint32_t shadow, std::uint32_t side, IsAsked is_asked) const;
 
 private:
-    std::vector<std::uint32_t> begin_, partner_;
-    struct Half {
-        std::uint32_t edge, shadow, side;
-        bool reversed;
-    };
-    std::vector<Half> halves_;
+    std::vector<std::uint32_t> begin_;  ///< of a shadow's sides in group_
+    std::vector<std::uint32_t> group_;  ///< where a side's edge begins in halves_
+    std::vector<Half> halves_;          ///< by edge, then polygon
 };
+
+template <typename IsAsked>
+std::uint32_t Meetings::partner(std::uint32_t shadow, std::uint32_t side, IsAsked is_asked) const {
+    const std::uint32_t begin = group_[begin_[shadow] + side];
+    std::uint32_t end = begin;
+    while (end < halves_.size() && halves_[end].edge == halves_[begin].edge) ++end;
+    std::uint64_t crossed = 0;  // of the first 64 of an edge; no more are crossed
+    end = std::min(end, begin + 64);
+    const auto is_free = [&](std::uint32_t i) { return !(crossed >> (i - begin) & 1) && is_asked(halves_[i].shadow); };
+    const auto is_own = [&](std::uint32_t i) { return halves_[i].shadow == shadow && halves_[i].side == side; };
+    for (std::uint32_t a = begin; a < end; ++a) {
+        if (!is_free(a)) continue;
+        for (std::uint32_t b = a + 1; b < end; ++b) {
+            if (halves_[b].reversed == halves_[a].reversed || halves_[b].shadow == halves_[a].shadow || !is_free(b))
+                continue;
+            if (is_own(a)) return halves_[b].shadow;
+            if (is_own(b)) return halves_[a].shadow;
+            crossed |= std::uint64_t{1} << (b - begin);
+            break;
+        }
+        if (is_own(a)) return none;
+    }
+    return none;
+}
 
 /// One that may hide a part of the box.
 struct Partial {

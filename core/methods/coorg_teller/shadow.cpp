@@ -130,6 +130,12 @@ CornerSides signs_of(const ShadowSide<D>& side, const Occludee& occludee, const 
     return signs(range, occludee, [&](const Vec<D>& corner) { return exact_side(side, occludee.eye, corner); });
 }
 
+template <int D, typename Occludee>
+CornerSides signs_of(const ShadowFront<D>& front, const Scene<D>& scene, const Occludee& occludee) {
+    return signs(range_over(front.plane, occludee), occludee,
+                 [&](const Vec<D>& corner) { return exact_side(front, scene, corner); });
+}
+
 /// A bound from below on the distance of the eye from the planes through the side's edge and a corner, where the value
 /// of the plane through the eye is at least `value` for each such corner: the value is the volume of edge, corner and
 /// eye (2D: the area), and the base of that is no larger than length times reach.
@@ -150,8 +156,7 @@ Relation relation_of(const Shadow<D>& shadow, const Scene<D>& scene, const Occlu
     constexpr double for_ever = std::numeric_limits<double>::infinity();
     for (const ShadowFront<D>& front : shadow.fronts) {
         ++products;
-        const CornerSides beyond = signs(range_over(front.plane, occludee), occludee,
-                                         [&](const Vec<D>& corner) { return exact_side(front, scene, corner); });
+        const CornerSides beyond = signs_of(front, scene, occludee);
         if (beyond.high <= 0) return {Region::visible, false, 0, for_ever};
         if (beyond.low <= 0) result.beyond = false;
     }
@@ -212,6 +217,11 @@ EyePolygon<D>::EyePolygon(std::span<const Vec<D>> of, const Vec<D>& from) : corn
 template <int D>
 CornerSides corner_sides(const ShadowSide<D>& side, const EyeBox<D>& box) {
     return signs_of(side, box, range_over(side.plane, box));
+}
+
+template <int D>
+CornerSides corner_sides(const ShadowFront<D>& front, const Scene<D>& scene, const EyeBox<D>& box) {
+    return signs_of(front, scene, box);
 }
 
 template <int D>
@@ -287,6 +297,7 @@ Relation relation(const Shadow<D>& shadow, const Scene<D>& scene, const EyePolyg
     template struct EyePolygon<D>;                                                                                   \
     template struct EyeBox<D>;                                                                                       \
     template CornerSides corner_sides<D>(const ShadowSide<D>&, const EyeBox<D>&);                                    \
+    template CornerSides corner_sides<D>(const ShadowFront<D>&, const Scene<D>&, const EyeBox<D>&);                  \
     template int side_seen<D>(const Scene<D>&, const Polygons<D>&, std::uint32_t, const Vec<D>&);                    \
     template void make_shadow<D>(const Scene<D>&, const Polygons<D>&, std::span<const std::uint32_t>, const Vec<D>&, \
                                  Shadow<D>&);                                                                        \

@@ -108,12 +108,14 @@ template <int D>
 Relation relation(const Shadow<D>& shadow, const Scene<D>& scene, const EyePolygon<D>& polygon, bool all_sides,
                   std::uint64_t& products);
 
-/// On which side of the side's plane the least and the most inner corner of the box lie: 1 inside, 0 on it, -1 outside.
+/// On which side of a plane the least and the most inner corner of the box lie: 1 inside, 0 on it, -1 outside.
 /// Exact.
 struct CornerSides {
     int low, high;
 };
 template <int D>
 CornerSides corner_sides(const ShadowSide<D>& side, const EyeBox<D>& box);
+template <int D>
+CornerSides corner_sides(const ShadowFront<D>& front, const Scene<D>& scene, const EyeBox<D>& box);
 
 }  // namespace sightline

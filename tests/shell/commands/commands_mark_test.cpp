@@ -13,7 +13,7 @@ TEST_F(EachCommand, select) {
     run("select none");
     EXPECT_EQ(session().selected_cell, none);
     run("method coorg-teller; step 3; select node:last");
-    EXPECT_EQ(session().selected_node, session().timeline().steps[2].item.id);
+    EXPECT_EQ(session().selected_node, session().timeline().steps[session().position() - 1].item.id);
     run("select primitive:4");
     EXPECT_NE(session().selected_node, none) << "the box that is being explained stays";
     run("select 7");

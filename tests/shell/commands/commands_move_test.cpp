@@ -19,10 +19,10 @@ TEST_F(EachCommand, step) {
 
 TEST_F(EachCommand, frame) {
     test::expect_input_error([&] { run("frame keep"); },
-                             "command 'frame': this method does not look at the frame before");
+                             "command 'frame keep': this method does not look at the frame before");
     run("method coorg-teller");
     test::expect_input_error([&] { run("frame 0"); },
-                             "command 'frame': there are no frames: fly, or keep one with `frame keep`");
+                             "command 'frame 0': there are no frames: fly, or keep one with `frame keep`");
     const ViewSpec<2> before = session().culling_view();
     run("frame keep; eye 1,1");
     EXPECT_EQ(session().lane(), std::vector{before});
