@@ -407,8 +407,7 @@ void naive_clipping_agrees(std::uint64_t seed, int count) {
                     ++clipped;
                     const bool beyond_all = std::all_of(shadows.begin(), shadows.end(), [&](const Shadow<D>& shadow) {
                         std::uint64_t products = 0;
-                        const Relation found =
-                            relation(shadow, made.scene, EyeBox<D>(box, made.view.eye), false, products);
+                        const Relation found = relation(shadow, made.scene, EyeBox<D>(box, made.view.eye), products);
                         return found.region == Region::visible || found.beyond;
                     });
                     not_hidden += beyond_all;

@@ -2,7 +2,6 @@
 #include "core/methods/coorg_teller/box_planes.h"
 
 #include <algorithm>
-#include <bit>
 
 namespace sightline {
 
@@ -94,8 +93,8 @@ std::uint32_t best_occluder(const BoxStates<D>& states, std::uint32_t node, std:
         if (found.region == Region::hidden) return slot;
         if (found.region != Region::partial) continue;
         const Shadow<D>& shadow = states.shadows()[slot];
-        const std::size_t missing = shadow.sides.size() - static_cast<std::size_t>(std::popcount(found.satisfied)) +
-                                    (found.beyond ? 0 : shadow.sides.size());
+        std::size_t missing = found.beyond ? 0 : shadow.sides.size();
+        for (const ShadowSide<D>& side : shadow.sides) missing += !supporting_plane(side, states.seen(node)).first;
         if (best == none || missing < fewest ||
             (missing == fewest && shadow.area_angle > states.shadows()[best].area_angle)) {
             best = slot;

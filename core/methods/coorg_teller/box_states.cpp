@@ -10,20 +10,25 @@ namespace sightline {
 
 namespace {
 
-/// The occluders that hide the box together; empty: none do, or nobody asks.
-template <int D>
+/// The occluders that hide the box, or the polygon, together; empty: none do, or nobody asks.
+template <int D, typename Occludee>
 std::vector<std::uint32_t> hiding_set(std::span<const Shadow<D>> shadows, std::span<const Partial> partial,
-                                      const Meetings& meetings, Connected how, std::span<const Vec<D>> corners,
-                                      const Vec<D>& eye, JointScratch& scratch, double& slack) {
+                                      const Meetings& meetings, Connected how, const Occludee& occludee,
+                                      JointScratch& scratch, double& slack, std::uint64_t& products) {
     if (how == Connected::off || partial.size() < 2) return {};
     if constexpr (D == 2)
-        if (how == Connected::fused) return fused_set(shadows, partial, corners, eye, slack);
-    return joint_set(partial, meetings, how == Connected::fused ? Connected::grow : how, scratch);
+        if (how == Connected::fused) return fused_set(shadows, partial, corners_of(occludee), occludee.eye, slack);
+    return joint_set(partial, meetings, how == Connected::fused ? Connected::grow : how, scratch, slack,
+                     [&](std::uint32_t shadow, std::uint32_t side) {
+                         ++products;
+                         const auto [satisfied, holds] = supporting_plane(shadows[shadow].sides[side], occludee);
+                         return SideSaid{satisfied, holds};
+                     });
 }
 
 template <int D>
-Partial partial_of(std::span<const Shadow<D>> shadows, std::uint32_t slot, bool beyond, std::uint64_t satisfied) {
-    return {slot, static_cast<std::uint32_t>(shadows[slot].sides.size()), beyond, satisfied};
+Partial partial_of(std::span<const Shadow<D>> shadows, std::uint32_t slot, bool beyond) {
+    return {slot, static_cast<std::uint32_t>(shadows[slot].sides.size()), beyond};
 }
 
 }  // namespace
@@ -179,8 +184,7 @@ BoxState BoxStates<D>::state(std::uint32_t node, Effort& effort, BoxScratch<D>& 
 
 template <int D>
 void BoxStates<D>::make(std::uint32_t node, Record& record, Effort& effort, BoxScratch<D>& scratch) {
-    const EyeBox<D> box(prepared_->tree.boxes.nodes[node].box, eye_);
-    const bool all_sides = connected_ != Connected::off && (D == 3 || connected_ != Connected::fused);
+    const EyeBox<D> box = seen(node);
     const BoxState before = record.state;
     const bool was_made = record.made && keeps_;
     record.asked = asked_version(node);
@@ -194,8 +198,8 @@ void BoxStates<D>::make(std::uint32_t node, Record& record, Effort& effort, BoxS
     };
     const auto test = [&](std::uint32_t slot) {
         ++effort.tested;
-        const Relation found = relation(shadows_[slot], *scene_, box, all_sides, effort.products);
-        return KnownRelation{slot, slots_[slot].key, until(found), found.satisfied, found.region, found.beyond};
+        const Relation found = relation(shadows_[slot], *scene_, box, effort.products);
+        return KnownRelation{slot, slots_[slot].key, until(found), found.region, found.beyond};
     };
     // What hid it the last time first: one look may do.
     if (keeps_ && record.hidden_by != none && record.hidden_by < slots_.size() && slots_[record.hidden_by].used) {
@@ -243,10 +247,10 @@ void BoxStates<D>::make(std::uint32_t node, Record& record, Effort& effort, BoxS
             scratch.partial.clear();
             for (const KnownRelation& known : now)
                 if (known.region == Region::partial)
-                    scratch.partial.push_back(partial_of<D>(shadows_, known.slot, known.beyond, known.satisfied));
+                    scratch.partial.push_back(partial_of<D>(shadows_, known.slot, known.beyond));
             double slack = std::numeric_limits<double>::infinity();
-            if (!hiding_set<D>(shadows_, scratch.partial, meetings_, connected_, box.box.corners(), eye_, scratch.joint,
-                               slack)
+            if (!hiding_set<D>(shadows_, scratch.partial, meetings_, connected_, box, scratch.joint, slack,
+                               effort.products)
                      .empty())
                 record.state = BoxState::invisible;
             record.until = std::min(record.until, until(slack));
@@ -289,46 +293,38 @@ std::vector<std::uint32_t> BoxStates<D>::tested_for(std::uint32_t node) const {
 template <int D>
 Relation BoxStates<D>::relation_to(std::uint32_t node, std::uint32_t slot) const {
     std::uint64_t products = 0;
-    return relation(shadows_[slot], *scene_, EyeBox<D>(prepared_->tree.boxes.nodes[node].box, eye_), true, products);
+    return relation(shadows_[slot], *scene_, seen(node), products);
 }
 
 template <int D>
-template <typename RelationTo>
-std::vector<std::uint32_t> BoxStates<D>::hiding_of(std::span<const Vec<D>> corners,
-                                                   std::span<const std::uint32_t> slots, RelationTo relation_to) const {
+template <typename Occludee>
+std::vector<std::uint32_t> BoxStates<D>::hiding_of(const Occludee& occludee,
+                                                   std::span<const std::uint32_t> slots) const {
     std::vector<Partial> partial;
+    std::uint64_t products = 0;
     for (const std::uint32_t slot : slots) {
-        const Relation found = relation_to(slot);
+        const Relation found = relation(shadows_[slot], *scene_, occludee, products);
         if (found.region == Region::hidden) return {slot};
-        if (found.region == Region::partial)
-            partial.push_back(partial_of<D>(shadows_, slot, found.beyond, found.satisfied));
+        if (found.region == Region::partial) partial.push_back(partial_of<D>(shadows_, slot, found.beyond));
     }
     JointScratch scratch;
     double slack = 0;
     std::vector<std::uint32_t> set =
-        hiding_set<D>(shadows_, partial, meetings_, connected_, corners, eye_, scratch, slack);
+        hiding_set<D>(shadows_, partial, meetings_, connected_, occludee, scratch, slack, products);
     for (std::uint32_t& member : set) member = partial[member].shadow;
     return set;
 }
 
 template <int D>
 std::vector<std::uint32_t> BoxStates<D>::hiding(std::uint32_t node, std::span<const std::uint32_t> slots) const {
-    const auto corners = prepared_->tree.boxes.nodes[node].box.corners();
-    return hiding_of(corners, slots, [&](std::uint32_t slot) { return relation_to(node, slot); });
-}
-
-template <int D>
-Relation BoxStates<D>::relation_to_polygon(std::uint32_t polygon, std::uint32_t slot) const {
-    std::uint64_t products = 0;
-    const std::vector<Vec<D>> corners = prepared_->polygons.corners_of(polygon);
-    return relation(shadows_[slot], *scene_, EyePolygon<D>(corners, eye_), true, products);
+    return hiding_of(seen(node), slots);
 }
 
 template <int D>
 std::vector<std::uint32_t> BoxStates<D>::hiding_polygon(std::uint32_t polygon,
                                                         std::span<const std::uint32_t> slots) const {
-    return hiding_of(prepared_->polygons.corners_of(polygon), slots,
-                     [&](std::uint32_t slot) { return relation_to_polygon(polygon, slot); });
+    const std::vector<Vec<D>> corners = prepared_->polygons.corners_of(polygon);
+    return hiding_of(EyePolygon<D>(corners, eye_), slots);
 }
 
 template <int D>
@@ -348,24 +344,23 @@ bool BoxStates<D>::hides_polygon(std::uint32_t leaf, std::uint32_t place, Effort
     for (const auto& side : prepared_->polygons.sides_of(polygon))
         scratch.corners.push_back(prepared_->polygons.points[side.point]);
     const EyePolygon<D> seen(scratch.corners, eye_);
-    const bool all_sides = connected_ != Connected::off && (D == 3 || connected_ != Connected::fused);
     known = {record.version, none, 0, false, std::numeric_limits<double>::infinity()};
     scratch.partial.clear();
     for (const KnownRelation& asked : record.known) {
         if (asked.region != Region::partial) continue;
         ++effort.tested;
-        const Relation found = relation(shadows_[asked.slot], *scene_, seen, all_sides, effort.products);
+        const Relation found = relation(shadows_[asked.slot], *scene_, seen, effort.products);
         if (found.region == Region::hidden) {
             known = {record.version, asked.slot, asked.key, true, until(found)};
             return true;
         }
         known.until = std::min(known.until, until(found));
         if (found.region == Region::partial)
-            scratch.partial.push_back(partial_of<D>(shadows_, asked.slot, found.beyond, found.satisfied));
+            scratch.partial.push_back(partial_of<D>(shadows_, asked.slot, found.beyond));
     }
     double slack = std::numeric_limits<double>::infinity();
     known.hidden =
-        !hiding_set<D>(shadows_, scratch.partial, meetings_, connected_, scratch.corners, eye_, scratch.joint, slack)
+        !hiding_set<D>(shadows_, scratch.partial, meetings_, connected_, seen, scratch.joint, slack, effort.products)
              .empty();
     known.until = std::min(known.until, until(slack));
     return known.hidden;

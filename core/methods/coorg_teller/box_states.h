@@ -43,7 +43,6 @@ struct Slot {
 struct KnownRelation {
     std::uint32_t slot = 0, key = 0;
     double until = 0;
-    std::uint64_t satisfied = 0;
     Region region = Region::visible;
     bool beyond = false;
 };
@@ -91,7 +90,7 @@ public:
     /// Those of `slots` that hide the box: one, or several together; empty: none does.
     std::vector<std::uint32_t> hiding(std::uint32_t node, std::span<const std::uint32_t> slots) const;
     Relation relation_to(std::uint32_t node, std::uint32_t slot) const;
-    Relation relation_to_polygon(std::uint32_t polygon, std::uint32_t slot) const;
+    EyeBox<D> seen(std::uint32_t node) const { return {prepared_->tree.boxes.nodes[node].box, eye_}; }
     /// The same of a polygon; `slots` are those that hide a part of its leaf.
     std::vector<std::uint32_t> hiding_polygon(std::uint32_t polygon, std::span<const std::uint32_t> slots) const;
 
@@ -120,9 +119,8 @@ private:
     };
 
     void place(const OccluderLists& occluders);
-    template <typename RelationTo>
-    std::vector<std::uint32_t> hiding_of(std::span<const Vec<D>> corners, std::span<const std::uint32_t> slots,
-                                         RelationTo relation_to) const;
+    template <typename Occludee>
+    std::vector<std::uint32_t> hiding_of(const Occludee& occludee, std::span<const std::uint32_t> slots) const;
     void make(std::uint32_t node, Record& record, Effort& effort, BoxScratch<D>& scratch);
     template <typename Each>
     void for_asked(std::uint32_t node, Each each) const;

@@ -102,15 +102,6 @@ Range range_over(const ShadowPlane<D>& plane, const EyePolygon<D>& polygon) {
     return range;
 }
 
-template <int D>
-std::array<Vec<D>, 1 << D> corners_of(const EyeBox<D>& box) {
-    return box.box.corners();
-}
-template <int D>
-std::span<const Vec<D>> corners_of(const EyePolygon<D>& polygon) {
-    return polygon.corners;
-}
-
 template <typename Occludee, typename Exact>
 CornerSides signs(const Range& range, const Occludee& occludee, Exact exact) {
     const auto sure = [&](double value) { return value > range.uncertainty ? 1 : value < -range.uncertainty ? -1 : 0; };
@@ -148,7 +139,7 @@ double distance_of_eye(const ShadowSide<D>& side, const Occludee& occludee, doub
 }
 
 template <int D, typename Occludee>
-Relation relation_of(const Shadow<D>& shadow, const Scene<D>& scene, const Occludee& occludee, bool all_sides,
+Relation relation_of(const Shadow<D>& shadow, const Scene<D>& scene, const Occludee& occludee,
                      std::uint64_t& products) {
     Relation result;
     result.beyond = true;
@@ -157,7 +148,7 @@ Relation relation_of(const Shadow<D>& shadow, const Scene<D>& scene, const Occlu
     for (const ShadowFront<D>& front : shadow.fronts) {
         ++products;
         const CornerSides beyond = signs_of(front, scene, occludee);
-        if (beyond.high <= 0) return {Region::visible, false, 0, for_ever};
+        if (beyond.high <= 0) return {Region::visible, false, for_ever};
         if (beyond.low <= 0) result.beyond = false;
     }
     bool all = true;
@@ -168,17 +159,13 @@ Relation relation_of(const Shadow<D>& shadow, const Scene<D>& scene, const Occlu
         const Range range = range_over(side.plane, occludee);
         const CornerSides inside = signs_of(side, occludee, range);
         if (inside.high <= 0)
-            return {Region::visible, result.beyond, 0,
-                    distance_of_eye(side, occludee, -range.high - range.uncertainty)};
+            return {Region::visible, result.beyond, distance_of_eye(side, occludee, -range.high - range.uncertainty)};
         separating = std::min(separating, distance_of_eye(side, occludee, range.high - range.uncertainty));
         if (inside.low >= 0) {
-            if (i < most_sides) result.satisfied |= std::uint64_t{1} << i;
             supporting = std::min(supporting, distance_of_eye(side, occludee, range.low - range.uncertainty));
         } else {
             all = false;
-            const double from = distance_of_eye(side, occludee, -range.low - range.uncertainty);
-            failing = std::max(failing, from);
-            if (all_sides) supporting = std::min(supporting, from);
+            failing = std::max(failing, distance_of_eye(side, occludee, -range.low - range.uncertainty));
         }
     }
     if (all && result.beyond) {
@@ -188,10 +175,7 @@ Relation relation_of(const Shadow<D>& shadow, const Scene<D>& scene, const Occlu
     }
     result.region = Region::partial;
     // Not hidden while one plane that is not satisfied stays so, or as long as a part of the box is not beyond.
-    if (all_sides)
-        result.slack = std::min(separating, supporting);
-    else
-        result.slack = result.beyond ? std::min(separating, failing) : separating;
+    result.slack = result.beyond ? std::min(separating, failing) : separating;
     return result;
 }
 
@@ -222,6 +206,13 @@ CornerSides corner_sides(const ShadowSide<D>& side, const EyeBox<D>& box) {
 template <int D>
 CornerSides corner_sides(const ShadowFront<D>& front, const Scene<D>& scene, const EyeBox<D>& box) {
     return signs_of(front, scene, box);
+}
+
+template <int D, typename Occludee>
+std::pair<bool, double> supporting_plane(const ShadowSide<D>& side, const Occludee& occludee) {
+    const Range range = range_over(side.plane, occludee);
+    const bool satisfied = signs_of(side, occludee, range).low >= 0;
+    return {satisfied, distance_of_eye(side, occludee, (satisfied ? range.low : -range.low) - range.uncertainty)};
 }
 
 template <int D>
@@ -282,18 +273,19 @@ void make_shadow(const Scene<D>& scene, const Polygons<D>& polygons, std::span<c
 }
 
 template <int D>
-Relation relation(const Shadow<D>& shadow, const Scene<D>& scene, const EyeBox<D>& box, bool all_sides,
-                  std::uint64_t& products) {
-    return relation_of(shadow, scene, box, all_sides, products);
+Relation relation(const Shadow<D>& shadow, const Scene<D>& scene, const EyeBox<D>& box, std::uint64_t& products) {
+    return relation_of(shadow, scene, box, products);
 }
 
 template <int D>
-Relation relation(const Shadow<D>& shadow, const Scene<D>& scene, const EyePolygon<D>& polygon, bool all_sides,
+Relation relation(const Shadow<D>& shadow, const Scene<D>& scene, const EyePolygon<D>& polygon,
                   std::uint64_t& products) {
-    return relation_of(shadow, scene, polygon, all_sides, products);
+    return relation_of(shadow, scene, polygon, products);
 }
 
 #define SIGHTLINE_INSTANTIATE(D)                                                                                     \
+    template std::pair<bool, double> supporting_plane<D, EyeBox<D>>(const ShadowSide<D>&, const EyeBox<D>&);         \
+    template std::pair<bool, double> supporting_plane<D, EyePolygon<D>>(const ShadowSide<D>&, const EyePolygon<D>&); \
     template struct EyePolygon<D>;                                                                                   \
     template struct EyeBox<D>;                                                                                       \
     template CornerSides corner_sides<D>(const ShadowSide<D>&, const EyeBox<D>&);                                    \
@@ -301,8 +293,8 @@ Relation relation(const Shadow<D>& shadow, const Scene<D>& scene, const EyePolyg
     template int side_seen<D>(const Scene<D>&, const Polygons<D>&, std::uint32_t, const Vec<D>&);                    \
     template void make_shadow<D>(const Scene<D>&, const Polygons<D>&, std::span<const std::uint32_t>, const Vec<D>&, \
                                  Shadow<D>&);                                                                        \
-    template Relation relation<D>(const Shadow<D>&, const Scene<D>&, const EyeBox<D>&, bool, std::uint64_t&);        \
-    template Relation relation<D>(const Shadow<D>&, const Scene<D>&, const EyePolygon<D>&, bool, std::uint64_t&);
+    template Relation relation<D>(const Shadow<D>&, const Scene<D>&, const EyeBox<D>&, std::uint64_t&);              \
+    template Relation relation<D>(const Shadow<D>&, const Scene<D>&, const EyePolygon<D>&, std::uint64_t&);
 SIGHTLINE_INSTANTIATE(2)
 SIGHTLINE_INSTANTIATE(3)
 #undef SIGHTLINE_INSTANTIATE

@@ -79,14 +79,20 @@ struct EyePolygon {
     EyePolygon(std::span<const Vec<D>> of, const Vec<D>& from);
 };
 
+template <int D>
+std::array<Vec<D>, 1 << D> corners_of(const EyeBox<D>& box) {
+    return box.box.corners();
+}
+template <int D>
+std::span<const Vec<D>> corners_of(const EyePolygon<D>& polygon) {
+    return polygon.corners;
+}
+
 enum class Region : std::uint8_t {
     visible = 1,  ///< the occluder hides nothing of the box
     partial = 2,  ///< it may hide a part: all separating planes are satisfied
     hidden = 3,   ///< it hides all of it: all supporting planes are satisfied
 };
-
-/// Most sides of a shadow of which `satisfied` speaks; the others count as not satisfied.
-inline constexpr std::size_t most_sides = 64;
 
 /// How a box lies to a shadow. The supporting plane through an edge and the box is satisfied when all corners of the
 /// box lie inside the plane through the edge and the eye, the separating one when some corner does: the planes turn
@@ -94,19 +100,20 @@ inline constexpr std::size_t most_sides = 64;
 struct Relation {
     Region region = Region::visible;
     bool beyond = false;  ///< all of the box lies strictly beyond all of the occluder's planes
-    std::uint64_t satisfied =
-        0;  ///< bit i: the supporting plane of side i; only of `partial`, where they were asked for
     /// How far the eye can move before any plane that decided can say something else, at least.
     double slack = 0;
 };
 
-/// Exact. `all_sides`: also `satisfied` of a partial one. Adds to `products` the planes it looked at.
+/// Exact. Adds to `products` the planes it looked at.
 template <int D>
-Relation relation(const Shadow<D>& shadow, const Scene<D>& scene, const EyeBox<D>& box, bool all_sides,
-                  std::uint64_t& products);
+Relation relation(const Shadow<D>& shadow, const Scene<D>& scene, const EyeBox<D>& box, std::uint64_t& products);
 template <int D>
-Relation relation(const Shadow<D>& shadow, const Scene<D>& scene, const EyePolygon<D>& polygon, bool all_sides,
+Relation relation(const Shadow<D>& shadow, const Scene<D>& scene, const EyePolygon<D>& polygon,
                   std::uint64_t& products);
+
+/// The supporting plane of a side: whether it is satisfied, and how far the eye can move before that can change. Exact.
+template <int D, typename Occludee>
+std::pair<bool, double> supporting_plane(const ShadowSide<D>& side, const Occludee& occludee);
 
 /// On which side of a plane the least and the most inner corner of the box lie: 1 inside, 0 on it, -1 outside.
 /// Exact.
