@@ -402,7 +402,7 @@ void naive_clipping_agrees(std::uint64_t seed, int count) {
                 if (state == CellState::hidden) {
                     ++hidden;
                     ASSERT_LT(left, 1e-9) << i << ' ' << text << " node " << node;
-                } else if (left == 0) {
+                } else if (left == 0 && test::left_of<D>(box, {}, made.view.eye) > 0) {  // not one seen edge-on
                     // Not hidden, though nothing of it is seen: occluders that fail to meet, or that it lies between.
                     ++clipped;
                     const bool beyond_all = std::all_of(shadows.begin(), shadows.end(), [&](const Shadow<D>& shadow) {

@@ -54,7 +54,8 @@ TEST(MethodPages, NameScenesThatExist) {
             at = end;
             const bool is_method = !section_of(name).empty();
             const bool is_scene = find_in_catalogue<2>(name) || find_in_catalogue<3>(name);
-            const bool is_other = name == "distance" || name == "from-above";
+            const bool is_other = name == "distance" || name == "from-above" ||
+                                  method.parameter(name.substr(0, name.find('=')));
             EXPECT_TRUE(is_method || is_scene || is_other) << method.id << ": " << name;
             scenes += is_scene;
         }

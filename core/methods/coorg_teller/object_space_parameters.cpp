@@ -24,7 +24,7 @@ const ParameterRow& shadow_count_row() {
 }
 
 const ParameterRow& threshold_row() {
-    static const ParameterRow row = number_row("threshold", "0.01", 1e-6, 100, "[1e-6, 100]", "CT 3.3",
+    static const ParameterRow row = number_row("threshold", "0.01", 1e-6, 100, "[1e-06, 100]", "CT 3.3",
                                                "the least area-angle of an occluder: its area, as the eye sees it "
                                                "turned, over its squared distance (2D: length over distance)");
     return row;

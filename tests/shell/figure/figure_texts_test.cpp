@@ -108,6 +108,8 @@ TEST(FigureTexts, AllOfTheDocumentedFiguresCanBeRead) {
     EXPECT_GE(commands, 20u);
     std::vector<std::string> seen;  // a figure is there as SVG and as PNG
     int looked_at = 0;
+    const fs::path here = fs::current_path();
+    fs::current_path(folder);  // where the commands ran: scenes of files are named from there
     for (const fs::path& file : states_in(folder / "out")) {
         const std::string text = read_file(file.string());
         if (!file.stem().has_extension() || std::find(seen.begin(), seen.end(), text) != seen.end()) continue;
@@ -115,6 +117,7 @@ TEST(FigureTexts, AllOfTheDocumentedFiguresCanBeRead) {
         looked_at += expect_readable_state(file);
     }
     EXPECT_GE(looked_at, 120);
+    fs::current_path(here);
     fs::remove_all(folder);
 }
 
