@@ -126,6 +126,8 @@ std::vector<std::string> rows(const Session<D>& session, const PrimitiveExplanat
     const std::size_t count = e.cells.size(), told = std::min(count, most_cells_told);
     if (const std::uint32_t box = box_around(session, e.primitive); box != none) {
         text.push_back("  It lies in " + box_sentence(session, box) + ".");
+        if (const Verdict verdict = session.traversal().why_not(primitive_item(e.primitive)))
+            text.push_back("  By itself " + verdict.sentence + ".");
         return text;
     }
     if (count == 0) text.push_back("No cell holds it.");

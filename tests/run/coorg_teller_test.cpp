@@ -379,6 +379,35 @@ void words_are_true(std::uint64_t seed, int count) {
 TEST(CoorgTeller, WhatItSaysIsTrue2d) { words_are_true<2>(1611, test::soak_count(40)); }
 TEST(CoorgTeller, WhatItSaysIsTrue3d) { words_are_true<3>(1612, test::soak_count(40)); }
 
+/// Whatever could be seen in a leaf that is drawn and was left out says who hides it.
+template <int D>
+void left_out_is_hidden(std::uint64_t seed, int count) {
+    Random random(seed);
+    std::size_t left_out = 0;
+    for (int i = 0; i < count; ++i) {
+        const ObjectSpaceCase<D> made = random_object_case<D>(random);
+        const Variant<D> variant =
+            make_variant<D>(method_table<D>(), "coorg-teller leaves=polygons connected=on leaf=20 threshold=0.001");
+        const auto run = start(made, variant);
+        run->run(none, nullptr);
+        for (std::uint32_t node = 0; node < run->boxes()->nodes.size(); ++node) {
+            if (run->boxes()->nodes[node].first_child != none ||
+                run->mark(Item{node, Kind::node}).state != CellState::projected)
+                continue;
+            for (const std::uint32_t primitive : run->boxes()->primitives_of(node)) {
+                const Verdict verdict = run->why_not(primitive_item(primitive));
+                const bool is_left_out = !run->drawn().has(primitive) && shows(run->problem(), primitive);
+                left_out += is_left_out;
+                ASSERT_TRUE(!is_left_out || verdict.reason == "hidden") << i << ' ' << primitive;
+                ASSERT_TRUE(!run->drawn().has(primitive) || !verdict) << i << ' ' << primitive;
+            }
+        }
+    }
+    EXPECT_GT(left_out, 20u);
+}
+TEST(CoorgTeller, WhatIsLeftOutIsHidden2d) { left_out_is_hidden<2>(1615, test::soak_count(20)); }
+TEST(CoorgTeller, WhatIsLeftOutIsHidden3d) { left_out_is_hidden<3>(1616, test::soak_count(10)); }
+
 /// Against figure 2's naive way: what is INVISIBLE leaves nothing when all occluders are clipped away from it; in 2D,
 /// with fused shadows, what leaves nothing is INVISIBLE, as long as it lies beyond them.
 template <int D>

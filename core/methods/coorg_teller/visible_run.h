@@ -81,7 +81,8 @@ private:
                  Effort& effort, BoxScratch<D>& scratch);
     bool is_hidden(std::uint32_t leaf, std::uint32_t place, Effort& effort, BoxScratch<D>& scratch);
     void run_side_by_side();
-    std::string occluders_words(std::uint32_t node) const;
+    std::string occluders_words(std::span<const std::uint32_t> slots) const;
+    Verdict why_left_out(std::uint32_t primitive) const;
 
     OccluderKind kind_;
     std::shared_ptr<const Prepared<D>> prepared_;

@@ -50,10 +50,9 @@ std::string VisibleRun<D>::popped_words(const Step& step) const {
     return step.item ? Run<D>::popped_words(step) : "the rest of a leaf";
 }
 
-/// "triangles 4 and 5 hide all of it"
+/// "it is INVISIBLE: it lies in the shadow of triangles 4 and 5: …"
 template <int D>
-std::string VisibleRun<D>::occluders_words(std::uint32_t node) const {
-    const auto slots = states_.hiding(node, states_.tested_for(node));
+std::string VisibleRun<D>::occluders_words(std::span<const std::uint32_t> slots) const {
     std::vector<std::uint32_t> polygons;
     for (const std::uint32_t slot : slots)
         polygons.insert(polygons.end(), states_.shadows()[slot].polygons.begin(),
@@ -66,14 +65,33 @@ std::string VisibleRun<D>::occluders_words(std::uint32_t node) const {
     return "it is INVISIBLE: it lies in the shadow of " + who + ": all supporting planes are satisfied";
 }
 
+/// Of a polygon that was left out of a leaf that is drawn.
+template <int D>
+Verdict VisibleRun<D>::why_left_out(std::uint32_t primitive) const {
+    if (!by_polygons_ || this->drawn_.has(primitive)) return {};
+    for (std::uint32_t node = 0; node < tree_->nodes.size(); ++node) {
+        if (marks_[node].stamp != static_cast<std::uint32_t>(VisibleRule::leaf)) continue;
+        const auto held = tree_->primitives_of(node);
+        if (std::find(held.begin(), held.end(), primitive) == held.end()) continue;
+        std::vector<std::uint32_t> slots = states_.tested_for(node);
+        std::erase_if(slots,
+                      [&](std::uint32_t slot) { return states_.relation_to(node, slot).region != Region::partial; });
+        const auto hiding = states_.hiding_polygon(prepared_->polygons.polygon_of[primitive], slots);
+        if (!hiding.empty()) return {"hidden", occluders_words(hiding)};
+    }
+    return {};
+}
+
 template <int D>
 Verdict VisibleRun<D>::why_not(const Item& item) const {
     if (item.kind == Kind::cell) return {"no-cells", "the method walks a tree of boxes, not cells"};
+    if (item.kind == Kind::primitive) return why_left_out(item.id);
     if (item.kind != Kind::node) return {};
     const CellState state = marks_[item.id].state;
     if (state == CellState::unseen)
         return {"outside-view", "it lies outside the view: switched off, nothing is tested"};
-    if (state == CellState::hidden) return {"hidden", occluders_words(item.id)};
+    if (state == CellState::hidden)
+        return {"hidden", occluders_words(states_.hiding(item.id, states_.tested_for(item.id)))};
     if (state != CellState::clean) return {};
     std::uint32_t above = item.id;
     while (above != 0 && marks_[above].state == CellState::clean) above = prepared_->tree.parent[above];
@@ -262,7 +280,8 @@ std::vector<CodeLine> VisibleRun<D>::code(const CodePlace& at) const {
 #define SIGHTLINE_INSTANTIATE(D)                                                                                 \
     template std::vector<Considered> VisibleRun<D>::considered(const Step&, std::span<const Change>, int) const; \
     template std::string VisibleRun<D>::popped_words(const Step&) const;                                         \
-    template std::string VisibleRun<D>::occluders_words(std::uint32_t) const;                                    \
+    template std::string VisibleRun<D>::occluders_words(std::span<const std::uint32_t>) const;                   \
+    template Verdict VisibleRun<D>::why_left_out(std::uint32_t) const;                                           \
     template Verdict VisibleRun<D>::why_not(const Item&) const;                                                  \
     template Verdict VisibleRun<D>::why_drawn(const Item&) const;                                                \
     template std::vector<OccluderFact> VisibleRun<D>::occluders() const;                                         \
