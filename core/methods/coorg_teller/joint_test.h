@@ -101,7 +101,12 @@ struct JointScratch {
 template <typename Say>
 std::vector<std::uint32_t> joint_set(std::span<const Partial> partial, const Meetings& meetings, Connected how,
                                      JointScratch& scratch, double& slack, Say say) {
-    auto& [place, group, todo, partners, first_side, said] = scratch;
+    auto& place = scratch.place;
+    auto& group = scratch.group;
+    auto& todo = scratch.todo;
+    auto& partners = scratch.partners;
+    auto& first_side = scratch.first_side;
+    auto& said = scratch.said;
     first_side.clear();
     std::uint32_t sides = 0;
     for (std::uint32_t i = 0; i < partial.size(); ++i) {

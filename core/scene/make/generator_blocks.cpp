@@ -73,7 +73,7 @@ std::vector<BlockPart> block_parts(const Plot& plot, std::uint64_t seed) {
             add_building(parts, random, middle + at, random.uniform(8, 12), 0);
         }
     } else if (kind < 7) {  // two times two lots, turned as a whole
-        const double degrees = random.uniform(8, 40) * (random.below(2) == 0 ? 1 : -1);
+        const double size = random.uniform(8, 40), degrees = random.below(2) == 0 ? size : -size;
         const SinCos turn = sincos_degrees(degrees);
         const double lot = block_side / (2 * (turn.cos + std::abs(turn.sin)));
         const Placement frame = turned(middle, degrees);

@@ -31,7 +31,8 @@ std::vector<Stand> scatter(std::uint64_t seed, std::size_t count, double smalles
             Random random = plot.random(seed);
             for (int k = 0; k < throws_per_plot && stands.size() < count; ++k) {
                 const double radius = random.uniform(smallest, largest);
-                const Vec<2> centre = side * Vec<2>(plot.x + random.unit(), plot.y + random.unit());
+                const double y_in_plot = random.unit(), x_in_plot = random.unit();  // not as arguments: any order
+                const Vec<2> centre = side * Vec<2>(plot.x + x_in_plot, plot.y + y_in_plot);
                 bool open = std::none_of(free.begin(), free.end(),
                                          [&](const Vec<2>& p) { return closer(p, centre, radius + clearance); });
                 for (int x = plot.x - 1; x <= plot.x + 1 && open; ++x)
