@@ -27,7 +27,10 @@ std::uint32_t box_around(const Session<D>& session, std::uint32_t primitive) {
 template <int D>
 std::string box_sentence(const Session<D>& session, std::uint32_t node) {
     const Item item{node, Kind::node};
-    const auto primitives = session.traversal().boxes()->primitives_of(node);
+    const auto held = session.traversal().boxes()->primitives_of(node);
+    std::vector<std::uint32_t> primitives(held.begin(), held.end());  // one may stand in several leaves
+    std::sort(primitives.begin(), primitives.end());
+    primitives.erase(std::unique(primitives.begin(), primitives.end()), primitives.end());
     std::string text = item_name(item) + ", " + counted(primitives.size(), D == 2 ? "segment" : "triangle") + ": ";
     const Mark mark = session.traversal().mark(item);
     if (const Verdict verdict = session.traversal().why_not(item)) return text + verdict.sentence;

@@ -184,7 +184,12 @@ void write_planes(Writer& to, const Session<D>& s) {
     const std::vector<TestedPlane<D>> planes = planes_at_hand(s);
     if (planes.empty()) return;
     const std::uint32_t selected = occluder_at_hand(s);
-    to.heading(selected != none ? "Planes to the selected occluder" : "Planes to the occluder that hides most of it");
+    const auto occluders = s.traversal().tested_occluders({box_at_hand(s), Kind::node});
+    const bool together =
+        std::count_if(occluders.begin(), occluders.end(), [](const TestedOccluder& o) { return o.hides; }) > 1;
+    to.heading(selected != none ? "Planes to the selected occluder"
+               : together       ? "Planes to those that hide it together; edges they share are none"
+                                : "Planes to the occluder that hides most of it");
     for (const bool satisfied : {false, true})
         for (std::size_t i = 0; i < planes.size(); ++i) {
             const TestedPlane<D>& plane = planes[i];

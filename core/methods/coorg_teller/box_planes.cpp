@@ -85,21 +85,47 @@ std::vector<TestedPlane<D>> box_planes(const Shadow<D>& shadow, const Polygons<D
 }
 
 template <int D>
+Shadow<D> joint_shadow(const BoxStates<D>& states, const Polygons<D>& polygons, const Scene<D>& scene,
+                       std::span<const std::uint32_t> slots, const Vec<D>& eye) {
+    std::vector<std::uint32_t> members;
+    for (const std::uint32_t slot : slots) {
+        const auto& of = states.shadows()[slot].polygons;
+        members.insert(members.end(), of.begin(), of.end());
+    }
+    Shadow<D> joint;
+    make_shadow<D>(scene, polygons, members, eye, joint);
+    if (D == 2 && states.connected() == Connected::fused) {
+        joint.sides.clear();
+        for (const bool left_end : {false, true})
+            for (const ShadowSide<D>& side : states.shadows()[left_end ? slots.back() : slots.front()].sides)
+                if (side.reversed == left_end) joint.sides.push_back(side);
+    }
+    return joint;
+}
+
+template <int D>
 std::uint32_t best_occluder(const BoxStates<D>& states, std::uint32_t node, std::span<const std::uint32_t> slots) {
     std::uint32_t best = none;
+    Relation relation_of_best;
     std::size_t fewest = 0;
     for (const std::uint32_t slot : slots) {
         const Relation found = states.relation_to(node, slot);
         if (found.region == Region::hidden) return slot;
-        if (found.region != Region::partial) continue;
+        const bool hides_part = found.region == Region::partial;
         const Shadow<D>& shadow = states.shadows()[slot];
         std::size_t missing = found.beyond ? 0 : shadow.sides.size();
-        for (const ShadowSide<D>& side : shadow.sides) missing += !supporting_plane(side, states.seen(node)).first;
-        if (best == none || missing < fewest ||
-            (missing == fewest && shadow.area_angle > states.shadows()[best].area_angle)) {
-            best = slot;
-            fewest = missing;
+        for (const ShadowSide<D>& side : shadow.sides) {
+            const CornerSides corners = corner_sides(side, states.seen(node));
+            missing += hides_part ? corners.low < 0 : corners.high <= 0;
         }
+        const bool best_hides_part = relation_of_best.region == Region::partial;
+        const bool is_better = best == none || hides_part != best_hides_part ? best == none || hides_part
+                               : missing != fewest                           ? missing < fewest
+                                                   : shadow.area_angle > states.shadows()[best].area_angle;
+        if (!is_better) continue;
+        best = slot;
+        relation_of_best = found;
+        fewest = missing;
     }
     return best;
 }
@@ -107,6 +133,8 @@ std::uint32_t best_occluder(const BoxStates<D>& states, std::uint32_t node, std:
 #define SIGHTLINE_INSTANTIATE(D)                                                                              \
     template std::vector<TestedPlane<D>> box_planes<D>(const Shadow<D>&, const Polygons<D>&, const Scene<D>&, \
                                                        const Box<D>&, const Vec<D>&);                         \
+    template Shadow<D> joint_shadow<D>(const BoxStates<D>&, const Polygons<D>&, const Scene<D>&,              \
+                                       std::span<const std::uint32_t>, const Vec<D>&);                        \
     template std::uint32_t best_occluder<D>(const BoxStates<D>&, std::uint32_t, std::span<const std::uint32_t>);
 SIGHTLINE_INSTANTIATE(2)
 SIGHTLINE_INSTANTIATE(3)

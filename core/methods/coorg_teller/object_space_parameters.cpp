@@ -7,7 +7,7 @@ const ParameterRow& connected_row() {
     static const ParameterRow row = choice_row(
         "connected", Connected::off, "CT 2.1",
         "occluders that hide a box together: none, all that meet at edges, those grown across the planes that the box "
-        "crosses, or (2D) any, by the angles of their shadows");
+        "crosses, or any, by the angles of their shadows (2D; in 3D as grow)");
     return row;
 }
 
@@ -38,7 +38,9 @@ const ParameterRow& tree_row() {
 
 const ParameterRow& leaf_row() {
     static const ParameterRow row =
-        whole_row("leaf", "8", 1, 4096, "[1, 4096]", "CT 3", "how many primitives a leaf of the tree may hold");
+        whole_row("leaf", "8", 1, 4096, "[1, 4096]", "CT 3",
+                  "how many primitives a leaf of the tree may hold by their middles; those that reach into it are "
+                  "noted in it too");
     return row;
 }
 

@@ -115,22 +115,27 @@ Verdict VisibleRun<D>::why_drawn(const Item& item) const {
     const auto slots = states_.tested_for(item.id);
     const std::uint32_t best = best_occluder(states_, item.id, slots);
     if (best == none)
-        return {"visible", slots.empty()
-                               ? "it is VISIBLE: no occluder hides a part of the box around it"
-                               : "it is VISIBLE: of " + counted(slots.size(), "occluder") +
-                                     " that may hide a part of the box around it, none may hide a part of it"};
+        return {"visible", item.id == 0 ? "it is VISIBLE: there is no occluder"
+                                        : "it is VISIBLE: no occluder hides a part of the box around it"};
     const Shadow<D>& shadow = states_.shadows()[best];
     const std::string who = members_words<D>(prepared_->polygons, shadow.polygons);
-    std::string text =
-        "it is PARTIAL: " + who + (who.find(' ') == who.rfind(' ') ? " hides" : " hide") + " the most of it, but ";
+    const bool many = who.find(' ') != who.rfind(' ');
+    const bool hides_part = states_.relation_to(item.id, best).region == Region::partial;
+    std::string text = hides_part ? "it is PARTIAL: " + who + (many ? " hide" : " hides") + " the most of it, but "
+                                  : "it is VISIBLE: even " + who + (many ? " hide" : " hides") + " nothing of it, as ";
+    const PlaneKind decides = hides_part ? PlaneKind::supporting : PlaneKind::separating;
     for (const TestedPlane<D>& plane : box_planes(shadow, prepared_->polygons, *this->problem_.scene,
                                                   tree_->nodes[item.id].box, this->problem_.view.eye)) {
-        if (plane.satisfied || plane.kind == PlaneKind::separating) continue;
-        if (plane.kind == PlaneKind::own) return {"partial", text + "a part of the box lies before its plane"};
-        return {"partial", text + "the supporting " + (D == 2 ? "line through end " : "plane through edge ") +
-                               std::to_string(plane.edge) + " is not satisfied: the eye is " +
-                               short_number(-plane.distance) + " outside"};
+        if (plane.satisfied) continue;
+        if (plane.kind == PlaneKind::own && hides_part)
+            return {"partial", text + "a part of the box lies before its plane"};
+        if (plane.kind == decides)
+            return {hides_part ? "partial" : "visible",
+                    text + "the " + std::string(plane_kind_words[static_cast<std::size_t>(decides)]) +
+                        (D == 2 ? " line through end " : " plane through edge ") + std::to_string(plane.edge) +
+                        " is not satisfied: the eye is " + short_number(-plane.distance) + " outside"};
     }
+    if (!hides_part) return {"visible", text + "no part of the box lies beyond its plane"};
     return {"partial", text + "a plane through its edges is not satisfied"};
 }
 
@@ -163,9 +168,21 @@ std::vector<OccluderFact> VisibleRun<D>::occluders() const {
 template <int D>
 std::vector<TestedPlane<D>> VisibleRun<D>::tested_planes(const Item& box, std::uint32_t primitive) const {
     if (box.kind != Kind::node) return {};
+    const Scene<D>& scene = *this->problem_.scene;
+    const Vec<D>& eye = this->problem_.view.eye;
+    const auto planes_to = [&](const Shadow<D>& shadow) {
+        return box_planes(shadow, prepared_->polygons, scene, tree_->nodes[box.id].box, eye);
+    };
     std::uint32_t slot = none;
     if (primitive == none) {
-        slot = best_occluder(states_, box.id, states_.tested_for(box.id));
+        const auto slots = states_.tested_for(box.id);
+        if (const auto hiding = states_.hiding(box.id, slots); hiding.size() > 1) {
+            // What is asked of the set: neither the edges that its members share, nor separating planes.
+            auto planes = planes_to(joint_shadow(states_, prepared_->polygons, scene, hiding, eye));
+            std::erase_if(planes, [](const TestedPlane<D>& plane) { return plane.kind == PlaneKind::separating; });
+            return planes;
+        }
+        slot = best_occluder(states_, box.id, slots);
     } else {
         const std::uint32_t polygon = prepared_->polygons.polygon_of[primitive];
         for (std::uint32_t i = 0; i < states_.shadows().size(); ++i) {
@@ -174,8 +191,7 @@ std::vector<TestedPlane<D>> VisibleRun<D>::tested_planes(const Item& box, std::u
         }
     }
     if (slot == none) return {};
-    return box_planes(states_.shadows()[slot], prepared_->polygons, *this->problem_.scene, tree_->nodes[box.id].box,
-                      this->problem_.view.eye);
+    return planes_to(states_.shadows()[slot]);
 }
 
 template <int D>
