@@ -20,6 +20,8 @@ template <int D>
 void select_plane(Workbench<D>& bench, Text text) {
     const std::size_t count = planes_at_hand(bench.session).size();
     const std::uint32_t plane = text == "none" ? none : whole_argument(text, "the number of a plane");
+    if (plane != none && count == 0)
+        throw InputError("no planes are shown: select a box that was tested, e.g. select node:last");
     if (plane != none && plane >= count)
         throw InputError("there is no plane " + text + "; there are " + std::to_string(count) + ", from 0");
     std::uint32_t& selected = bench.session.selected_plane;
