@@ -38,9 +38,12 @@ std::string box_sentence(const Session<D>& session, std::uint32_t node) {
     const Drawn& drawn = session.traversal().drawn();
     const auto rendered =
         std::count_if(primitives.begin(), primitives.end(), [&](std::uint32_t p) { return drawn.has(p); });
+    const std::string what = primitives.size() == 1 ? std::string(rendered == 1 ? "the one is" : "the one is not")
+                             : rendered == 1        ? "1 of them is"
+                                                    : std::to_string(rendered) + " of them are";
     if (const Verdict verdict = session.traversal().why_drawn(item))
-        return text + verdict.sentence + "; " + std::to_string(rendered) + " of them are rendered";
-    return text + "it may be seen, and " + std::to_string(rendered) + " of them are rendered";
+        return text + verdict.sentence + "; " + what + " rendered";
+    return text + "it may be seen, and " + what + " rendered";
 }
 
 #define SIGHTLINE_INSTANTIATE(D)                                                      \

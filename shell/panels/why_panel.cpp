@@ -189,7 +189,7 @@ void write_planes(Writer& to, const Session<D>& s) {
         std::count_if(occluders.begin(), occluders.end(), [](const TestedOccluder& o) { return o.hides; }) > 1;
     to.heading(selected != none ? "Planes to the selected occluder"
                : together       ? "Planes to those that hide it together; edges they share are none"
-                                : "Planes to the occluder that hides most of it");
+                                : "Planes to the occluder that comes nearest to hiding it");
     for (const bool satisfied : {false, true})
         for (std::size_t i = 0; i < planes.size(); ++i) {
             const TestedPlane<D>& plane = planes[i];
