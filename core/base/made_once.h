@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -17,8 +18,12 @@ public:
     template <typename T, typename Make>
     std::shared_ptr<const T> of(const std::string& text, Make make) const {
         const std::lock_guard lock(mutex_);
-        for (auto& [of, thing] : kept_)
-            if (of == text) return std::static_pointer_cast<const T>(thing);
+        const auto known =
+            std::find_if(kept_.begin(), kept_.end(), [&](const auto& kept) { return kept.first == text; });
+        if (known != kept_.end()) {
+            std::rotate(known, known + 1, kept_.end());
+            return std::static_pointer_cast<const T>(kept_.back().second);
+        }
         auto made = std::make_shared<const T>(make());
         if (kept_.size() == most) kept_.erase(kept_.begin());
         kept_.emplace_back(text, made);

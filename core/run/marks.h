@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -59,6 +60,23 @@ inline void exchange(Marks& marks, Change& change) {
     const Mark here = marks[change.id];
     marks.set(change.id, change.mark());
     change.set_mark(here);
+}
+
+/// The changes of a step, the last first when they are undone: an item may be changed twice.
+inline void exchange(Marks& marks, std::span<Change> changes, bool undo) {
+    const auto put = [&](Change& change) { exchange(marks, change); };
+    if (undo)
+        std::for_each(changes.rbegin(), changes.rend(), put);
+    else
+        std::for_each(changes.begin(), changes.end(), put);
+}
+
+/// Undoes the last changes of a step, and forgets them, until so many are left.
+inline void undo_behind(Marks& marks, std::vector<Change>& changes, std::size_t kept) {
+    while (changes.size() > kept) {
+        marks.set(changes.back().id, changes.back().mark());
+        changes.pop_back();
+    }
 }
 
 /// A front of the items that wait: after marks were put back.

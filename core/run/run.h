@@ -89,8 +89,19 @@ public:
     // What it says of itself.
     virtual std::string_view rule_words(std::uint8_t /*rule*/) const { return {}; }
     /// All that a step looked at, in order, of a run that stands at that step or later.
-    virtual std::vector<Considered> considered(const Step&, std::span<const Change>, int /*digits*/) const {
-        return {};
+    virtual std::vector<Considered> considered(const Step& step, std::span<const Change> changes,
+                                               int /*digits*/) const {
+        std::vector<Considered> all;
+        for (const Change& change : changes) {
+            Considered& c = all.emplace_back();
+            c.from = step.item;
+            c.item = change.item();
+            c.rule = change.rule;
+            c.words = rule_words(change.rule);
+            c.effect = Effect::changed;
+            c.before = change.mark();
+        }
+        return all;
     }
     /// How a step speaks of what it popped; only for methods that pop other things than cells.
     virtual std::string popped_words(const Step& step) const {
@@ -122,9 +133,7 @@ public:
     /// The leaf of space that holds the eye; nothing: it is in none.
     virtual std::optional<Box<D>> eye_box() const { return std::nullopt; }
     /// Of the polygon of a primitive; nothing: it never is one.
-    virtual std::optional<OccluderRegion<D>> occluder_region(std::uint32_t /*primitive*/) const {
-        return std::nullopt;
-    }
+    virtual std::optional<OccluderRegion<D>> occluder_region(std::uint32_t /*primitive*/) const { return std::nullopt; }
 
     const Problem<D>& problem() const { return problem_; }
     const Counters& counters() const { return counters_; }
@@ -143,6 +152,18 @@ protected:
         drawn_.begin(problem.primitives().size());
         counters_ = {};
         steps_ = 0;
+    }
+    /// What undo and redo do in all runs: to the primitives met, the counters and the number of steps.
+    void move_met(Direction direction, const Step& step, const Counters& before) {
+        if (direction == Direction::back) {
+            drawn_.take_back(before.touched_count, counters_.touched_count);
+            --steps_;
+            counters_ = before;
+        } else {
+            drawn_.put_back(counters_.touched_count, step.after.touched_count);
+            ++steps_;
+            counters_ = step.after;
+        }
     }
     bool meet(std::uint32_t primitive, bool culls) {
         return sightline::meet(problem_, culled_costs_, primitive, culls, drawn_, counters_);

@@ -30,10 +30,17 @@ struct BoxTree {
     };
     std::vector<Node> nodes;
     std::vector<std::uint32_t> primitives;  ///< leaf by leaf; ascending in a leaf
-    FacingPlanes facing;                    ///< 3D, in that order; only SceneBoxes fills it
+    FacingPlanes facing;                    ///< 3D, in that order; who draws by it fills it
 
     std::span<const std::uint32_t> primitives_of(std::uint32_t node) const {
         return std::span(primitives).subspan(nodes[node].begin, nodes[node].end - nodes[node].begin);
+    }
+    /// Of what the node holds, in turn. 2D: all is seen; unsure where `facing` was not filled.
+    void tell_facing(std::uint32_t node, const Vec<D>& eye, std::vector<SideSeen>& out) const {
+        const Node& at = nodes[node];
+        out.assign(at.end - at.begin, D == 2 ? SideSeen::seen : SideSeen::unsure);
+        if constexpr (D == 3)
+            if (!facing.empty()) facing.tell(eye, at.begin, out);
     }
     /// The child of an inner node that holds that place of `primitives`.
     std::uint32_t child_at(std::uint32_t node, std::uint32_t place) const {

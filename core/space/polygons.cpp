@@ -305,14 +305,4 @@ Polygons<2> build_polygons(const Scene<2>& scene) {
 
 Polygons<3> build_polygons(const Scene<3>& scene) { return Joiner(scene).take(); }
 
-template <int D>
-std::size_t Polygons<D>::memory_bytes() const {
-    const auto bytes = [](const auto& rows) { return rows.capacity() * sizeof(rows[0]); };
-    return bytes(points) + bytes(side_begin) + bytes(sides) + bytes(member_begin) + bytes(members) + bytes(polygon_of) +
-           bytes(plane_begin) + bytes(planes) + bytes(area) + bytes(centre) + bytes(two_sided);
-}
-
-template struct Polygons<2>;
-template struct Polygons<3>;
-
 }  // namespace sightline

@@ -53,7 +53,6 @@ struct Polygons {
         for (const Side& side : sides_of(polygon)) corners.push_back(points[side.point]);
         return corners;
     }
-    std::size_t memory_bytes() const;
 
 private:
     template <typename T>

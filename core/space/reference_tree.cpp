@@ -115,14 +115,6 @@ ReferenceTree<D> build_reference_tree(const Scene<D>& scene, TreeKind kind, std:
     return tree;
 }
 
-template <int D>
-std::size_t ReferenceTree<D>::memory_bytes() const {
-    return boxes.memory_bytes() + space.nodes.capacity() * sizeof(space.nodes[0]) +
-           (parent.capacity() + leaf_of.capacity()) * sizeof(std::uint32_t);
-}
-
-template struct ReferenceTree<2>;
-template struct ReferenceTree<3>;
 template ReferenceTree<2> build_reference_tree<2>(const Scene<2>&, TreeKind, std::uint32_t, double);
 template ReferenceTree<3> build_reference_tree<3>(const Scene<3>&, TreeKind, std::uint32_t, double);
 

@@ -16,8 +16,6 @@ struct ReferenceTree {
     BoxTree<D> boxes;
     std::vector<std::uint32_t> parent;   ///< of each box; none: the root
     std::vector<std::uint32_t> leaf_of;  ///< of each box, the leaf of `space`; none: an inner one
-
-    std::size_t memory_bytes() const;
 };
 
 enum class TreeKind : std::uint8_t { kd, octree };

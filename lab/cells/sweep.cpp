@@ -21,25 +21,23 @@ bool has_parameter(const Study& study, const MethodChoice& choice, const std::st
     return (in_3d && in_3d->parameter(name)) || (in_2d && in_2d->parameter(name));
 }
 
-/// The method with that value, whatever it says of the parameter itself.
-MethodChoice with_value(const Study& study, const MethodChoice& choice, const std::string& parameter,
-                        const std::string& value) {
-    VariantText text = read_variant(choice.variant);
-    std::erase_if(text.assignments, [&](const auto& assignment) { return assignment.first == parameter; });
-    text.assignments.emplace_back(parameter, value);
-    MethodChoice made = choice;
-    const Method<3>* const in_3d = method_of<3>(study.tables, choice);
-    made.variant = in_3d ? make_variant<3>(study.tables.in_3d, text.text()).text
-                         : make_variant<2>(study.tables.in_2d, text.text()).text;
-    return made;
-}
-
 /// Without a value of the parameter.
 MethodChoice without(const MethodChoice& choice, const std::string& parameter) {
     VariantText text = read_variant(choice.variant);
     std::erase_if(text.assignments, [&](const auto& assignment) { return assignment.first == parameter; });
     MethodChoice made = choice;
     made.variant = text.text();
+    return made;
+}
+
+/// The method with that value, whatever it says of the parameter itself.
+MethodChoice with_value(const Study& study, const MethodChoice& choice, const std::string& parameter,
+                        const std::string& value) {
+    MethodChoice made = without(choice, parameter);
+    VariantText text = read_variant(made.variant);
+    text.assignments.emplace_back(parameter, value);
+    made.variant = method_of<3>(study.tables, choice) ? make_variant<3>(study.tables.in_3d, text.text()).text
+                                                      : make_variant<2>(study.tables.in_2d, text.text()).text;
     return made;
 }
 

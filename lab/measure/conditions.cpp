@@ -4,6 +4,7 @@
 #include <cstring>
 #include <ctime>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "core/base/file.h"
@@ -56,6 +57,13 @@ Conditions conditions_here(std::string study, std::string renderer) {
     c.build += ", not optimised";
 #endif
     return c;
+}
+
+std::string conditions_json(const Conditions& c) {
+    using Json = nlohmann::ordered_json;
+    return Json{{"study", Json::parse(c.study)}, {"build", c.build},       {"program", c.program},
+                {"machine", c.machine},          {"renderer", c.renderer}, {"date", c.date}}
+        .dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 }  // namespace sightline::lab

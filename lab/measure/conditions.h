@@ -18,4 +18,7 @@ struct Conditions {
 /// This build and machine.
 Conditions conditions_here(std::string study, std::string renderer);
 
+/// As files of results have them: a JSON object.
+std::string conditions_json(const Conditions& conditions);
+
 }  // namespace sightline::lab

@@ -229,16 +229,9 @@ double likeness(const Row& row) {
 }
 
 std::string results_json(const Results& results, const std::string& claims) {
-    const Conditions& c = results.conditions;
     Json json{{"format", "sightline-results"},
               {"version", 1},
-              {"conditions",
-               {{"study", Json::parse(c.study)},
-                {"build", c.build},
-                {"program", c.program},
-                {"machine", c.machine},
-                {"renderer", c.renderer},
-                {"date", c.date}}},
+              {"conditions", Json::parse(conditions_json(results.conditions))},
               {"distance_ends", distance_ends()},
               {"rows", Json::array()}};
     if (!claims.empty()) json["claims"] = Json::parse(claims);

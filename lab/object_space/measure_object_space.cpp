@@ -26,6 +26,11 @@ std::vector<View<3>> all_round_views(const SeededScene& scene, const std::string
     return views;
 }
 
+/// Those of so many that are held against the exact set, and drawn.
+std::vector<std::size_t> frames_of(std::size_t count, const ObjectSpaceOptions& options) {
+    return spread_frames(count, options.frames == 0 ? count : options.frames);
+}
+
 /// A method on its way along a path.
 struct Walker {
     Walker(const MethodTables& tables, const std::string& text)
@@ -60,16 +65,16 @@ void step(Walker& walker, const SeededScene& scene, const View<3>& view, double&
 }
 
 /// Medians over the passes of what each frame costs, each method after the other in every frame. The first frame pays
-/// for all that is not known yet: `skip_first`. After the last pass' frame `look(walker, frame)`.
-std::vector<FrameCost> walk(std::vector<Walker>& walkers, const SeededScene& scene, const std::vector<View<3>>& views,
-                            int passes, bool skip_first,
-                            const std::function<void(std::size_t walker, std::size_t frame)>& look = {}) {
+/// for all that is not known yet, and is left out where there are others. After the last pass' frame `look(walker,
+/// frame)`.
+std::vector<WalkCost> walk(std::vector<Walker>& walkers, const SeededScene& scene, const std::vector<View<3>>& views,
+                           int passes, const std::function<void(std::size_t walker, std::size_t frame)>& look = {}) {
     struct Samples {
         std::vector<double> started, ran;
     };
     std::vector<std::vector<Samples>> samples(walkers.size(), std::vector<Samples>(views.size()));
-    std::vector<FrameCost> costs(walkers.size());
-    const std::size_t begin = skip_first && views.size() > 1 ? 1 : 0;
+    std::vector<WalkCost> costs(walkers.size());
+    const std::size_t begin = views.size() > 1 ? 1 : 0;
     for (int pass = 0; pass < passes; ++pass) {
         for (Walker& walker : walkers) walker.run = {};
         for (std::size_t frame = 0; frame < views.size(); ++frame) {
@@ -80,7 +85,7 @@ std::vector<FrameCost> walk(std::vector<Walker>& walkers, const SeededScene& sce
                 samples[i][frame].ran.push_back(ran);
                 if (pass + 1 < passes) continue;
                 if (frame >= begin) {
-                    FrameCost& cost = costs[i];
+                    WalkCost& cost = costs[i];
                     cost.drawn += walkers[i].run->counters().rendered_count;
                     if (const VisibleRun<3>* const run = walkers[i].visible_run()) {
                         const Effort& effort = run->effort();
@@ -103,7 +108,7 @@ std::vector<FrameCost> walk(std::vector<Walker>& walkers, const SeededScene& sce
     }
     const auto count = static_cast<double>(views.size() - begin);
     for (std::size_t i = 0; i < walkers.size(); ++i) {
-        FrameCost& cost = costs[i];
+        WalkCost& cost = costs[i];
         cost.frames = views.size() - begin;
         for (std::size_t frame = begin; frame < views.size(); ++frame) {
             cost.occluders_ms += median(samples[i][frame].started);
@@ -134,9 +139,8 @@ std::vector<std::uint32_t> pixels_all_round(const Scene<3>& scene, const Vec<3>&
 Culled culled_by(const VisibleRun<3>& run, const Polygons<3>& polygons, const std::vector<std::uint32_t>& pixels) {
     const Problem<3>& problem = run.problem();
     const BoxTree<3>& tree = *run.boxes();
-    std::vector<std::uint8_t> drawn(pixels.size()), in_drawn_box(pixels.size());
-    for (const Met met : run.met())
-        if (!met.culled()) drawn[met.primitive()] = 1;
+    const std::vector<std::uint8_t> drawn = rendered_mask(run.met(), pixels.size());
+    std::vector<std::uint8_t> in_drawn_box(pixels.size());
     for (std::uint32_t node = 0; node < tree.nodes.size(); ++node) {
         if (run.mark({node, Kind::node}).state != CellState::projected) continue;
         const auto rule = static_cast<VisibleRule>(run.mark({node, Kind::node}).stamp);
@@ -226,11 +230,10 @@ std::vector<AllRound> measure_all_round(const SeededScene& scene, const std::vec
         rows.push_back({walkers.back().variant.text, {}, {}});
     }
     std::vector<std::uint8_t> is_exact(views.size());
-    for (const std::size_t frame : spread_frames(views.size(), options.frames == 0 ? views.size() : options.frames))
-        is_exact[frame] = 1;
+    for (const std::size_t frame : frames_of(views.size(), options)) is_exact[frame] = 1;
     std::vector<std::uint32_t> pixels;
-    const std::vector<FrameCost> costs =
-        walk(walkers, scene, views, std::max(1, options.repeats), true, [&](std::size_t i, std::size_t frame) {
+    const std::vector<WalkCost> costs =
+        walk(walkers, scene, views, std::max(1, options.repeats), [&](std::size_t i, std::size_t frame) {
             if (!is_exact[frame]) return;
             if (i == 0) pixels = pixels_all_round(*scene.scene, views[frame].eye, draw_ids, options.face);
             const VisibleRun<3>* const run = walkers[i].visible_run();
@@ -251,7 +254,7 @@ std::vector<AtSpeed> measure_speeds(const SeededScene& scene, const std::string&
     for (const std::uint32_t speed : options.speeds) {
         std::vector<View<3>> taken;
         for (std::size_t i = 0; i < views.size(); i += speed) taken.push_back(views[i]);
-        const auto costs = walk(walkers, scene, taken, std::max(1, options.repeats), true);
+        const auto costs = walk(walkers, scene, taken, std::max(1, options.repeats));
         rows.push_back({speed, costs[0], costs[1]});
     }
     return rows;
@@ -260,12 +263,11 @@ std::vector<AtSpeed> measure_speeds(const SeededScene& scene, const std::string&
 std::vector<WithWorkers> measure_workers(const SeededScene& scene, const ObjectSpaceOptions& options) {
     std::vector<View<3>> views = all_round_views(scene, options.walk);
     std::vector<View<3>> taken;
-    for (const std::size_t frame : spread_frames(views.size(), options.frames == 0 ? views.size() : options.frames))
-        taken.push_back(views[frame]);
+    for (const std::size_t frame : frames_of(views.size(), options)) taken.push_back(views[frame]);
     std::vector<Walker> walkers;
     for (const int workers : options.workers)
         walkers.emplace_back(options.tables, options.parallel + " workers=" + std::to_string(workers));
-    const auto costs = walk(walkers, scene, taken, std::max(1, options.repeats), true);
+    const auto costs = walk(walkers, scene, taken, std::max(1, options.repeats));
     std::vector<WithWorkers> rows;
     for (std::size_t i = 0; i < costs.size(); ++i) rows.push_back({options.workers[i], costs[i]});
     return rows;
@@ -281,7 +283,7 @@ std::vector<InView> measure_in_view(const SeededScene& scene, const std::vector<
     }
     std::vector<std::uint8_t> is_drawn(views.size());
     std::size_t drawn_frames = 0;
-    for (const std::size_t frame : spread_frames(views.size(), options.frames == 0 ? views.size() : options.frames)) {
+    for (const std::size_t frame : frames_of(views.size(), options)) {
         is_drawn[frame] = 1;
         ++drawn_frames;
     }
@@ -303,8 +305,8 @@ std::vector<InView> measure_in_view(const SeededScene& scene, const std::vector<
         for (std::size_t m = 0; m < methods.size(); ++m)
             rows[m].draw_ms += median(times[m]) / static_cast<double>(drawn_frames);
     };
-    const auto costs = walk(walkers, scene, views, std::max(1, options.repeats), true, draw);
-    const auto unswitched = walk(walkers, scene, round, std::max(1, options.repeats), true);
+    const auto costs = walk(walkers, scene, views, std::max(1, options.repeats), draw);
+    const auto unswitched = walk(walkers, scene, round, std::max(1, options.repeats));
     for (std::size_t i = 0; i < rows.size(); ++i) {
         rows[i].method = walkers[i].variant.text;
         rows[i].cost = costs[i];

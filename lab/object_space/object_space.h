@@ -28,7 +28,7 @@ struct Construction {
 };
 
 /// What a frame costs, the mean over the frames of a path; times: of each frame's median.
-struct FrameCost {
+struct WalkCost {
     std::size_t frames = 0;
     double occluders_ms = 0;  ///< choosing occluders, making their shadows, emptying what the last frame left
     double visible_ms = 0;    ///< down the tree; with listing what is drawn
@@ -64,28 +64,28 @@ private:
 /// Table 2: a method along a path, seen all round.
 struct AllRound {
     std::string method;
-    FrameCost cost;
+    WalkCost cost;
     Culled culled;
 };
 
 /// Table 3: one speed.
 struct AtSpeed {
-    std::uint32_t speed = 1;   ///< every so many frames of the path
-    FrameCost keeping, fresh;  ///< coherence=on and off
+    std::uint32_t speed = 1;  ///< every so many frames of the path
+    WalkCost keeping, fresh;  ///< coherence=on and off
 };
 
 /// Table 4: so many threads, with nothing kept.
 struct WithWorkers {
     int workers = 1;
-    FrameCost cost;
+    WalkCost cost;
 };
 
 /// A frame in a view as people have it, drawn.
 struct InView {
     std::string method;
-    FrameCost cost;
-    double draw_ms = 0;   ///< with upload; 0: there was no OpenGL
-    FrameCost all_round;  ///< the same where nothing is switched off
+    WalkCost cost;
+    double draw_ms = 0;  ///< with upload; 0: there was no OpenGL
+    WalkCost all_round;  ///< the same where nothing is switched off
 };
 
 struct ObjectSpaceOptions {

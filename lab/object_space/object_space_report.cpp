@@ -16,7 +16,7 @@ using Json = nlohmann::ordered_json;
 
 Json or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
-Json to_json(const FrameCost& cost) {
+Json to_json(const WalkCost& cost) {
     return {{"frames", cost.frames},
             {"occluders_ms", cost.occluders_ms},
             {"visible_ms", cost.visible_ms},
@@ -95,16 +95,9 @@ std::string conditions_text(const ObjectSpaceResults& results) {
 }  // namespace
 
 std::string object_space_json(const ObjectSpaceResults& results) {
-    const Conditions& c = results.conditions;
     Json json{{"format", "sightline-object-space"},
               {"version", 1},
-              {"conditions",
-               {{"study", Json::parse(c.study)},
-                {"build", c.build},
-                {"program", c.program},
-                {"machine", c.machine},
-                {"renderer", c.renderer},
-                {"date", c.date}}},
+              {"conditions", Json::parse(conditions_json(results.conditions))},
               {"scenes", Json::array()}};
     for (const ObjectSpaceScene& scene : results.scenes) json["scenes"].push_back(to_json(scene));
     json["claims"] = Json::parse(claims_json(object_space_claims(results)));

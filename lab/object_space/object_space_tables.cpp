@@ -79,7 +79,7 @@ TitledTable table_of_culling(const ObjectSpaceResults& results) {
                 made.table.rows.push_back(std::move(row));
             }
         for (std::size_t i = 0; i < scene.all_round.front().size(); ++i) {
-            const auto cost = [&](double FrameCost::*what) {
+            const auto cost = [&](double WalkCost::*what) {
                 return over_seeds(scene, i, [&](const AllRound& row) { return row.cost.*what; });
             };
             const auto culled = [&](double (Culled::*what)() const) {
@@ -88,14 +88,14 @@ TitledTable table_of_culling(const ObjectSpaceResults& results) {
             std::size_t missed = 0;
             for (const auto& seed : scene.all_round) missed += seed[i].culled.missed;
             made.table.rows.push_back(
-                {scene.name, scene.all_round.front()[i].method, number(cost(&FrameCost::occluders_ms)),
+                {scene.name, scene.all_round.front()[i].method, number(cost(&WalkCost::occluders_ms)),
                  number(over_seeds(scene, i, [](const AllRound& row) { return row.cost.tested_each(); })),
-                 number(cost(&FrameCost::visible_ms)), culled(&Culled::share), culled(&Culled::not_drawn_share),
+                 number(cost(&WalkCost::visible_ms)), culled(&Culled::share), culled(&Culled::not_drawn_share),
                  culled(&Culled::facing_share), culled(&Culled::primitive_share), std::to_string(missed),
-                 number(cost(&FrameCost::occluders)), whole_number(cost(&FrameCost::boxes)),
-                 whole_number(cost(&FrameCost::kept)), whole_number(cost(&FrameCost::tested)),
-                 whole_number(cost(&FrameCost::products)), number(cost(&FrameCost::changed)),
-                 whole_number(cost(&FrameCost::drawn))});
+                 number(cost(&WalkCost::occluders)), whole_number(cost(&WalkCost::boxes)),
+                 whole_number(cost(&WalkCost::kept)), whole_number(cost(&WalkCost::tested)),
+                 whole_number(cost(&WalkCost::products)), number(cost(&WalkCost::changed)),
+                 whole_number(cost(&WalkCost::drawn))});
         }
     }
     return made;

@@ -180,13 +180,12 @@ std::string name_of(std::span<const std::uint32_t> primitives) {
 
 /// "supporting, edge 2: satisfied, 0.31", those that fail first; a click points one out in the picture.
 template <int D>
-void write_planes(Writer& to, const Session<D>& s) {
+void write_planes(Writer& to, const Session<D>& s, std::span<const TestedOccluder> tested) {
     const std::vector<TestedPlane<D>> planes = planes_at_hand(s);
     if (planes.empty()) return;
     const std::uint32_t selected = occluder_at_hand(s);
-    const auto occluders = s.traversal().tested_occluders({box_at_hand(s), Kind::node});
     const bool together =
-        std::count_if(occluders.begin(), occluders.end(), [](const TestedOccluder& o) { return o.hides; }) > 1;
+        std::count_if(tested.begin(), tested.end(), [](const TestedOccluder& o) { return o.hides; }) > 1;
     to.heading(selected != none ? "Planes to the selected occluder"
                : together       ? "Planes to those that hide it together; edges they share are none"
                                 : "Planes to the occluder that comes nearest to hiding it");
@@ -228,8 +227,7 @@ void write_occluder(Writer& to, const TestedOccluder& occluder, std::uint32_t no
 
 /// The occluders S that the box was tested against, and those S' that the boxes in it are tested against.
 template <int D>
-void write_occluders(Writer& to, const Session<D>& s, std::uint32_t node) {
-    const std::vector<TestedOccluder> tested = s.traversal().tested_occluders({node, Kind::node});
+void write_occluders(Writer& to, const Session<D>& s, std::uint32_t node, std::span<const TestedOccluder> tested) {
     const auto matters = [](const TestedOccluder& occluder) { return occluder.hides || occluder.handed_on; };
     const auto some = std::count_if(tested.begin(), tested.end(), matters);
     to.heading("Tested against it: S, " + counted(tested.size(), "occluder"));
@@ -254,8 +252,9 @@ void write_box(Writer& to, const Session<D>& s, std::uint32_t node) {
     if (!s.traversal().tests_planes()) return;
     const CellState state = s.traversal().mark(Item{node, Kind::node}).state;
     if (state == CellState::clean || state == CellState::unseen || state == CellState::enqueued) return;
-    write_planes(to, s);
-    write_occluders(to, s, node);
+    const std::vector<TestedOccluder> tested = s.traversal().tested_occluders({node, Kind::node});
+    write_planes(to, s, tested);
+    write_occluders(to, s, node, tested);
 }
 
 /// What one change would do to what is selected; a click compares the run with it.

@@ -149,23 +149,23 @@ ObjectSpaceResults results_by_hand() {
     scene.name = "soda";
     scene.seeds = {1, 2};
     scene.construction = {{"kd", 3400, 1700, 3400, 1000, 5, 10, 0.5, 0.25}};
-    FrameCost single{.frames = 10, .occluders_ms = 0.1, .visible_ms = 0.2, .occluders = 32, .boxes = 300};
+    WalkCost single{.frames = 10, .occluders_ms = 0.1, .visible_ms = 0.2, .occluders = 32, .boxes = 300};
     single.tested = 64;
-    FrameCost several = single;
+    WalkCost several = single;
     several.visible_ms = 0.15;
     Culled less{.invisible = 100, .culled = 70}, more{.invisible = 100, .culled = 74};
     Culled most = more;
     most.culled = 80;
     scene.all_round = {{{"coorg-teller", single, less}, {"coorg-teller connected=on", several, more}},
                        {{"coorg-teller", single, less}, {"coorg-teller connected=on", several, most}}};
-    FrameCost fast = single;
+    WalkCost fast = single;
     fast.visible_ms = 0.8;
     scene.speeds = {{1, single, single}, {16, fast, fast}};
-    FrameCost slow = single, half = single;
+    WalkCost slow = single, half = single;
     slow.visible_ms = 3;
     half.visible_ms = 2;
     scene.workers = {{1, slow}, {2, half}};
-    FrameCost view = single, in_view = several;
+    WalkCost view = single, in_view = several;
     view.occluders_ms = 0;
     in_view.visible_ms = 0.05;
     scene.in_view = {{"view", view, 2, view}, {"coorg-teller connected=on", in_view, 1, several}};

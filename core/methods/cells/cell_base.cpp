@@ -49,12 +49,6 @@ void CellBase<D>::set_state(std::uint32_t cell, CellState to) {
 }
 
 template <int D>
-void CellBase<D>::set_counters(const Counters& counters) {
-    this->counters_ = counters;
-    front_is_stale_ = true;
-}
-
-template <int D>
 bool CellBase<D>::move(Direction direction, const Step& step, std::span<Change> changes, const Counters& before) {
     const auto put = [&](Change& change) {
         const bool forward = direction == Direction::forward;
@@ -73,20 +67,16 @@ bool CellBase<D>::move(Direction direction, const Step& step, std::span<Change> 
             --rounds_->done;
         else
             set_state(step.item.id, CellState::enqueued);
-        this->drawn_.take_back(before.touched_count, this->counters_.touched_count);
         if (rounds_) rounds_->screen.forget();
-        --this->steps_;
-        set_counters(before);
     } else {
-        ++this->steps_;
         if (round)
             ++rounds_->done;
         else
             set_state(step.item.id, CellState::projected);
         std::for_each(changes.begin(), changes.end(), put);
-        this->drawn_.put_back(this->counters_.touched_count, step.after.touched_count);
-        set_counters(step.after);
     }
+    this->move_met(direction, step, before);
+    front_is_stale_ = true;
     return true;
 }
 

@@ -105,7 +105,6 @@ private:
     void add_round_lines(std::vector<CodeLine>& lines, const CodePlace& at, bool in_round) const;
     std::vector<Considered> tests_of(std::span<const Change> changes) const;
     void set_state(std::uint32_t cell, CellState to);
-    void set_counters(const Counters& counters);
     Verdict why_clean(std::uint32_t cell) const;
     /// Facets of the popped cell that the step looked across, from the first on.
     std::size_t facets_looked_across(const Step& step) const;

@@ -34,50 +34,30 @@ Partial partial_of(std::span<const Shadow<D>> shadows, std::uint32_t slot, bool 
 }  // namespace
 
 template <int D>
-BoxStates<D>::BoxStates(const BoxStates& other)
-    : prepared_(other.prepared_),
-      scene_(other.scene_),
-      view_(other.view_),
-      eye_(other.eye_),
-      kind_(other.kind_),
-      connected_(other.connected_),
-      keeps_(other.keeps_),
-      epoch_(1),
-      version_(1),
-      next_key_(other.next_key_),
-      slots_(other.slots_),
-      shadows_(other.shadows_),
-      meetings_(other.meetings_),
-      records_(other.records_.size()),
-      effort_(other.effort_) {}
-
-template <int D>
 void BoxStates<D>::begin(std::shared_ptr<const Prepared<D>> prepared, const Problem<D>& problem, OccluderKind kind,
                          std::size_t count) {
     const auto connected = problem.parameters.template choice<Connected>(connected_row());
     const bool keeps = problem.parameters.template choice<Coherence>(coherence_row()) == Coherence::on;
     const std::size_t boxes = prepared->tree.boxes.nodes.size();
     if (keeps != keeps_ || kind != kind_ || connected != connected_ || prepared != prepared_ ||
-        scene_ != problem.scene || records_.size() != boxes || epoch_ == none) {
-        records_.assign(boxes, {});
-        polygon_records_.clear();
+        scene_ != problem.scene || kept_.boxes.size() != boxes || epoch_ == none) {
+        kept_.boxes.assign(boxes, {});
+        kept_.polygons.clear();
         slots_.clear();
         travelled_ = 0;
         epoch_ = version_ = next_key_ = 0;
     } else {
-        const Vec<D> way = problem.view.eye - eye_;
+        const Vec<D> way = problem.view.eye - view_.eye;
         travelled_ += std::sqrt(glm::dot(way, way)) * (1 + 0x1p-40);
         if (!keeps) slots_.clear();
     }
-    if (keeps && polygon_records_.empty() &&
-        problem.parameters.template choice<Leaves>(leaves_row()) == Leaves::polygons)
-        polygon_records_.resize(prepared->tree.boxes.primitives.size());
+    if (keeps && kept_.polygons.empty() && problem.parameters.template choice<Leaves>(leaves_row()) == Leaves::polygons)
+        kept_.polygons.resize(prepared->tree.boxes.primitives.size());
     keeps_ = keeps;
     kind_ = kind;
     prepared_ = std::move(prepared);
     scene_ = problem.scene;
     view_ = problem.view;
-    eye_ = view_.eye;
     connected_ = connected;
     ++epoch_;
     effort_ = {};
@@ -86,7 +66,7 @@ void BoxStates<D>::begin(std::shared_ptr<const Prepared<D>> prepared, const Prob
     if (kind == OccluderKind::polygon)
         place(single_occluders(potential_occluders(*prepared_, *scene_, view_, count)));
     else
-        place(convex_occluders(*prepared_, *scene_, eye_,
+        place(convex_occluders(*prepared_, *scene_, view_.eye,
                                potential_occluders(*prepared_, *scene_, view_, count * polygons_each), count));
     if (connected_ != Connected::off) meetings_.find<D>(shadows_);
 }
@@ -129,9 +109,9 @@ void BoxStates<D>::place(const OccluderLists& occluders) {
     for (std::size_t i = 0; i < occluders.size(); ++i) {
         Shadow<D>& shadow = shadows_[slot_of[i]];
         const std::vector<bool> before = sides_seen(shadow);
-        make_shadow<D>(*scene_, polygons, occluders[i], eye_, shadow);
+        make_shadow<D>(*scene_, polygons, occluders[i], view_.eye, shadow);
         const std::uint32_t largest = occluders[i].front();
-        shadow.area_angle = std::abs(area_angle<D>(polygons.area[largest], polygons.centre[largest], eye_));
+        shadow.area_angle = std::abs(area_angle<D>(polygons.area[largest], polygons.centre[largest], view_.eye));
         // The other side of a polygon is another occluder.
         if (sides_seen(shadow) != before) {
             slots_[slot_of[i]].key = ++next_key_;
@@ -142,14 +122,9 @@ void BoxStates<D>::place(const OccluderLists& occluders) {
 }
 
 template <int D>
-double BoxStates<D>::until(const Relation& relation) const {
-    return until(relation.slack);
-}
-
-template <int D>
 std::uint32_t BoxStates<D>::asked_version(std::uint32_t node) const {
     const std::uint32_t parent = prepared_->tree.parent[node];
-    return parent == none ? version_ : records_[parent].version;
+    return parent == none ? version_ : kept_.boxes[parent].version;
 }
 
 /// Calls `each(slot)` for the occluders that the box is tested against, while it returns true.
@@ -161,17 +136,18 @@ void BoxStates<D>::for_asked(std::uint32_t node, Each each) const {
         for (std::uint32_t slot = 0; slot < slots_.size(); ++slot)
             if (slots_[slot].used && !each(slot)) return;
     } else {
-        for (const KnownRelation& known : records_[parent].known)
+        for (const KnownRelation& known : kept_.boxes[parent].known)
             if (known.region == Region::partial && !each(known.slot)) return;
     }
 }
 
 template <int D>
 BoxState BoxStates<D>::state(std::uint32_t node, Effort& effort, BoxScratch<D>& scratch) {
-    Record& record = records_[node];
+    Record& record = kept_.boxes[node];
     if (record.epoch == epoch_) return record.state;
     // Those around it first, where nobody has asked for them at this eye: after going back in a recording.
-    if (const std::uint32_t parent = prepared_->tree.parent[node]; parent != none && records_[parent].epoch != epoch_)
+    if (const std::uint32_t parent = prepared_->tree.parent[node];
+        parent != none && kept_.boxes[parent].epoch != epoch_)
         state(parent, effort, scratch);
     ++effort.boxes;
     if (record.made && keeps_ && record.asked == asked_version(node) && travelled_ < record.until)
@@ -199,7 +175,7 @@ void BoxStates<D>::make(std::uint32_t node, Record& record, Effort& effort, BoxS
     const auto test = [&](std::uint32_t slot) {
         ++effort.tested;
         const Relation found = relation(shadows_[slot], *scene_, box, effort.products);
-        return KnownRelation{slot, slots_[slot].key, until(found), found.region, found.beyond};
+        return KnownRelation{slot, slots_[slot].key, until(found.slack), found.region, found.beyond};
     };
     // What hid it the last time first: one look may do.
     if (keeps_ && record.hidden_by != none && record.hidden_by < slots_.size() && slots_[record.hidden_by].used) {
@@ -259,18 +235,17 @@ void BoxStates<D>::make(std::uint32_t node, Record& record, Effort& effort, BoxS
     effort.changed += was_made && before != record.state;
     // The children hear of it where other occluders are left for them.
     const auto same = [&] {
-        std::size_t i = 0;
-        const auto next_partial = [&](const std::vector<KnownRelation>& all, std::size_t from) {
+        const auto next_partial = [](const std::vector<KnownRelation>& all, std::size_t from) {
             while (from < all.size() && all[from].region != Region::partial) ++from;
             return from;
         };
-        std::size_t j = next_partial(record.known, 0);
-        for (i = next_partial(now, 0); i < now.size(); i = next_partial(now, i + 1)) {
-            if (j == record.known.size() || record.known[j].slot != now[i].slot || record.known[j].key != now[i].key)
-                return false;
+        std::size_t i = next_partial(now, 0), j = next_partial(record.known, 0);
+        while (i < now.size() && j < record.known.size() && now[i].slot == record.known[j].slot &&
+               now[i].key == record.known[j].key) {
+            i = next_partial(now, i + 1);
             j = next_partial(record.known, j + 1);
         }
-        return j == record.known.size();
+        return i == now.size() && j == record.known.size();
     };
     if (!same()) ++record.version;
     record.known.assign(now.begin(), now.end());
@@ -324,14 +299,14 @@ template <int D>
 std::vector<std::uint32_t> BoxStates<D>::hiding_polygon(std::uint32_t polygon,
                                                         std::span<const std::uint32_t> slots) const {
     const std::vector<Vec<D>> corners = prepared_->polygons.corners_of(polygon);
-    return hiding_of(EyePolygon<D>(corners, eye_), slots);
+    return hiding_of(EyePolygon<D>(corners, view_.eye), slots);
 }
 
 template <int D>
 bool BoxStates<D>::hides_polygon(std::uint32_t leaf, std::uint32_t place, Effort& effort, BoxScratch<D>& scratch) {
-    const Record& record = records_[leaf];
+    const Record& record = kept_.boxes[leaf];
     PolygonRecord unkept;
-    PolygonRecord& known = polygon_records_.empty() ? unkept : polygon_records_[place];
+    PolygonRecord& known = kept_.polygons.empty() ? unkept : kept_.polygons[place];
     const bool still_chosen =
         known.hidden_by < slots_.size() && slots_[known.hidden_by].used && slots_[known.hidden_by].key == known.key;
     // One that hides it alone does so whoever else is there.
@@ -343,7 +318,7 @@ bool BoxStates<D>::hides_polygon(std::uint32_t leaf, std::uint32_t place, Effort
     scratch.corners.clear();
     for (const auto& side : prepared_->polygons.sides_of(polygon))
         scratch.corners.push_back(prepared_->polygons.points[side.point]);
-    const EyePolygon<D> seen(scratch.corners, eye_);
+    const EyePolygon<D> seen(scratch.corners, view_.eye);
     known = {record.version, none, 0, false, std::numeric_limits<double>::infinity()};
     scratch.partial.clear();
     for (const KnownRelation& asked : record.known) {
@@ -351,10 +326,10 @@ bool BoxStates<D>::hides_polygon(std::uint32_t leaf, std::uint32_t place, Effort
         ++effort.tested;
         const Relation found = relation(shadows_[asked.slot], *scene_, seen, effort.products);
         if (found.region == Region::hidden) {
-            known = {record.version, asked.slot, asked.key, true, until(found)};
+            known = {record.version, asked.slot, asked.key, true, until(found.slack)};
             return true;
         }
-        known.until = std::min(known.until, until(found));
+        known.until = std::min(known.until, until(found.slack));
         if (found.region == Region::partial)
             scratch.partial.push_back(partial_of<D>(shadows_, asked.slot, found.beyond));
     }
@@ -364,13 +339,6 @@ bool BoxStates<D>::hides_polygon(std::uint32_t leaf, std::uint32_t place, Effort
              .empty();
     known.until = std::min(known.until, until(slack));
     return known.hidden;
-}
-
-template <int D>
-std::size_t BoxStates<D>::kept_bytes() const {
-    std::size_t bytes = records_.capacity() * sizeof(Record) + polygon_records_.capacity() * sizeof(PolygonRecord);
-    for (const Record& record : records_) bytes += record.known.capacity() * sizeof(KnownRelation);
-    return bytes;
 }
 
 template class BoxStates<2>;

@@ -60,11 +60,6 @@ struct BoxScratch {
 template <int D>
 class BoxStates {
 public:
-    BoxStates() = default;
-    /// A copy starts without what it could save: no two write the same memory.
-    BoxStates(const BoxStates& other);
-    BoxStates& operator=(const BoxStates&) = delete;
-
     /// Another eye. What is kept of earlier ones: coherence=on. `count`: the most occluders.
     void begin(std::shared_ptr<const Prepared<D>> prepared, const Problem<D>& problem, OccluderKind kind,
                std::size_t count);
@@ -81,7 +76,6 @@ public:
     std::vector<Candidate> potential() const { return potential_occluders(*prepared_, *scene_, view_); }
     /// By slot; those of slots that are not used have no polygons.
     std::span<const Shadow<D>> shadows() const { return shadows_; }
-    const Meetings& meetings() const { return meetings_; }
     Connected connected() const { return connected_; }
 
     /// The occluders that are tested against the box, as slots: those that hide a part of each box around it. Made
@@ -90,13 +84,12 @@ public:
     /// Those of `slots` that hide the box: one, or several together; empty: none does.
     std::vector<std::uint32_t> hiding(std::uint32_t node, std::span<const std::uint32_t> slots) const;
     Relation relation_to(std::uint32_t node, std::uint32_t slot) const;
-    EyeBox<D> seen(std::uint32_t node) const { return {prepared_->tree.boxes.nodes[node].box, eye_}; }
+    EyeBox<D> seen(std::uint32_t node) const { return {prepared_->tree.boxes.nodes[node].box, view_.eye}; }
     /// The same of a polygon; `slots` are those that hide a part of its leaf.
     std::vector<std::uint32_t> hiding_polygon(std::uint32_t polygon, std::span<const std::uint32_t> slots) const;
 
     Effort& effort() { return effort_; }
     const Effort& effort() const { return effort_; }
-    std::size_t kept_bytes() const;
 
 private:
     struct Record {
@@ -118,6 +111,16 @@ private:
         double until = -1;
     };
 
+    /// A copy starts without what it could save: no two write the same memory.
+    struct Kept {
+        Kept() = default;
+        Kept(const Kept& other) : boxes(other.boxes.size()) {}
+        Kept& operator=(const Kept&) = delete;
+
+        std::vector<Record> boxes;
+        std::vector<PolygonRecord> polygons;  ///< coherence=on
+    };
+
     void place(const OccluderLists& occluders);
     template <typename Occludee>
     std::vector<std::uint32_t> hiding_of(const Occludee& occludee, std::span<const std::uint32_t> slots) const;
@@ -125,13 +128,11 @@ private:
     template <typename Each>
     void for_asked(std::uint32_t node, Each each) const;
     std::uint32_t asked_version(std::uint32_t node) const;
-    double until(const Relation& relation) const;
     double until(double slack) const { return travelled_ + slack * (1 - 0x1p-40); }
 
     std::shared_ptr<const Prepared<D>> prepared_;
     const Scene<D>* scene_ = nullptr;
     View<D> view_;
-    Vec<D> eye_{};
     OccluderKind kind_ = OccluderKind::polygon;
     Connected connected_ = Connected::off;
     bool keeps_ = true;
@@ -140,8 +141,7 @@ private:
     std::vector<Slot> slots_;
     std::vector<Shadow<D>> shadows_;
     Meetings meetings_;
-    std::vector<Record> records_;
-    std::vector<PolygonRecord> polygon_records_;  ///< coherence=on
+    Kept kept_;
     Effort effort_;
 };
 

@@ -79,12 +79,6 @@ std::size_t Prepared<D>::polygon_references() const {
 }
 
 template <int D>
-std::size_t Prepared<D>::memory_bytes() const {
-    return polygons.memory_bytes() + tree.memory_bytes() +
-           (region_begin.capacity() + region_polygons.capacity()) * sizeof(std::uint32_t);
-}
-
-template <int D>
 Prepared<D> prepare(const Scene<D>& scene, TreeKind kind, std::uint32_t leaf, double threshold) {
     Prepared<D> made;
     Stopwatch clock;

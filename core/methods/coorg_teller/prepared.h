@@ -27,7 +27,6 @@ struct Prepared {
     std::vector<std::uint32_t> near(const Vec<D>& eye) const;
     /// Distinct polygons at the leaves, added up (table 1, "Final").
     std::size_t polygon_references() const;
-    std::size_t memory_bytes() const;
 };
 
 template <int D>

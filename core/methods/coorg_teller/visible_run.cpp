@@ -85,7 +85,7 @@ Stop VisibleRun<D>::next(Recorder* recorder) {
         is_in_view(counters.partial_cell, whole);
         const std::uint32_t node = counters.partial_cell;
         counters.partial_cell = none;
-        draw_slowly(node, whole);
+        draw(node, whole);
         return Stop::none;
     }
     if (stack_is_stale_) refill_stack();
@@ -139,11 +139,18 @@ VisibleRule VisibleRun<D>::rule_of(std::uint32_t node, Effort& effort, BoxScratc
 
 /// The rule is kept as the mark's stamp: keys never tie, so that stamps have nothing else to say.
 template <int D>
+VisibleRule VisibleRun<D>::settle(std::uint32_t node, Effort& effort, BoxScratch<D>& scratch, bool& whole) {
+    const VisibleRule rule = rule_of(node, effort, scratch, whole);
+    marks_.set(node,
+               {static_cast<double>(tree_->nodes[node].begin), static_cast<std::uint32_t>(rule), state_after(rule)});
+    return rule;
+}
+
+template <int D>
 bool VisibleRun<D>::pop(std::uint32_t node, Recorder* recorder) {
     const Mark before = marks_[node];
     bool whole;
-    const VisibleRule rule = rule_of(node, states_.effort(), scratch_, whole);
-    marks_.set(node, {before.key, static_cast<std::uint32_t>(rule), state_after(rule)});
+    const VisibleRule rule = settle(node, states_.effort(), scratch_, whole);
     if (recorder) recorder->changed({node, Kind::node}, before, static_cast<std::uint8_t>(rule));
     if (opens(rule)) {
         const typename BoxTree<D>::Node& at = tree_->nodes[node];
@@ -156,7 +163,7 @@ bool VisibleRun<D>::pop(std::uint32_t node, Recorder* recorder) {
         }
         this->counters_.front_size += at.child_count;
     }
-    if (draws(rule)) draw_slowly(node, whole);
+    if (draws(rule)) draw(node, whole);
     const auto& history = this->problem_.history;
     return history && node < history->boxes.size() && history->boxes[node] != static_cast<std::uint8_t>(rule);
 }
@@ -169,8 +176,7 @@ void VisibleRun<D>::collect(std::uint32_t node, bool whole, std::vector<std::uin
     const bool tests_polygons = by_polygons_ && tree_->nodes[node].first_child == none &&
                                 states_.state(node, effort, scratch) == BoxState::partial;
     scratch.polygons.clear();
-    facing.assign(primitives.size(), D == 2 ? SideSeen::seen : SideSeen::unsure);
-    if constexpr (D == 3) tree_->facing.tell(this->problem_.view.eye, tree_->nodes[node].begin, facing);
+    tree_->tell_facing(node, this->problem_.view.eye, facing);
     for (std::size_t i = 0; i < primitives.size(); ++i) {
         const std::uint32_t primitive = primitives[i];
         if (facing[i] == SideSeen::away || this->drawn_.has(primitive)) continue;
@@ -193,17 +199,16 @@ bool VisibleRun<D>::is_hidden(std::uint32_t leaf, std::uint32_t place, Effort& e
     return hidden;
 }
 
-/// Until the budget ends; false: it did, and the box is the partial one.
+/// Until the budget ends: then the box is the partial one.
 template <int D>
-bool VisibleRun<D>::draw_slowly(std::uint32_t node, bool whole) {
+void VisibleRun<D>::draw(std::uint32_t node, bool whole) {
     found_.clear();
     collect(node, whole, found_, facing_, states_.effort(), scratch_);
     for (const std::uint32_t primitive : found_)
         if (!this->meet(primitive, false)) {
             this->counters_.partial_cell = node;
-            return false;
+            return;
         }
-    return true;
 }
 
 /// The upper part of the tree first, then the subtrees below it, which share nothing, each by whoever is free. What is
@@ -225,9 +230,7 @@ void VisibleRun<D>::run_side_by_side() {
     const auto visit = [&](std::uint32_t node, Part& part, BoxScratch<D>& scratch, std::vector<SideSeen>& facing,
                            std::uint8_t worker) {
         bool whole;
-        const VisibleRule rule = rule_of(node, part.effort, scratch, whole);
-        marks_.set(
-            node, {static_cast<double>(tree_->nodes[node].begin), static_cast<std::uint32_t>(rule), state_after(rule)});
+        const VisibleRule rule = settle(node, part.effort, scratch, whole);
         ++part.boxes;
         worker_of_[node] = worker;
         if (draws(rule)) collect(node, whole, part.found, facing, part.effort, scratch);
@@ -298,18 +301,8 @@ void VisibleRun<D>::refill_stack() {
 
 template <int D>
 bool VisibleRun<D>::move(Direction direction, const Step& step, std::span<Change> changes, const Counters& before) {
-    const auto put = [&](Change& change) { exchange(marks_, change); };
-    if (direction == Direction::back) {
-        std::for_each(changes.rbegin(), changes.rend(), put);
-        this->drawn_.take_back(before.touched_count, this->counters_.touched_count);
-        --this->steps_;
-        this->counters_ = before;
-    } else {
-        ++this->steps_;
-        std::for_each(changes.begin(), changes.end(), put);
-        this->drawn_.put_back(this->counters_.touched_count, step.after.touched_count);
-        this->counters_ = step.after;
-    }
+    exchange(marks_, changes, direction == Direction::back);
+    this->move_met(direction, step, before);
     stack_is_stale_ = true;
     return true;
 }
@@ -317,10 +310,7 @@ bool VisibleRun<D>::move(Direction direction, const Step& step, std::span<Change
 /// Substep 0: the box is tested; what comes of it is not there yet.
 template <int D>
 void VisibleRun<D>::rewind_to(Step& step, std::vector<Change>& changes, const Counters& before, std::uint32_t) {
-    while (changes.size() > 1) {
-        marks_.set(changes.back().id, changes.back().mark());
-        changes.pop_back();
-    }
+    undo_behind(marks_, changes, 1);
     this->drawn_.take_back(before.touched_count, this->counters_.touched_count);
     this->counters_ = before;
     --this->counters_.front_size;

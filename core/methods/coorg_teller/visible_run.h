@@ -49,7 +49,6 @@ public:
     const BoxTree<D>* boxes() const override { return tree_; }
 
     std::string_view rule_words(std::uint8_t rule) const override { return visible_rule_words[rule]; }
-    std::vector<Considered> considered(const Step&, std::span<const Change>, int digits) const override;
     std::string popped_words(const Step&) const override;
     Verdict why_not(const Item&) const override;
     Verdict why_drawn(const Item&) const override;
@@ -72,10 +71,12 @@ private:
     Stop next(Recorder*);
     /// Whether its state is another than in the frame before.
     bool pop(std::uint32_t node, Recorder*);
+    /// What becomes of a box; marks it.
+    VisibleRule settle(std::uint32_t node, Effort& effort, BoxScratch<D>& scratch, bool& whole);
     VisibleRule rule_of(std::uint32_t node, Effort& effort, BoxScratch<D>& scratch, bool& whole);
     bool is_in_view(std::uint32_t node, bool& whole) const;
     void refill_stack();
-    bool draw_slowly(std::uint32_t node, bool whole);
+    void draw(std::uint32_t node, bool whole);
     /// Appends what is seen of the box and not drawn yet; an entry may come twice.
     void collect(std::uint32_t node, bool whole, std::vector<std::uint32_t>& found, std::vector<SideSeen>& facing,
                  Effort& effort, BoxScratch<D>& scratch);

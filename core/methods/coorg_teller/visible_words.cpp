@@ -31,21 +31,6 @@ std::string members_words(const Polygons<D>& polygons, std::span<const std::uint
 }  // namespace
 
 template <int D>
-std::vector<Considered> VisibleRun<D>::considered(const Step& step, std::span<const Change> changes, int) const {
-    std::vector<Considered> all;
-    for (const Change& change : changes) {
-        Considered& c = all.emplace_back();
-        c.from = step.item;
-        c.item = change.item();
-        c.rule = change.rule;
-        c.words = rule_words(change.rule);
-        c.effect = Effect::changed;
-        c.before = change.mark();
-    }
-    return all;
-}
-
-template <int D>
 std::string VisibleRun<D>::popped_words(const Step& step) const {
     return step.item ? Run<D>::popped_words(step) : "the rest of a leaf";
 }
@@ -268,10 +253,12 @@ std::vector<CodeLine> VisibleRun<D>::code(const CodePlace& at) const {
     };
     const auto shadows = std::count_if(states_.shadows().begin(), states_.shadows().end(),
                                        [](const Shadow<D>& shadow) { return !shadow.polygons.empty(); });
+    const bool starts = !in_step && this->steps_ == 0;
     add("S = the " + std::string(kind_ == OccluderKind::polygon ? "k polygons" : "convex occluders") +
             " with the largest area-angle",
-        0, !in_step && this->steps_ == 0,
-        std::to_string(shadows) + " of " + counted(states_.potential().size(), "potential occluder"), "CT 3.3");
+        0, starts,
+        starts ? std::to_string(shadows) + " of " + counted(states_.potential().size(), "potential occluder") : "",
+        "CT 3.3");
     add("while a box waits:", 0, !in_step && this->steps_ > 0 && !this->finished(),
         counted(this->counters_.front_size, "node") + (this->counters_.front_size == 1 ? " waits" : " wait"), "");
     add("T = the next one, depth first", 1, testing, popped, "CT 3, Visible");
@@ -293,18 +280,17 @@ std::vector<CodeLine> VisibleRun<D>::code(const CodePlace& at) const {
     return lines;
 }
 
-#define SIGHTLINE_INSTANTIATE(D)                                                                                 \
-    template std::vector<Considered> VisibleRun<D>::considered(const Step&, std::span<const Change>, int) const; \
-    template std::string VisibleRun<D>::popped_words(const Step&) const;                                         \
-    template std::string VisibleRun<D>::occluders_words(std::span<const std::uint32_t>) const;                   \
-    template Verdict VisibleRun<D>::why_left_out(std::uint32_t) const;                                           \
-    template Verdict VisibleRun<D>::why_not(const Item&) const;                                                  \
-    template Verdict VisibleRun<D>::why_drawn(const Item&) const;                                                \
-    template std::vector<OccluderFact> VisibleRun<D>::occluders() const;                                         \
-    template std::vector<TestedPlane<D>> VisibleRun<D>::tested_planes(const Item&, std::uint32_t) const;         \
-    template std::vector<TestedOccluder> VisibleRun<D>::tested_occluders(const Item&) const;                     \
-    template std::optional<Box<D>> VisibleRun<D>::eye_box() const;                                               \
-    template std::optional<OccluderRegion<D>> VisibleRun<D>::occluder_region(std::uint32_t) const;               \
+#define SIGHTLINE_INSTANTIATE(D)                                                                         \
+    template std::string VisibleRun<D>::popped_words(const Step&) const;                                 \
+    template std::string VisibleRun<D>::occluders_words(std::span<const std::uint32_t>) const;           \
+    template Verdict VisibleRun<D>::why_left_out(std::uint32_t) const;                                   \
+    template Verdict VisibleRun<D>::why_not(const Item&) const;                                          \
+    template Verdict VisibleRun<D>::why_drawn(const Item&) const;                                        \
+    template std::vector<OccluderFact> VisibleRun<D>::occluders() const;                                 \
+    template std::vector<TestedPlane<D>> VisibleRun<D>::tested_planes(const Item&, std::uint32_t) const; \
+    template std::vector<TestedOccluder> VisibleRun<D>::tested_occluders(const Item&) const;             \
+    template std::optional<Box<D>> VisibleRun<D>::eye_box() const;                                       \
+    template std::optional<OccluderRegion<D>> VisibleRun<D>::occluder_region(std::uint32_t) const;       \
     template std::vector<CodeLine> VisibleRun<D>::code(const CodePlace&) const;
 SIGHTLINE_INSTANTIATE(2)
 SIGHTLINE_INSTANTIATE(3)

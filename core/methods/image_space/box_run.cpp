@@ -248,9 +248,7 @@ bool BoxRun<D>::is_drawn(std::uint32_t primitive, SideSeen facing, bool whole) c
 template <int D>
 void BoxRun<D>::collect(std::uint32_t node, bool whole, std::vector<std::uint32_t>& found) {
     const auto primitives = tree_->primitives_of(node);
-    facing_.assign(primitives.size(), D == 2 ? SideSeen::seen : SideSeen::unsure);
-    if constexpr (D == 3)
-        if (!tree_->facing.empty()) tree_->facing.tell(this->problem_.view.eye, tree_->nodes[node].begin, facing_);
+    tree_->tell_facing(node, this->problem_.view.eye, facing_);
     for (std::size_t i = 0; i < primitives.size(); ++i)
         if (is_drawn(primitives[i], facing_[i], whole)) found.push_back(primitives[i]);
 }
@@ -292,18 +290,8 @@ bool BoxRun<D>::draw_slowly(std::uint32_t node) {
 
 template <int D>
 bool BoxRun<D>::move(Direction direction, const Step& step, std::span<Change> changes, const Counters& before) {
-    const auto put = [&](Change& change) { exchange(marks_, change); };
-    if (direction == Direction::back) {
-        std::for_each(changes.rbegin(), changes.rend(), put);
-        this->drawn_.take_back(before.touched_count, this->counters_.touched_count);
-        --this->steps_;
-        this->counters_ = before;
-    } else {
-        ++this->steps_;
-        std::for_each(changes.begin(), changes.end(), put);
-        this->drawn_.put_back(this->counters_.touched_count, step.after.touched_count);
-        this->counters_ = step.after;
-    }
+    exchange(marks_, changes, direction == Direction::back);
+    this->move_met(direction, step, before);
     front_is_stale_ = true;
     if (direction == Direction::back) screen_.forget();
     return true;
@@ -312,10 +300,7 @@ bool BoxRun<D>::move(Direction direction, const Step& step, std::span<Change> ch
 /// Substep 0: the box is tested; what comes of it is not there yet.
 template <int D>
 void BoxRun<D>::rewind_to(Step& step, std::vector<Change>& changes, const Counters& before, std::uint32_t) {
-    while (changes.size() > 1) {
-        marks_.set(changes.back().id, changes.back().mark());
-        changes.pop_back();
-    }
+    undo_behind(marks_, changes, 1);
     const bool pops = step.item.kind == Kind::node;
     this->drawn_.take_back(before.touched_count, this->counters_.touched_count);
     const std::uint32_t refreshed = this->counters_.refreshed;

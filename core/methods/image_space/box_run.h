@@ -70,7 +70,6 @@ public:
     }
 
     std::string_view rule_words(std::uint8_t rule) const override { return box_rule_words[rule]; }
-    std::vector<Considered> considered(const Step&, std::span<const Change>, int digits) const override;
     std::string popped_words(const Step&) const override;
     Verdict why_not(const Item&) const override;
     std::vector<CodeLine> code(const CodePlace&) const override;

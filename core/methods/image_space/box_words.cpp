@@ -13,21 +13,6 @@ bool is_own(const Step& step, const Change& change) { return change.item() == st
 }  // namespace
 
 template <int D>
-std::vector<Considered> BoxRun<D>::considered(const Step& step, std::span<const Change> changes, int) const {
-    std::vector<Considered> all;
-    for (const Change& change : changes) {
-        Considered& c = all.emplace_back();
-        c.from = step.item;
-        c.item = change.item();
-        c.rule = change.rule;
-        c.words = rule_words(change.rule);
-        c.effect = Effect::changed;
-        c.before = change.mark();
-    }
-    return all;
-}
-
-template <int D>
 std::string BoxRun<D>::popped_words(const Step& step) const {
     return step.item ? Run<D>::popped_words(step) : "a batch of occluders";
 }
@@ -108,11 +93,10 @@ std::vector<CodeLine> BoxRun<D>::code(const CodePlace& at) const {
     return lines;
 }
 
-#define SIGHTLINE_INSTANTIATE(D)                                                                             \
-    template std::vector<Considered> BoxRun<D>::considered(const Step&, std::span<const Change>, int) const; \
-    template std::string BoxRun<D>::popped_words(const Step&) const;                                         \
-    template std::uint32_t BoxRun<D>::nearest_marked_above(std::uint32_t) const;                             \
-    template Verdict BoxRun<D>::why_not(const Item&) const;                                                  \
+#define SIGHTLINE_INSTANTIATE(D)                                                 \
+    template std::string BoxRun<D>::popped_words(const Step&) const;             \
+    template std::uint32_t BoxRun<D>::nearest_marked_above(std::uint32_t) const; \
+    template Verdict BoxRun<D>::why_not(const Item&) const;                      \
     template std::vector<CodeLine> BoxRun<D>::code(const CodePlace&) const;
 SIGHTLINE_INSTANTIATE(2)
 SIGHTLINE_INSTANTIATE(3)

@@ -47,15 +47,7 @@ bool OrderRun<D>::finished() const {
 
 template <int D>
 bool OrderRun<D>::move(Direction direction, const Step& step, std::span<Change>, const Counters& before) {
-    if (direction == Direction::back) {
-        this->drawn_.take_back(before.touched_count, this->counters_.touched_count);
-        --this->steps_;
-        this->counters_ = before;
-    } else {
-        ++this->steps_;
-        this->drawn_.put_back(this->counters_.touched_count, step.after.touched_count);
-        this->counters_ = step.after;
-    }
+    this->move_met(direction, step, before);
     return true;
 }
 
