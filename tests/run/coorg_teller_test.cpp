@@ -413,6 +413,26 @@ void left_out_is_hidden(std::uint64_t seed, int count) {
 TEST(CoorgTeller, WhatIsLeftOutIsHidden2d) { left_out_is_hidden<2>(1615, test::soak_count(20)); }
 TEST(CoorgTeller, WhatIsLeftOutIsHidden3d) { left_out_is_hidden<3>(1616, test::soak_count(10)); }
 
+/// A parameter that another method was given says nothing to one that does not have it.
+template <int D>
+void others_parameters_say_nothing(std::uint64_t seed) {
+    Random random(seed);
+    for (int i = 0; i < 40; ++i) {
+        const ObjectSpaceCase<D> made = random_object_case<D>(random);
+        const Variant<D> variant =
+            make_variant<D>(method_table<D>(), "shadow-frusta shadows=30 threshold=0.001 leaf=2");
+        Problem<D> problem = made.problem(variant);
+        const auto run = variant.method.start(problem);
+        run->run(none);
+        problem.parameters.set(connected_row(), D == 2 ? "fused" : "grow");
+        const auto with = variant.method.start(problem);
+        with->run(none);
+        ASSERT_EQ(with->hash(), run->hash()) << i;
+    }
+}
+TEST(CoorgTeller, ParametersOfAnotherMethodSayNothing2d) { others_parameters_say_nothing<2>(1617); }
+TEST(CoorgTeller, ParametersOfAnotherMethodSayNothing3d) { others_parameters_say_nothing<3>(1618); }
+
 /// Against figure 2's naive way: what is INVISIBLE leaves nothing when all occluders are clipped away from it; in 2D,
 /// with fused shadows, what leaves nothing is INVISIBLE, as long as it lies beyond them.
 template <int D>

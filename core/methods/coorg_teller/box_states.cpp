@@ -36,7 +36,9 @@ Partial partial_of(std::span<const Shadow<D>> shadows, std::uint32_t slot, bool 
 template <int D>
 void BoxStates<D>::begin(std::shared_ptr<const Prepared<D>> prepared, const Problem<D>& problem, OccluderKind kind,
                          std::size_t count) {
-    const auto connected = problem.parameters.template choice<Connected>(connected_row());
+    // Convex occluders are sets already, and their method has no such parameter.
+    const auto connected =
+        kind == OccluderKind::polygon ? problem.parameters.template choice<Connected>(connected_row()) : Connected::off;
     const bool keeps = problem.parameters.template choice<Coherence>(coherence_row()) == Coherence::on;
     const std::size_t boxes = prepared->tree.boxes.nodes.size();
     if (keeps != keeps_ || kind != kind_ || connected != connected_ || prepared != prepared_ ||
