@@ -65,9 +65,11 @@ void clean(Scene<2>& scene, Recentre recentre, const std::string& name) {
             ++scene.dropped.duplicate;
             continue;
         }
+        copy_facts(scene, k, scene, kept);
         scene.primitives[kept++] = p;
     }
-    scene.primitives.resize(kept);
+    resize_primitives(scene, kept);
+    tidy(scene.objects);
     if (kept == 0) {
         scene.warnings.push_back("the scene is empty: 0 primitives");
         return;

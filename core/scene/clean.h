@@ -18,7 +18,7 @@ enum class Recentre { no, yes };
 double origin_for(double centre, double longest_side);
 
 /// Drops, in this order and in place, segments that are not finite, of zero length or repeat an earlier one in either
-/// direction, and adds to scene.dropped. The others keep their order.
+/// direction, and adds to scene.dropped. The others keep their order, and scene.objects is kept in step and tidied.
 /// Recentre::yes then moves each axis by its origin_for() and adds that to scene.origin and subtracts it from the start
 /// view. By Sterbenz's lemma the subtraction is exact: origin + coordinate is the file's number, bit for bit.
 /// Warns when nothing is left. Throws InputError, which begins with `name`, when a coordinate is beyond
@@ -31,7 +31,7 @@ inline constexpr double largest_triangle_coordinate = 1e18;
 /// The same for triangles. Recentring comes first, over all that is finite, and then each coordinate is rounded to
 /// float (no -0), so what is tested is what is drawn and measured. Dropped are triangles that are not finite, have
 /// exactly no area or have the corners of an earlier one in the same cyclic order; one that turns the other way stays.
-/// scene.two_sided is kept in step (empty when none is); of two equal triangles the one that stays is two-sided when
+/// scene.objects (tidied) and scene.two_sided are kept in step (the latter empty when none is); of two equal triangles the one that stays is two-sided when
 /// either is. Extra memory: at most 16 bytes a triangle. Limits as above, at largest_triangle_coordinate.
 void clean(Scene<3>& scene, Recentre recentre, const std::string& name, const Progress& progress = {});
 

@@ -99,11 +99,10 @@ void round_all(Scene<3>& scene, const Vec<3>& shift, const Progress& progress) {
             ++scene.dropped.degenerate;
             continue;
         }
-        if (!scene.two_sided.empty()) scene.two_sided[kept] = scene.two_sided[k];
+        copy_facts(scene, k, scene, kept);
         triangles[kept++] = t;
     }
-    triangles.resize(kept);
-    if (!scene.two_sided.empty()) scene.two_sided.resize(kept);
+    resize_primitives(scene, kept);
 }
 
 /// Open addressing: a slot holds half of a hash and one more than the index of a triangle that stays; 0 is free.
@@ -154,7 +153,7 @@ void drop_duplicates(Scene<3>& scene, const Progress& progress) {
                 ++scene.dropped.duplicate;
                 if (!scene.two_sided.empty()) scene.two_sided[same] |= scene.two_sided[from];
             } else {
-                if (!scene.two_sided.empty()) scene.two_sided[kept] = scene.two_sided[from];
+                copy_facts(scene, from, scene, kept);
                 triangles[kept++] = t;
             }
         }
@@ -163,8 +162,7 @@ void drop_duplicates(Scene<3>& scene, const Progress& progress) {
             seen.prefetch(hashes[k % ahead]);
         }
     }
-    triangles.resize(kept);
-    if (!scene.two_sided.empty()) scene.two_sided.resize(kept);
+    resize_primitives(scene, kept);
 }
 
 }  // namespace
@@ -181,6 +179,7 @@ void clean(Scene<3>& scene, Recentre recentre, const std::string& name, const Pr
     drop_duplicates(scene, progress);
     const bool any = std::find(scene.two_sided.begin(), scene.two_sided.end(), 1) != scene.two_sided.end();
     if (!any) scene.two_sided = {};
+    tidy(scene.objects);
     report(progress, step, 1);
     if (scene.primitives.empty()) {
         scene.warnings.push_back("the scene is empty: 0 primitives");

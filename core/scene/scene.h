@@ -12,6 +12,7 @@
 #include "core/base/hash.h"
 #include "core/geometry/vec.h"
 #include "core/scene/flight_path.h"
+#include "core/scene/objects.h"
 
 namespace sightline {
 
@@ -41,6 +42,7 @@ struct Scene {
     /// 3D, per primitive: 1 for one that is seen from both sides; empty: none is. Others are seen from the side on
     /// which their corners turn counter-clockwise.
     std::vector<std::uint8_t> two_sided;
+    Objects objects;      ///< that the file names; empty: none, see connected_parts()
     int up_axis = D - 1;  ///< 3D: the axis that points up, 1 or 2
     Vec<D> origin{};      ///< added to a coordinate gives that of the file
     std::optional<ViewSpec<D>> start_view;
@@ -52,6 +54,22 @@ struct Scene {
 template <int D>
 bool shows_both_sides(const Scene<D>& scene, std::size_t primitive) {
     return !scene.two_sided.empty() && scene.two_sided[primitive];
+}
+
+/// Gives primitive `to` of a scene what is known of primitive `from` of another, or of the same; both know the same
+/// kinds of things.
+template <int D>
+void copy_facts(const Scene<D>& of, std::size_t from, Scene<D>& scene, std::size_t to) {
+    if (!of.two_sided.empty()) scene.two_sided[to] = of.two_sided[from];
+    if (!of.objects.empty()) scene.objects.of[to] = of.objects.of[from];
+}
+
+/// Changes the number of primitives, and with it of what is known of each.
+template <int D>
+void resize_primitives(Scene<D>& scene, std::size_t count) {
+    scene.primitives.resize(count);
+    if (!scene.two_sided.empty()) scene.two_sided.resize(count);
+    if (!scene.objects.empty()) scene.objects.of.resize(count);
 }
 
 template <int D>

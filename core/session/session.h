@@ -164,6 +164,9 @@ public:
     /// Facets of the cell of a step, 1 <= step <= position(), across which it gave a key that carries a penalty.
     std::vector<HalfFacet> penalised_facets(std::uint32_t step) const;
 
+    /// Those that the scene names, else the parts that hang together; made on first use.
+    const Objects& objects() const;
+
     // Measured, made on first use.
     const Reference& reference() const;
     bool has_reference() const { return reference_ != nullptr; }
@@ -208,6 +211,7 @@ private:
     FrameCost frame_cost_;
     mutable std::shared_ptr<const Reference> reference_;
     mutable std::shared_ptr<const std::vector<std::uint32_t>> layering_;
+    mutable std::shared_ptr<const Objects> objects_;
     mutable std::optional<Inversions> inversions_;
     mutable Times times_;
 };

@@ -179,6 +179,7 @@ void Session<D>::set_scene(std::shared_ptr<const Scene<D>> scene) {
         throw;
     }
     forget_measures();
+    objects_.reset();
     start_again(step);
 }
 

@@ -20,6 +20,14 @@ inline bool gives_penalty(const Change& change) {
 }
 
 template <int D>
+const Objects& Session<D>::objects() const {
+    if (!objects_)
+        objects_ = scene_->objects.empty() ? std::make_shared<const Objects>(connected_parts<D>(scene_->primitives))
+                                           : std::shared_ptr<const Objects>(scene_, &scene_->objects);
+    return *objects_;
+}
+
+template <int D>
 const Reference& Session<D>::reference() const {
     if (!reference_)
         reference_ = timed(times_.reference, [&] {

@@ -43,12 +43,12 @@ std::vector<std::uint32_t> reduce(std::uint32_t count, const Holds& holds,
 template <int D>
 Scene<D> subset(const Scene<D>& scene, std::span<const std::uint32_t> kept) {
     Scene<D> part = scene;
-    part.primitives.clear();
-    part.two_sided.clear();
-    for (const std::uint32_t index : kept) {
-        part.primitives.push_back(scene.primitives[index]);
-        if (!scene.two_sided.empty()) part.two_sided.push_back(scene.two_sided[index]);
+    resize_primitives(part, kept.size());
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+        part.primitives[i] = scene.primitives[kept[i]];
+        copy_facts(scene, kept[i], part, i);
     }
+    tidy(part.objects);
     part.source = "edited";
     return part;
 }

@@ -248,7 +248,7 @@ private:
         Scene<D> scene = *lab_.scene;
         for (std::size_t i = 0; i < original.size(); ++i) {
             scene.primitives[i] = lab_.scene->primitives[original[i]];
-            if (!scene.two_sided.empty()) scene.two_sided[i] = lab_.scene->two_sided[original[i]];
+            copy_facts(*lab_.scene, original[i], scene, i);
         }
         compare(Disturbance::shuffle, 0, scene, lab_.settings, original, [](ViewSpec<D> spec) { return spec; });
     }

@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/base/index.h"
 #include "core/scene/clean.h"
 #include "core/scene/read/read_json.h"
 #include "shell/desk/change.h"
@@ -50,12 +51,20 @@ void put(Workbench<2>& bench, Scene<2> scene, const std::string& gesture, std::s
     change_scene(bench, std::make_shared<const Scene<2>>(std::move(scene)), gesture, numbers);
 }
 
+/// The object that segments drawn by hand belong to, where the scene has objects.
+constexpr std::string_view drawn = "drawn";
+
 }  // namespace
 
 void add_segment(Workbench<2>& bench, const Primitive<2>& segment, const std::string& gesture) {
     Scene<2> scene = edited(bench);
     const auto added = static_cast<std::uint32_t>(scene.primitives.size());
-    scene.primitives.push_back(segment);
+    resize_primitives(scene, added + std::size_t{1});
+    scene.primitives[added] = segment;
+    if (!scene.objects.empty()) {
+        if (object_named(scene.objects, drawn) == none) scene.objects.names.emplace_back(drawn);
+        scene.objects.of[added] = object_named(scene.objects, drawn);
+    }
     check(scene, added);
     put(bench, std::move(scene), gesture);
     bench.session.selected_cell = none;
@@ -75,7 +84,12 @@ void delete_segment(Workbench<2>& bench, std::uint32_t index) {
     std::iota(numbers.begin(), numbers.end(), 0u);
     for (std::size_t i = index + 1; i < numbers.size(); ++i) --numbers[i];
     numbers.at(index) = none;
-    scene.primitives.erase(scene.primitives.begin() + index);
+    for (std::size_t i = index + std::size_t{1}; i < scene.primitives.size(); ++i) {
+        scene.primitives[i - 1] = scene.primitives[i];
+        copy_facts(scene, i, scene, i - 1);
+    }
+    resize_primitives(scene, scene.primitives.size() - 1);
+    tidy(scene.objects);
     put(bench, std::move(scene), "", numbers);
 }
 
@@ -98,7 +112,9 @@ void cut_gap(Workbench<2>& bench, const std::shared_ptr<const Scene<2>>& before,
     scene.primitives[index] = left[0];
     check(scene, index);
     if (left.size() == 2) {
-        scene.primitives.push_back(left[1]);
+        resize_primitives(scene, scene.primitives.size() + 1);
+        scene.primitives.back() = left[1];
+        copy_facts(scene, index, scene, scene.primitives.size() - 1);
         check(scene, static_cast<std::uint32_t>(scene.primitives.size() - 1));
     }
     put(bench, std::move(scene), gesture);

@@ -87,8 +87,7 @@ Scene<3> read_meshes(std::span<const std::string> paths, const std::string& name
             any = true;
         } catch (const InputError& error) {
             if (mesh.named) throw;
-            scene.primitives.resize(before);  // its reader may have ended in the middle
-            if (!scene.two_sided.empty()) scene.two_sided.resize(before);
+            resize_primitives(scene, before);  // its reader may have ended in the middle
             const std::string failure = std::string(error.what()).substr(name.size() + 2);  // past "name: "
             if (first_failure.empty()) first_failure = failure;
             scene.warnings.push_back("left out: " + failure);
