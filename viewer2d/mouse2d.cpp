@@ -7,6 +7,7 @@
 #include "core/draw/notes.h"
 #include "core/draw/palette.h"
 #include "core/session/explain_box.h"
+#include "core/session/missed.h"
 #include "shell/commands/arguments.h"
 #include "shell/desk/conceal.h"
 #include "shell/desk/edit.h"
@@ -336,10 +337,12 @@ void Mouse2d::draw_gap(Ui& ui, const MousePane& pane) {
 void Mouse2d::tooltip(Ui& ui) {
     if (!hovered_ || !ui.mouse_awake || drag_ || !pane_ || field_.is_open()) return;
     std::string text = handle_tip(pick_.handle);
-    if (text.empty() && strip_) text = strip_words(*pane_->strip, *strip_);
+    if (text.empty() && strip_) text = strip_words(pane_->session->scene(), *pane_->strip, *strip_);
     if (text.empty() && pick_.node != none) text = conceal(bench_, box_sentence(*pane_->session, pick_.node));
     if (text.empty() && pick_.cell != none && !asks_for_cell(bench_))
         text = conceal(bench_, cell_words(*pane_->session, pick_.cell));
+    if (const Scene<2>& scene = pane_->session->scene(); pick_.primitive != none && !scene.objects.empty())
+        text = primitive_name(scene, pick_.primitive) + (text.empty() ? "" : "\n" + text);
     if (text.empty()) return;
     // Beside the pointer, not on the cell that it speaks of.
     const ImVec2 mouse = ImGui::GetIO().MousePos;

@@ -10,6 +10,7 @@
 #include "shell/desk/into.h"
 #include "shell/pane/cell_words.h"
 #include "shell/pane/draw_light.h"
+#include "shell/pane/frozen_badge.h"
 #include "shell/window/theme.h"
 
 namespace sightline {
@@ -99,6 +100,7 @@ void Picture2d::draw_over(Ui& ui, const std::vector<MousePane>& panes, const Are
         panes_[i].draw_texts(list, ui);
         list.PopClipRect();
     }
+    draw_frozen_badge(list, ui, bench_, panes.front().camera.area, bench_.other ? 2 * ImGui::GetFontSize() : 0);
     if (bench_.other)
         for (std::size_t i = 0; i < 2; ++i) draw_head(ui, panes[i].camera.area, i);
     list.PopClipRect();

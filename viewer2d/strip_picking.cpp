@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/session/missed.h"
+
 namespace sightline {
 
 std::optional<StripPick> pick_strip(const EyeStrip& strip, const EyeStripPlace& place, const Vec<2>& at) {
@@ -37,8 +39,8 @@ std::array<Vec<2>, 2> line_of_sight(const Session<2>& session, const EyeStrip& s
     return {view.eye, view.eye + towards * length};
 }
 
-std::string strip_words(const EyeStrip& strip, const StripPick& pick) {
-    const auto segment = [](std::uint32_t id) { return "segment " + std::to_string(id); };
+std::string strip_words(const Scene<2>& scene, const EyeStrip& strip, const StripPick& pick) {
+    const auto segment = [&](std::uint32_t id) { return primitive_name(scene, id); };
     const std::string start = "pixel " + std::to_string(pick.pixel + 1) + ": ";
     const auto& [begin, end, exact, drawn] = pick.piece;
     if (strip.concealed) return start + (drawn == none ? "nothing is drawn yet" : segment(drawn) + " is drawn");

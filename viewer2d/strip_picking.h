@@ -27,6 +27,6 @@ std::array<Vec<2>, 2> line_of_sight(const Session<2>& session, const EyeStrip& s
                                     double far);
 
 /// For a tooltip: "pixel 412: segment 17, missing: segment 30 is drawn instead". Pixels count from 1, from the left.
-std::string strip_words(const EyeStrip& strip, const StripPick& pick);
+std::string strip_words(const Scene<2>& scene, const EyeStrip& strip, const StripPick& pick);
 
 }  // namespace sightline

@@ -47,6 +47,13 @@ void add_image(ImDrawList& list, GLuint texture, bool upside_down, const Area& a
                   high);
 }
 
+/// Of the reference's shape, in the middle of the area.
+Area place_in(const Area& area, const ImageSize& size) {
+    const float scale = std::min(area.w / static_cast<float>(size.width), area.h / static_cast<float>(size.height));
+    const float w = static_cast<float>(size.width) * scale, h = static_cast<float>(size.height) * scale;
+    return {area.x + (area.w - w) / 2, area.y + (area.h - h) / 2, w, h};
+}
+
 }  // namespace
 
 void EyePictures::draw(GlTarget& target, const SolidList& list) {
@@ -79,7 +86,7 @@ void EyePictures::update(const Session<3>& session, std::uint64_t revision) {
         draw(*exact_, exact_image(session));
     }
     if (shows_missed(settings)) {
-        const Pixels pixels = wrong_picture(session.reference(), session.met());
+        const Pixels pixels = wrong_picture(session.reference(), session.met(), session.scene());
         upload(missed_, pixels);
     }
 }
@@ -133,12 +140,28 @@ void EyePictures::draw_split(ImDrawList& list, const Area& area, const Session<3
     const bool exact = session.settings().split == Split::exact;
     if (exact && !exact_) return;
     const ImageSize size = image_size<3>(session.settings().reference_size);
-    const float scale = std::min(area.w / static_cast<float>(size.width), area.h / static_cast<float>(size.height));
-    const float w = static_cast<float>(size.width) * scale, h = static_cast<float>(size.height) * scale;
-    const Area at{area.x + (area.w - w) / 2, area.y + (area.h - h) / 2, w, h};
+    const Area at = place_in(area, size);
     add_image(list, exact ? exact_->texture() : missed_.name(), exact, at);
     if (stale_) list.AddRectFilled(at.min(), at.max(), veil);
     list.AddRect(at.min(), at.max(), colour(theme::line));
+}
+
+std::optional<std::array<int, 2>> EyePictures::pixel_at(const Ui& ui, const ImVec2& at, const Area& area,
+                                                        const std::optional<Area>& split,
+                                                        const Session<3>& session) const {
+    if (session.flying() || stale_) return std::nullopt;
+    const ImageSize size = image_size<3>(session.settings().reference_size);
+    std::vector<Area> places = insets(ui, area, session);
+    if (split) places.push_back(place_in(*split, size));
+    for (const Area& place : places) {
+        if (!place.contains(at)) continue;
+        const auto pixel = [](float share, int count) {
+            return std::clamp(static_cast<int>(share * static_cast<float>(count)), 0, count - 1);
+        };
+        return std::array{pixel((at.x - place.x) / place.w, size.width),
+                          pixel((at.y - place.y) / place.h, size.height)};
+    }
+    return std::nullopt;
 }
 
 std::string EyePictures::split_title(const Session<3>& session) const {

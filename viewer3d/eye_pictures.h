@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -30,6 +31,11 @@ public:
     /// The picture that `split` asks for, in the middle of the area; its words are split_title.
     void draw_split(ImDrawList& list, const Area& area, const Session<3>& session) const;
     std::string split_title(const Session<3>& session) const;
+
+    /// The pixel of the reference's image, column and row from the top, that an inset or the split half shows at a
+    /// place of the window; nothing elsewhere, and while the reference is not there.
+    std::optional<std::array<int, 2>> pixel_at(const Ui& ui, const ImVec2& at, const Area& area,
+                                               const std::optional<Area>& split, const Session<3>& session) const;
 
 private:
     struct Shown {

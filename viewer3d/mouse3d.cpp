@@ -4,9 +4,12 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/draw/picture_3d.h"
 #include "core/draw/projection.h"
 #include "core/draw/shown_cells.h"
 #include "core/session/explain_box.h"
+#include "core/session/headline.h"
+#include "core/session/missed.h"
 #include "shell/commands/arguments.h"
 #include "shell/desk/camera.h"
 #include "shell/desk/change.h"
@@ -112,6 +115,22 @@ std::uint32_t Mouse3d::box_under(const Pane3d& pane, const ImVec2& at) const {
     return box_along(drawn_boxes(session), from, along);
 }
 
+/// The nearest cell that is drawn as wire: one looks through it, so that what else lies there comes before it.
+std::uint32_t Mouse3d::wire_under(const Pane3d& pane, const ImVec2& at) const {
+    const Session<3>& session = bench_.session;
+    return cell_along(session.cells(), wire_cells(session), ray_through(pane.camera(), pane.to_plane(at)));
+}
+
+/// "pixel 311,205: triangle 566 (wall41), not rendered"
+std::string Mouse3d::pixel_words() const {
+    const Session<3>& session = bench_.session;
+    const std::uint32_t id = session.reference().image.at((*pixel_)[0], (*pixel_)[1]);
+    std::string text = "pixel " + std::to_string((*pixel_)[0]) + "," + std::to_string((*pixel_)[1]) + ": ";
+    if (id == none) return text + "nothing is there";
+    const bool rendered = rendered_mask(session.met(), session.scene().primitives.size())[id];
+    return text + primitive_name(session.scene(), id) + (rendered ? "" : ", not rendered: a click says why");
+}
+
 /// Clicks at one place take the triangle, then the cell, and so on.
 void Mouse3d::click(Ui& ui, const Pane3d& pane) {
     const ImVec2 at = ImGui::GetIO().MousePos;
@@ -130,12 +149,14 @@ void Mouse3d::click(Ui& ui, const Pane3d& pane) {
     if (const std::uint32_t node = box_under(pane, at); node != none) choices.push_back("node:" + std::to_string(node));
     if (under.cell != none) choices.push_back(std::to_string(under.cell));
     if (under.primitive != none) choices.push_back("primitive:" + std::to_string(under.primitive));
+    if (const std::uint32_t wire = wire_under(pane, at); wire != none) choices.push_back(std::to_string(wire));
     ui.act("select " + cycle_.next(choices, at, click_slack * ui.unit));
 }
 
-void Mouse3d::frame(Ui& ui, std::span<const Pane3d> panes) {
+void Mouse3d::frame(Ui& ui, std::span<const Pane3d> panes, const std::optional<std::array<int, 2>>& pixel) {
     const ImGuiIO& io = ImGui::GetIO();
     hovered_ = ImGui::IsItemHovered();
+    pixel_ = pixel;
     const Pane3d* under = &panes.front();
     for (const Pane3d& pane : panes)
         if (pane.area().contains(io.MousePos)) under = &pane;
@@ -146,7 +167,17 @@ void Mouse3d::frame(Ui& ui, std::span<const Pane3d> panes) {
                                        : approached(view, std::pow(wheel_factor, io.MouseWheel)));
         if (!bench_.flight.on) land(bench_);
     }
-    if (ImGui::IsItemActivated()) press(ui, *under);
+    if (ImGui::IsItemActivated()) {
+        on_pixel_ = pixel_ && io.MouseClicked[ImGuiMouseButton_Left];
+        if (!on_pixel_) press(ui, *under);
+    }
+    if (on_pixel_) {
+        if (ImGui::IsItemActive()) return;
+        on_pixel_ = false;
+        if (pixel_)
+            ui.act("select pixel:" + std::to_string((*pixel_)[0]) + "," + std::to_string((*pixel_)[1]) + "; show why");
+        return;
+    }
     if (drag_ != Drag::none && ImGui::IsItemActive()) {
         if (std::hypot(io.MousePos.x - pressed_.x, io.MousePos.y - pressed_.y) > click_slack * ui.unit)
             drag(ui, *under);
@@ -173,15 +204,24 @@ bool Mouse3d::cancel() {
 void Mouse3d::tooltip(Ui& ui, const Pane3d& pane) {
     if (!hovered_ || !ui.mouse_awake || drag_ != Drag::none || field_.is_open() || bench_.session.flying()) return;
     const ImVec2 mouse = ImGui::GetIO().MousePos;
+    if (pixel_) {
+        if (!tells_truth(bench_.session) || asks_for_cell(bench_)) return;
+        ImGui::SetNextWindowPos({mouse.x + 18 * ui.unit, mouse.y + 18 * ui.unit});
+        ImGui::SetTooltip("%s", pixel_words().c_str());
+        return;
+    }
     if (!pane.area().contains(mouse)) return;
     const Pick3d under = pick(pane.solid(), pane.to_plane(mouse));
     const std::uint32_t node = box_under(pane, mouse);
     if (!under.hits() && node == none) return;
     if (under.cell != none) ui.hovering = under.cell;
     if (asks_for_cell(bench_)) return;
-    const std::string text = node != none         ? conceal(bench_, box_sentence(bench_.session, node))
-                             : under.cell != none ? conceal(bench_, cell_words(bench_.session, under.cell))
-                                                  : "triangle " + std::to_string(under.primitive);
+    const Scene<3>& scene = bench_.session.scene();
+    std::string text = node != none         ? conceal(bench_, box_sentence(bench_.session, node))
+                       : under.cell != none ? conceal(bench_, cell_words(bench_.session, under.cell))
+                                            : primitive_name(scene, under.primitive);
+    if (under.cell != none && under.primitive != none && !scene.objects.empty())
+        text = primitive_name(scene, under.primitive) + "\n" + text;
     ImGui::SetNextWindowPos({mouse.x + 18 * ui.unit, mouse.y + 18 * ui.unit});
     ImGui::SetTooltip("%s", text.c_str());
 }

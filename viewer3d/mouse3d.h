@@ -18,8 +18,9 @@ public:
     /// The bench must live longer.
     explicit Mouse3d(Workbench<3>& bench) : bench_(bench) {}
 
-    /// After the ImGui item that covers all panes, which are as the person sees them.
-    void frame(Ui& ui, std::span<const Pane3d> panes);
+    /// After the ImGui item that covers all panes, which are as the person sees them. `pixel`: of the exact image,
+    /// under the mouse.
+    void frame(Ui& ui, std::span<const Pane3d> panes, const std::optional<std::array<int, 2>>& pixel);
     /// Handles, tooltips, the note's field.
     void draw(Ui& ui, std::span<const Pane3d> panes, const Area& area);
     /// Ends a drag without effect, or drops a note that is being written; false when there is neither.
@@ -34,7 +35,9 @@ private:
     void click(Ui& ui, const Pane3d& pane);
     void move_view(Ui& ui, const ViewSpec<3>& view);
     std::optional<ImVec2> handle_at(const Pane3d& pane, Drag handle) const;
+    std::uint32_t wire_under(const Pane3d& pane, const ImVec2& at) const;
     void tooltip(Ui& ui, const Pane3d& pane);
+    std::string pixel_words() const;
 
     Workbench<3>& bench_;
     NoteField field_;
@@ -44,6 +47,8 @@ private:
     ImVec2 pressed_{};
     ClickCycle cycle_;
     bool hovered_ = false;
+    std::optional<std::array<int, 2>> pixel_;  ///< under the mouse; one that is pressed on moves no view
+    bool on_pixel_ = false;                    ///< the button went down on one
 };
 
 }  // namespace sightline

@@ -29,6 +29,7 @@ void Pane3d::make_solid_list(const Session<3>& session, const PictureOptions3& o
     key.node = session.selected_node;
     key.plane = session.selected_plane;
     key.outside = session.display_view() != session.culling_view();
+    key.frozen = session.frozen();
     key.flying = session.flying();
     key.differences.assign(options.differences.begin(), options.differences.end());
     key.settings = session.settings();

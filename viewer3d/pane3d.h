@@ -40,7 +40,7 @@ private:
         const Scene<3>* scene = nullptr;
         std::uint64_t run = 0;
         std::uint32_t position = 0, cell = none, primitive = none, node = none, plane = none;
-        bool outside = false, flying = false;
+        bool outside = false, frozen = false, flying = false;
         std::vector<Differs> differences;
         Settings settings;
         std::optional<std::uint32_t> facet;

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "core/draw/solid_list.h"
+#include "core/space/cell_complex.h"
 
 namespace sightline {
 
@@ -23,5 +25,8 @@ Ray3d ray_through(const View<3>& view, const Vec<2>& plane);
 
 /// Looks through a point of the picture's plane (projection.h). Takes time in proportion to the list.
 Pick3d pick(const SolidList& list, const Vec<2>& plane);
+
+/// The cell of several that the ray enters, or leaves, first; none: it meets none of them.
+std::uint32_t cell_along(const CellComplex<3>& cells, std::span<const std::uint32_t> among, const Ray3d& ray);
 
 }  // namespace sightline

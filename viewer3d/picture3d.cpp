@@ -17,6 +17,7 @@
 #include "shell/desk/into.h"
 #include "shell/pane/cell_words.h"
 #include "shell/pane/draw_light.h"
+#include "shell/pane/frozen_badge.h"
 #include "shell/window/theme.h"
 
 namespace sightline {
@@ -174,6 +175,7 @@ void Picture3d::draw_part(ImDrawList& list, const Ui& ui, std::size_t pane) {
         });
     panes_[pane].draw_texts(list, ui);
     eyes_[pane].draw_insets(list, ui, part.picture, session);
+    if (pane == 0) draw_frozen_badge(list, ui, bench_, part.picture);
     list.PopClipRect();
     if (!part.split) return;
     const auto title = [&](const Area& area, const std::string& text) {
@@ -203,11 +205,21 @@ void Picture3d::note_cells() {
     note_cell(bench_, "last cell", last_cell(bench_.session), to_window);
 }
 
+/// Of the exact image, in a picture of the culling eye. Where two sessions are compared, that of the first one: the eye
+/// is the same.
+std::optional<std::array<int, 2>> Picture3d::pixel_under_mouse(const Ui& ui) const {
+    for (std::size_t i = 0; i < sessions_.count(); ++i)
+        if (const auto pixel =
+                eyes_[i].pixel_at(ui, ImGui::GetIO().MousePos, parts_[i].picture, parts_[i].split, sessions_[i]))
+            return pixel;
+    return std::nullopt;
+}
+
 void Picture3d::interact(Ui& ui, const Area& area) {
     ImGui::InvisibleButton(
         "scene", {area.w, area.h},
         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
-    mouse_.frame(ui, std::span<const Pane3d>(panes_).first(sessions_.count()));
+    mouse_.frame(ui, std::span<const Pane3d>(panes_).first(sessions_.count()), pixel_under_mouse(ui));
     fly(ui, ImGui::GetIO().DeltaTime);
     measure(ui);
     for (std::size_t i = 0; i < sessions_.count(); ++i) parts_[i] = lay_out(ui, area, i);

@@ -44,6 +44,7 @@ private:
     void measure(Ui& ui);
     Part lay_out(const Ui& ui, const Area& area, std::size_t pane) const;
     void update(const Ui& ui);
+    std::optional<std::array<int, 2>> pixel_under_mouse(const Ui& ui) const;
     void draw_part(ImDrawList& list, const Ui& ui, std::size_t pane);
     void note(const std::string& name, const Area& area);
     void note_cells();

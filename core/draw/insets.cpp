@@ -55,8 +55,9 @@ std::vector<Figure::Inset> make_insets(const Session<3>& session) {
     if (set.inset == Inset::image || set.inset == Inset::both) solid(title_of_image, image_so_far(session));
     if (set.inset == Inset::exact) solid(title_of_exact, exact_image(session));
     if (set.inset == Inset::missed || set.inset == Inset::both)
-        insets.push_back({title_of_missed, aspect, nullptr,
-                          std::make_shared<const Pixels>(wrong_picture(session.reference(), session.met()))});
+        insets.push_back(
+            {title_of_missed, aspect, nullptr,
+             std::make_shared<const Pixels>(wrong_picture(session.reference(), session.met(), session.scene()))});
     if (shows_depth(set)) {
         DepthPicture depth = depth_picture(session, set.inset == Inset::pyramid);
         insets.push_back(

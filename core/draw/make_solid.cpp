@@ -188,6 +188,18 @@ std::vector<ShownBox<3>> drawn_boxes(const Session<3>& session) {
     return drawn;
 }
 
+std::vector<std::uint32_t> wire_cells(const Session<3>& session) {
+    std::vector<std::uint32_t> wire;
+    if (!seen_from_outside(session) || walks_boxes(session)) return wire;
+    const std::vector<std::uint8_t> shown = shown_cells(session, slice_of(session));
+    const RoundFields<3> in_rounds(session.traversal());
+    for (std::uint32_t cell = 0; cell < shown.size(); ++cell)
+        if (shown[cell] &&
+            drawn_as(session.settings(), look_of(session.mark(cell).state, in_rounds(cell))) == DrawnAs::wireframe)
+            wire.push_back(cell);
+    return wire;
+}
+
 SolidList make_solid(const Session<3>& session, const PictureOptions3& options) {
     const Settings& set = session.settings();
     SolidList list;
@@ -203,7 +215,7 @@ SolidList make_solid(const Session<3>& session, const PictureOptions3& options) 
         const auto& looks = solid_box_looks(set.palette);
         list.styles.insert(list.styles.end(), looks.begin(), looks.end());
     }
-    add_triangles(session, set.show_visibility == Switch::on && (outside || set.triangles > Triangles::rendered), list);
+    add_triangles(session, set.show_visibility == Switch::on && (outside || set.triangles > Triangles::missed), list);
     if (!outside) return list;
     make_glass(set, list);
     if (walks_boxes(session)) {

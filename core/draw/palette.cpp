@@ -45,7 +45,7 @@ double luminance(const Colour& colour) {
 /// Safe for colour-blind readers: after Okabe and Ito's set; the four states at L* of about 100, 79, 58 and 36.
 Colours standard() {
     const Colour blue{0, 90, 170}, vermilion{200, 70, 0}, grey{120, 120, 120}, purple{140, 50, 120},
-        magenta{215, 0, 130};
+        magenta{215, 0, 130}, violet{100, 30, 210};
     return {white,
             black,
             white,
@@ -66,13 +66,13 @@ Colours standard() {
                 line("display_view", grey, 0.7, Dash::dotted),
                 mark("eye", {230, 160, 0}, black, 0.7),
                 line("seed", {230, 160, 0}, 1.6),
-                line("selected", vermilion, 2.0),
+                line("selected", violet, 2.0),
                 line("last", {0, 125, 105}, 2.0),
                 line("eye_ray", blue, 0.6, Dash::dotted),
                 line("normal", {235, 110, 0}, 1.3),
                 line("penalty", vermilion, 1.1),
                 line("chain", vermilion, 1.3),
-                line("selected_primitive", vermilion, 3.4),
+                line("selected_primitive", violet, 3.4),
                 line("note", black, 0.8),
                 area("completed", {166, 203, 187}, Hatch::cross, {90, 150, 130}),
                 area("hidden", {36, 86, 150}, Hatch::dots, {150, 190, 235}),

@@ -38,6 +38,9 @@ View<3> picture_camera(const Session<3>& session, double aspect = 0);
 /// for what a heat map of share or zeta needs.
 SolidList make_solid(const Session<3>& session, const PictureOptions3& options = {});
 
+/// The cells that make_solid draws as wire, by number.
+std::vector<std::uint32_t> wire_cells(const Session<3>& session);
+
 /// Of a method that walks boxes, those that make_solid draws from outside.
 std::vector<ShownBox<3>> drawn_boxes(const Session<3>& session);
 

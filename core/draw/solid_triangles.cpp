@@ -14,7 +14,9 @@ void add_triangles(const Session<3>& session, bool tell_visible, SolidList& list
     const Triangles wanted = session.settings().triangles;
     if (wanted == Triangles::off) return;
     const std::span<const Met> met = session.met();
-    const bool needs_reference = tell_visible || wanted == Triangles::visible;
+    const bool adds_missed = wanted == Triangles::missed && session.settings().show_visibility == Switch::on &&
+                             !session.flying() && (session.frozen() || session.finished());
+    const bool needs_reference = tell_visible || adds_missed || wanted == Triangles::visible;
     const std::uint8_t* visible = needs_reference ? session.reference().visible.data() : nullptr;
     // Flying leaves no record of steps.
     const bool recorded = session.position() > 0 && session.position() <= session.recorded();
@@ -44,7 +46,7 @@ void add_triangles(const Session<3>& session, bool tell_visible, SolidList& list
         if (is_occluder.empty() || !is_occluder[triangle]) by_look[static_cast<std::size_t>(look)].push_back(triangle);
     };
     std::vector<std::uint8_t> is_rendered;
-    if (wanted != Triangles::rendered) is_rendered.resize(session.scene().primitives.size());
+    if (adds_missed || wanted > Triangles::missed) is_rendered.resize(session.scene().primitives.size());
     for (std::uint32_t i = 0; i < met.size(); ++i) {
         if (met[i].culled()) continue;
         const std::uint32_t triangle = met[i].primitive();
@@ -56,9 +58,9 @@ void add_triangles(const Session<3>& session, bool tell_visible, SolidList& list
         add(triangle, i < before_last ? look : SolidLook::fresh);
     }
     for (std::uint32_t triangle = 0; triangle < is_rendered.size(); ++triangle) {
-        if (is_rendered[triangle] || (wanted == Triangles::visible && !visible[triangle])) continue;
+        if (is_rendered[triangle] || (wanted != Triangles::all && !visible[triangle])) continue;
         SolidLook look = SolidLook::rest;
-        if (tell_visible) look = visible[triangle] ? SolidLook::missed : SolidLook::other;
+        if (tell_visible || adds_missed) look = visible[triangle] ? SolidLook::missed : SolidLook::other;
         add(triangle, look);
     }
     for (std::size_t look = 0; look < by_look.size(); ++look) {

@@ -10,8 +10,9 @@
 
 namespace sightline {
 
-/// Of the size of the reference's image: white where it shows nothing or a primitive that
-/// was rendered, red elsewhere. The share of red pixels is wrong_pixels (metrics.h).
-Pixels wrong_picture(const Reference& reference, std::span<const Met> met);
+/// Of the size of the reference's image: red where it shows a primitive that was not rendered, white where it shows
+/// nothing, elsewhere a pale ghost of what is there; shades tell its surfaces apart. The share of red pixels is
+/// wrong_pixels (metrics.h).
+Pixels wrong_picture(const Reference& reference, std::span<const Met> met, const Scene<3>& scene);
 
 }  // namespace sightline

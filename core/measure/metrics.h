@@ -14,7 +14,7 @@ namespace sightline {
 /// |V ∩ T|, where T are those of `met` that are rendered.
 std::size_t visible_rendered(const Reference& reference, std::span<const Met> met);
 
-/// 3D: the share of all pixels of the reference whose primitive is not in T. No second image is needed: a visible
+/// The share of all pixels of the reference whose primitive is not in T. No second image is needed: a visible
 /// primitive that is rendered wins its pixels.
 double wrong_pixels(const Reference& reference, std::span<const Met> met);
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -14,5 +15,22 @@ std::vector<std::uint8_t> wrong_mask(const IdImage& exact, std::span<const std::
 
 /// Pixels of the largest region of ones that hang together by their sides. mask: width x height, by rows.
 std::size_t largest_region(std::span<const std::uint8_t> mask, int width, int height);
+
+/// A primitive and how many pixels of something are its.
+struct PixelCount {
+    std::uint32_t primitive = none;
+    std::uint32_t pixels = 0;
+    bool operator==(const PixelCount&) const = default;
+};
+
+/// Wrong pixels that hang together by their sides.
+struct WrongRegion {
+    std::uint32_t pixels = 0;
+    std::array<int, 4> box{};            ///< first and last column, first and last row, from the top
+    std::vector<PixelCount> primitives;  ///< whose pixels they should be: most pixels first, then by id
+};
+
+/// All of them, the largest first, then by their first pixel. `wrong` as wrong_mask.
+std::vector<WrongRegion> wrong_regions(const IdImage& exact, std::span<const std::uint8_t> wrong);
 
 }  // namespace sightline

@@ -6,14 +6,12 @@
 #include <vector>
 
 #include "core/raster/band.h"
+#include "core/raster/box_sight.h"
 #include "core/raster/depth_pyramid.h"
 #include "core/raster/pixel_line.h"
 #include "core/raster/snap_primitives.h"
 
 namespace sightline {
-
-/// What a test says of a box: that nothing in it can cover a pixel; that nothing in it can change the image; neither.
-enum class BoxSight : std::uint8_t { outside, hidden, seen };
 
 template <int D>
 class OcclusionImage;

@@ -90,7 +90,7 @@ std::uint32_t object_named(const Objects& objects, std::string_view name) {
     return found == objects.names.end() ? none : static_cast<std::uint32_t>(found - objects.names.begin());
 }
 
-ObjectRows rows_of(const Objects& objects) {
+ObjectRows primitives_of_objects(const Objects& objects) {
     ObjectRows rows;
     rows.first.assign(objects.names.size() + 1, 0);
     for (const std::uint32_t object : objects.of) ++rows.first[object + 1];

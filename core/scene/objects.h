@@ -1,5 +1,5 @@
-// Objects: named groups of primitives (an OBJ group, a glTF node, a sector, a part of its own), which engines cull
-// whole. SPDX-License-Identifier: GPL-3.0-or-later
+// Objects: named groups of primitives (an OBJ group, a glTF node, a sector, a part), which engines cull as a whole.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <cstdint>
@@ -36,6 +36,6 @@ std::uint32_t object_named(const Objects& objects, std::string_view name);
 struct ObjectRows {
     std::vector<std::uint32_t> first, ids;
 };
-ObjectRows rows_of(const Objects& objects);
+ObjectRows primitives_of_objects(const Objects& objects);
 
 }  // namespace sightline

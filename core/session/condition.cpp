@@ -5,6 +5,8 @@
 #include <limits>
 
 #include "core/base/error.h"
+#include "core/base/number.h"
+#include "core/measure/wrong_region.h"
 #include "core/methods/cells/cell_rules.h"
 
 namespace sightline {
@@ -50,6 +52,23 @@ double inversion(const Session<D>& s) {
 }
 
 template <int D>
+double largest_wrong(const Session<D>& s) {
+    const IdImage& exact = s.reference().image;
+    const auto wrong = wrong_mask(exact, rendered_mask(s.met(), s.reference().visible.size()));
+    return wrong.empty() ? no_value
+                         : static_cast<double>(largest_region(wrong, exact.width, exact.height)) /
+                               static_cast<double>(wrong.size());
+}
+
+template <int D>
+double objects_begun(const Session<D>& s) {
+    const Objects& objects = s.objects();
+    std::vector<std::uint8_t> begun(objects.names.size(), 0);
+    for_rendered(s.met(), [&](std::uint32_t primitive) { begun[objects.of[primitive]] = 1; });
+    return static_cast<double>(std::count(begun.begin(), begun.end(), 1));
+}
+
+template <int D>
 const std::vector<RecordField<D>>& fields() {
     using S = const Session<D>&;
     static const std::vector<RecordField<D>> table{
@@ -82,6 +101,10 @@ const std::vector<RecordField<D>>& fields() {
         {"inversion", "1: mis-ranked, 2: unreached, 0: none", [](S s) { return inversion(s); }},
         {"coverage", "share of the visible set rendered so far",
          [](S s) { return coverage(s.reference(), s.visible_rendered()).value_or(no_value); }},
+        {"wrong_pixels", "share of the exact image's pixels whose primitive is not rendered so far",
+         [](S s) -> double { return wrong_pixels(s.reference(), s.met()); }},
+        {"wrong_region", "share of the pixels in the largest wrong region", [](S s) { return largest_wrong(s); }},
+        {"objects", "objects of which something is rendered so far", [](S s) { return objects_begun(s); }},
     };
     return table;
 }
@@ -120,6 +143,8 @@ double own_value(const Session<D>& s, std::string_view name) {
     return no_value;
 }
 
+constexpr std::string_view of_object = "object:", of_primitive = "primitive:";
+
 template <int D>
 Formula formula_of(const std::string& text, std::span<const std::string_view> own) {
     std::string formula = text;
@@ -136,16 +161,36 @@ Formula formula_of(const std::string& text, std::span<const std::string_view> ow
 
 template <int D>
 Condition<D>::Condition(std::string_view text, std::span<const Field<D>> of_method)
-    : text_(text), own_(own_names(of_method)), formula_(formula_of<D>(text_, own_)) {}
+    : text_(text), own_(own_names(of_method)) {
+    if (text.starts_with(of_object)) {
+        object_ = text.substr(of_object.size());
+        if (object_.empty()) throw InputError("condition: write object:NAME");
+    } else if (text.starts_with(of_primitive)) {
+        const auto primitive = parse_whole(text.substr(of_primitive.size()));
+        if (!primitive) throw InputError("condition: write primitive:N, with a number");
+        primitive_ = *primitive;
+    } else {
+        formula_ = formula_of<D>(text_, own_);
+    }
+}
 
 template <int D>
 bool Condition<D>::holds(const Session<D>& session) const {
     if (session.position() == 0) return false;
+    if (!formula_) {
+        bool found = false;
+        const Objects* const objects = object_.empty() ? nullptr : &session.objects();
+        for_rendered(session.met().subspan(session.timeline().before(session.position()).touched_count),
+                     [&](std::uint32_t p) {
+                         found = found || (objects ? objects->names[objects->of[p]] == object_ : p == primitive_);
+                     });
+        return found;
+    }
     const std::size_t known = fields<D>().size();
     std::vector<double> values(known + own_.size());
-    for (const std::size_t i : formula_.used())
+    for (const std::size_t i : formula_->used())
         values[i] = i < known ? fields<D>()[i].value(session) : own_value(session, own_[i - known]);
-    return formula_.holds(values);
+    return formula_->holds(values);
 }
 
 template <int D>

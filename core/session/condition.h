@@ -1,4 +1,4 @@
-// Conditions that end a run: step:N, cell:ID, or an expression over the fields of a step's record.
+// Conditions that end a run: step:N, cell:ID, primitive:ID, object:NAME, or an expression over the fields of a record.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -33,7 +33,8 @@ template <int D>
 class Condition {
 public:
     /// Beside the names of record_fields() those of the method's own fields (Run::fields) are known, of what the step
-    /// popped. Throws InputError that says what is wrong and where in the text.
+    /// popped. primitive:ID and object:NAME hold for a step that renders it, or something of the object. Throws
+    /// InputError that says what is wrong and where in the text.
     explicit Condition(std::string_view text, std::span<const Field<D>> of_method = {});
 
     /// Whether it holds for the session's last step. False at step 0. NaN compares false; a field that the run does not
@@ -44,7 +45,9 @@ public:
 private:
     std::string text_;
     std::vector<std::string_view> own_;  ///< names of own_fields(), behind those of record_fields()
-    Formula formula_;
+    std::optional<Formula> formula_;     ///< nothing: whether the step renders something of these
+    std::string object_;                 ///< its name; empty: the primitive
+    std::uint32_t primitive_ = none;
 };
 
 extern template class Condition<2>;

@@ -6,6 +6,7 @@
 #include "core/base/number.h"
 #include "core/session/explain.h"
 #include "core/session/explain_box.h"
+#include "core/session/missed.h"
 
 namespace sightline {
 
@@ -86,7 +87,8 @@ PrimitiveExplanation explain_primitive(const Session<D>& session, std::uint32_t 
 template <int D>
 std::string sight_sentence(const Session<D>& session, const PrimitiveExplanation& e) {
     const char* const kind = D == 2 ? "segment" : "triangle";
-    std::string text = (D == 2 ? "Segment " : "Triangle ") + std::to_string(e.primitive);
+    std::string text = primitive_name(session.scene(), e.primitive);
+    text[0] = D == 2 ? 'S' : 'T';
     switch (e.sight.unseen) {
         case Unseen::outside:
             return text + " lies outside the view.";
@@ -114,6 +116,20 @@ std::string met_sentence(const PrimitiveExplanation& e, std::uint32_t position) 
 }
 
 template <int D>
+std::string put_off_sentence(const Session<D>& session, const PrimitiveExplanation& e) {
+    if (e.met_at > 0 || e.cells.empty() || !session.method().orders_cells()) return "";
+    const CellExplanation cell = explain_cell(session, e.cells.front());
+    std::string text = "Cell " + std::to_string(cell.cell);
+    if (e.cells.size() > 1) text += ", the first of the " + std::to_string(e.cells.size()) + " cells that hold it,";
+    if (cell.projected_at > 0)
+        return text + " is projected in step " + std::to_string(cell.projected_at) + "; the budget ended in it.";
+    if (!cell.verdict) return "";
+    text += cell.rank > 0 ? " is number " + std::to_string(cell.rank) + " in the front, held back by: "
+                          : " is not in the front: ";
+    return text + cell.verdict.sentence + ".";
+}
+
+template <int D>
 std::string place_words(const Session<D>& session, std::uint32_t cell) {
     const Mark mark = session.mark(cell);
     if (mark.state != CellState::enqueued) return std::string(cell_state_words[static_cast<std::size_t>(mark.state)]);
@@ -131,16 +147,18 @@ std::vector<std::string> rows(const Session<D>& session, const PrimitiveExplanat
         return text;
     }
     if (count == 0) text.push_back("No cell holds it.");
+    if (const std::string why = put_off_sentence(session, e); !why.empty()) text.push_back(why);
     for (std::size_t i = 0; i < told; ++i)
         text.push_back("  " + item_name(cell_item(e.cells[i])) + " holds it: " + place_words(session, e.cells[i]));
     if (count > told) text.push_back("  " + std::to_string(count - told) + " more cells hold it");
     return text;
 }
 
-#define SIGHTLINE_INSTANTIATE(D)                                                            \
-    template PrimitiveExplanation explain_primitive<D>(const Session<D>&, std::uint32_t);   \
-    template std::string sight_sentence<D>(const Session<D>&, const PrimitiveExplanation&); \
-    template std::string place_words<D>(const Session<D>&, std::uint32_t);                  \
+#define SIGHTLINE_INSTANTIATE(D)                                                              \
+    template PrimitiveExplanation explain_primitive<D>(const Session<D>&, std::uint32_t);     \
+    template std::string sight_sentence<D>(const Session<D>&, const PrimitiveExplanation&);   \
+    template std::string put_off_sentence<D>(const Session<D>&, const PrimitiveExplanation&); \
+    template std::string place_words<D>(const Session<D>&, std::uint32_t);                    \
     template std::vector<std::string> rows<D>(const Session<D>&, const PrimitiveExplanation&);
 SIGHTLINE_INSTANTIATE(2)
 SIGHTLINE_INSTANTIATE(3)

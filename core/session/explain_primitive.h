@@ -32,7 +32,12 @@ std::string sight_sentence(const Session<D>& session, const PrimitiveExplanation
 /// When the recorded run meets it: "Step 7 will render it."
 std::string met_sentence(const PrimitiveExplanation& e, std::uint32_t position);
 
-/// Both, and a line for each of the first few of its cells.
+/// Why no recorded step renders it: the verdict of the cell that comes first of those that hold it. Empty where a step
+/// does, or where the method orders no cells. Cost: as explain_cell.
+template <int D>
+std::string put_off_sentence(const Session<D>& session, const PrimitiveExplanation& e);
+
+/// All of these, and a line for each of the first few of its cells.
 template <int D>
 std::vector<std::string> rows(const Session<D>& session, const PrimitiveExplanation& e);
 

@@ -28,7 +28,8 @@ enum class Legend : std::uint8_t { outside, inside, off, brief };
 enum class DrawnAs : std::uint8_t { off, solid, wireframe, translucent };
 enum class SliceAcross : std::uint8_t { off, x, y, z, view };
 enum class OnlyCells : std::uint8_t { all, front, around };
-enum class Triangles : std::uint8_t { off, rendered, visible, all };
+/// missed: the rendered ones and, where the run has ended or the view is frozen, the visible ones that it misses.
+enum class Triangles : std::uint8_t { off, rendered, missed, visible, all };
 enum class Inset : std::uint8_t { off, image, missed, both, exact, depth, pyramid };
 enum class Split : std::uint8_t { off, exact, missed };
 
@@ -50,7 +51,8 @@ inline constexpr auto words<SliceAcross> = std::to_array<std::string_view>({"off
 template <>
 inline constexpr auto words<OnlyCells> = std::to_array<std::string_view>({"all", "front", "around"});
 template <>
-inline constexpr auto words<Triangles> = std::to_array<std::string_view>({"off", "rendered", "visible", "all"});
+inline constexpr auto words<Triangles> = std::to_array<std::string_view>({"off", "rendered", "missed", "visible",
+                                                                          "all"});
 template <>
 inline constexpr auto words<Inset> = std::to_array<std::string_view>({"off", "image", "missed", "both", "exact",
                                                                       "depth", "pyramid"});
@@ -90,7 +92,7 @@ struct PictureSettings {
     double slice_at = 0.5;
     OnlyCells only = OnlyCells::all;
     std::uint32_t around = 2;
-    Triangles triangles = Triangles::rendered;
+    Triangles triangles = Triangles::missed;
     Inset inset = Inset::off;
     Split split = Split::off;
 

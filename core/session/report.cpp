@@ -28,14 +28,13 @@ std::uint32_t budget_in_primitives(const Session<D>& session) {
 }
 
 OrderedJson other_reference(const Session<2>& session) {
-    const IdImage image = item_row(session.scene(), session.problem().view, session.settings().reference_size);
     Reference reference;
-    reference.image = image;
-    reference.pixels = pixels_of(image, session.scene().primitives.size());
+    reference.image = session.reference().image;
+    reference.pixels = session.reference().pixels;
     for (const std::uint32_t pixels : reference.pixels) reference.visible.push_back(pixels > 0);
     reference.count = static_cast<std::size_t>(std::count(reference.visible.begin(), reference.visible.end(), 1));
     const std::size_t found = visible_rendered(reference, session.met());
-    return {{"reference", "item buffer " + std::to_string(image.width)},
+    return {{"reference", "item buffer " + std::to_string(reference.image.width)},
             {"visible", reference.count},
             {"visible_rendered", found},
             {"coverage", or_null(coverage(reference, found))},

@@ -21,8 +21,8 @@ struct Reference {
     std::vector<double> cell_share;
     std::size_t eye_on = 0;               ///< primitives that contain the eye (visible_set.h)
     std::vector<VisiblePiece> pieces{};   ///< 2D
-    IdImage image{};                      ///< 3D: the exact image
-    std::vector<std::uint32_t> pixels{};  ///< 3D, per primitive: how many pixels show it
+    IdImage image{};                      ///< the exact image; 2D: one row
+    std::vector<std::uint32_t> pixels{};  ///< per primitive: how many pixels of the image show it
 };
 
 /// The exact reference in 2D.

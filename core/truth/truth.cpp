@@ -68,9 +68,12 @@ Services known_services(std::shared_ptr<const std::vector<std::uint8_t>> visible
 }
 
 template <>
-Reference make_reference<2>(const Scene<2>& scene, const CellComplex<2>& cells, const View<2>& view, const ImageSize&,
-                            const DrawIds&) {
-    return exact_reference(scene.primitives, cells, view);
+Reference make_reference<2>(const Scene<2>& scene, const CellComplex<2>& cells, const View<2>& view,
+                            const ImageSize& size, const DrawIds&) {
+    Reference reference = exact_reference(scene.primitives, cells, view);
+    reference.image = item_row(scene, view, size);
+    reference.pixels = pixels_of(reference.image, scene.primitives.size());
+    return reference;
 }
 
 template <>
@@ -94,7 +97,6 @@ std::vector<std::uint32_t> make_layering<3>(const Scene<3>& scene, const View<3>
 template <>
 std::vector<Truth> make_truths<2>(const Scene<2>& scene, std::span<const CellComplex<2>* const> tessellations,
                                   const View<2>& view, const ImageSize& size, const DrawIds& draw_ids, bool with_zeta) {
-    const IdImage image = item_row(scene, view, size);
     auto zeta = std::make_shared<std::vector<std::uint32_t>>(scene.primitives.size());
     double fused = std::numeric_limits<double>::quiet_NaN();
     if (with_zeta) {
@@ -102,11 +104,8 @@ std::vector<Truth> make_truths<2>(const Scene<2>& scene, std::span<const CellCom
         fused = fused_share(hiding(scene.primitives, view, *zeta));
     }
     std::vector<Truth> truths;
-    for (const CellComplex<2>* cells : tessellations) {
+    for (const CellComplex<2>* cells : tessellations)
         truths.push_back({make_reference(scene, *cells, view, size, draw_ids), zeta, fused});
-        truths.back().reference.image = image;
-        truths.back().reference.pixels = pixels_of(image, scene.primitives.size());
-    }
     return truths;
 }
 

@@ -28,7 +28,8 @@ Services exact_services(const Scene<D>& scene, const View<D>& view, const ImageS
 /// With one that is known.
 Services known_services(std::shared_ptr<const std::vector<std::uint8_t>> visible, const ImageSize& size);
 
-/// The set, what of it lies in which cell, and in 3D the image.
+/// The set, what of it lies in which cell, and the image; in 2D that is item_row, while V is the exact set, so that a
+/// primitive may be visible and own no pixel.
 template <int D>
 Reference make_reference(const Scene<D>& scene, const CellComplex<D>& cells, const View<D>& view, const ImageSize& size,
                          const DrawIds& draw_ids);
@@ -45,7 +46,6 @@ IdImage item_row(const Scene<2>& scene, const View<2>& view, const ImageSize& si
 std::vector<std::uint32_t> pixels_of(const IdImage& image, std::size_t primitive_count);
 
 struct Truth {
-    /// In 2D too with an image: item_row. 2D: V is the exact set, so that a primitive may be visible and own no pixel.
     Reference reference;
     std::shared_ptr<const std::vector<std::uint32_t>> zeta;  ///< per primitive
     /// fused_share (hiding.h); 3D: of what the first layers show. NaN: nothing is hidden, or it was not asked for.

@@ -49,13 +49,13 @@ std::string quote_command(std::string_view command) {
 template <int D>
 std::span<const CommandGroup<D>> command_groups() {
     static const std::vector<CommandGroup<D>> all{
-        CommandGroup<D>{"Move", move_commands<D>()},         CommandGroup<D>{"Lesson", lesson_commands<D>()},
-        CommandGroup<D>{"View", view_commands<D>()},         CommandGroup<D>{"Fly", flight_commands<D>()},
-        CommandGroup<D>{"Change", change_commands<D>()},     CommandGroup<D>{"Compare", compare_commands<D>()},
-        CommandGroup<D>{"Measure", trade_off_commands<D>()}, CommandGroup<D>{"Edit", edit_commands<D>()},
-        CommandGroup<D>{"Mark", mark_commands<D>()},         CommandGroup<D>{"Note", note_commands<D>()},
-        CommandGroup<D>{"Explain", say_commands<D>()},       CommandGroup<D>{"File", file_commands<D>()},
-        CommandGroup<D>{"Window", desk_commands<D>()},
+        CommandGroup<D>{"Move", move_commands<D>()},       CommandGroup<D>{"Lesson", lesson_commands<D>()},
+        CommandGroup<D>{"View", view_commands<D>()},       CommandGroup<D>{"Fly", flight_commands<D>()},
+        CommandGroup<D>{"Path", path_commands<D>()},       CommandGroup<D>{"Change", change_commands<D>()},
+        CommandGroup<D>{"Compare", compare_commands<D>()}, CommandGroup<D>{"Measure", trade_off_commands<D>()},
+        CommandGroup<D>{"Edit", edit_commands<D>()},       CommandGroup<D>{"Mark", mark_commands<D>()},
+        CommandGroup<D>{"Note", note_commands<D>()},       CommandGroup<D>{"Explain", say_commands<D>()},
+        CommandGroup<D>{"File", file_commands<D>()},       CommandGroup<D>{"Window", desk_commands<D>()},
     };
     // 2D has nothing to fly with.
     static const std::vector<CommandGroup<D>> groups = [] {

@@ -1,11 +1,9 @@
-// Commands that move the eye in 3D: circling, walking, flying along paths.
+// Commands that move the eye in 3D: circling, walking, flying.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 
 #include "core/base/error.h"
-#include "core/base/file.h"
 #include "core/base/number.h"
 #include "shell/commands/arguments.h"
 #include "shell/commands/groups.h"
@@ -71,84 +69,9 @@ void set_speed(Workbench<3>& bench, Text text) {
     bench.say("speed " + short_number(bench.flight.speed) + " units a second");
 }
 
-void step_path(Workbench<3>& bench, Text text, int sign) {
-    const Flight<3>& flight = bench.flight;
-    if (flight.path.frames.empty()) throw InputError("there is no path: name one, or record it");
-    const auto by = static_cast<std::int64_t>(text.empty() ? 1 : whole_argument(text, "a number of frames"));
-    const auto last = static_cast<std::int64_t>(flight.path.frames.size()) - 1;
-    go_to_frame(bench, static_cast<std::uint32_t>(std::clamp<std::int64_t>(flight.frame + sign * by, 0, last)));
-    land_unless_moving(bench);
-}
-
-/// Shows the path bar, with the scene's first path where none was chosen, or hides it.
-void flip_path_bar(Workbench<3>& bench) {
-    bench.flight.bar = !bench.flight.bar;
-    const auto& paths = bench.session.scene().paths;
-    if (bench.flight.bar && bench.flight.path.frames.empty() && !paths.empty()) choose_path(bench, paths.front().id);
-}
-
-/// What `path` makes of its first word; anything else is the id of a path.
-struct PathWord {
-    std::string_view word;
-    void (*run)(Workbench<3>&, Text rest);
-};
-constexpr std::array path_words{
-    PathWord{"", [](Workbench<3>& bench, Text) { flip_path_bar(bench); }},
-    PathWord{"frame",
-             [](Workbench<3>& bench, Text rest) {
-                 go_to_frame(bench, whole_argument(rest, "a frame of the path"));
-                 land_unless_moving(bench);
-             }},
-    PathWord{"start",
-             [](Workbench<3>& bench, Text) {
-                 go_to_frame(bench, 0);
-                 land_unless_moving(bench);
-             }},
-    PathWord{"step", [](Workbench<3>& bench, Text rest) { step_path(bench, rest, 1); }},
-    PathWord{"back", [](Workbench<3>& bench, Text rest) { step_path(bench, rest, -1); }},
-    PathWord{"play", [](Workbench<3>& bench, Text) { replay(bench); }},
-    PathWord{"stop",
-             [](Workbench<3>& bench, Text) {
-                 stop_path(bench);
-                 bench.say("the path has " + std::to_string(bench.flight.path.frames.size()) + " frames");
-             }},
-    PathWord{"toggle", [](Workbench<3>& bench, Text) { bench.flight.replaying ? stop_path(bench) : replay(bench); }},
-    PathWord{"loop",
-             [](Workbench<3>& bench, Text) {
-                 bench.flight.loop = !bench.flight.loop;
-                 bench.say(bench.flight.loop ? "the path repeats" : "the path stops at its end");
-             }},
-    PathWord{"record",
-             [](Workbench<3>& bench, Text) {
-                 if (bench.flight.recording) return stop_path(bench);
-                 record_path(bench);
-                 bench.say("recording the flight: G flies, path stop ends the recording");
-             }},
-    PathWord{"save",
-             [](Workbench<3>& bench, Text rest) {
-                 if (bench.flight.path.frames.empty()) throw InputError("there is no path: name one, or record it");
-                 write_file(file_argument(rest), write_path(bench.flight.path));
-                 bench.say("wrote " + rest);
-             }},
-    PathWord{"open", [](Workbench<3>& bench,
-                        Text rest) { take_path(bench, read_path<3>(read_file(file_argument(rest)), rest)); }},
-};
-
-void path(Workbench<3>& bench, Text text) {
-    const auto [word, rest] = split_word(text);
-    const auto found = std::find_if(path_words.begin(), path_words.end(),
-                                    [&word = word](const PathWord& known) { return known.word == word; });
-    found != path_words.end() ? found->run(bench, rest) : choose_path(bench, word);
-}
-
 constexpr std::array orbits{NamedArgument{"Orbit right", "15,0"}, NamedArgument{"Orbit left", "-15,0"},
                             NamedArgument{"Orbit up", "0,15"}, NamedArgument{"Orbit down", "0,-15"}};
 constexpr std::array flying_speeds{NamedArgument{"Fly faster", "x2"}, NamedArgument{"Fly slower", "x0.5"}};
-constexpr std::array path_moves{NamedArgument{"Play path", "toggle"},    NamedArgument{"Next frame", "step"},
-                                NamedArgument{"Previous frame", "back"}, NamedArgument{"Start of path", "start"},
-                                NamedArgument{"Repeat path", "loop"},    NamedArgument{"Record path", "record"},
-                                NamedArgument{"Save path", "save"}};
-
 }  // namespace
 
 template <>
@@ -168,13 +91,6 @@ std::span<const Command<3>> flight_commands<3>() {
                    fly},
         Command<3>{"fly-speed", "Flying speed", "UNITS | xFACTOR", "set the flying speed, in scene units per second",
                    "}=x2 {=x0.5", set_speed, "", flying_speeds},
-        Command<3>{"path", "Flight path",
-                   "[ID | frame N | start | step [N] | back [N] | play | stop | toggle | loop | record | save FILE | "
-                   "open FILE]",
-                   "show the path bar; choose, replay, record, save or open a flight path (frames count from 0)",
-                   "Shift+P Shift+Space=toggle Shift+PageDown=step Shift+PageUp=back Shift+Home=start Shift+L=loop "
-                   "Shift+R=record",
-                   path, "", path_moves},
     };
     return table;
 }

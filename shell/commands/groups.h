@@ -21,6 +21,8 @@ std::span<const Command<2>> flight_commands<2>();
 template <>
 std::span<const Command<3>> flight_commands<3>();
 template <int D>
+std::span<const Command<D>> path_commands();
+template <int D>
 std::span<const Command<D>> change_commands();
 template <int D>
 std::span<const Command<D>> compare_commands();

@@ -3,8 +3,10 @@
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "core/base/text.h"
 #include "core/draw/shown_planes.h"
 #include "core/session/condition.h"
+#include "core/session/pixel_history.h"
 #include "shell/commands/arguments.h"
 #include "shell/commands/groups.h"
 #include "shell/desk/moved.h"
@@ -28,6 +30,49 @@ void select_plane(Workbench<D>& bench, Text text) {
     selected = selected == plane ? none : plane;
 }
 
+/// NAME, or #N by its number in the panel's data.
+template <int D>
+std::uint32_t object_argument(const Workbench<D>& bench, Text text) {
+    const Objects& objects = bench.session.objects();
+    if (const std::uint32_t named = object_named(objects, text); named != none) return named;
+    if (text.starts_with('#')) {
+        const std::uint32_t number = whole_argument(text.substr(1), "the number of an object");
+        if (number < objects.names.size()) return number;
+    }
+    const std::vector<std::string_view> names(objects.names.begin(), objects.names.end());
+    const std::string_view meant = closest(text, names);
+    throw InputError("there is no object '" + one_line(text, 60) + "'" +
+                     (meant.empty() ? "; the panel Objects lists them" : "; did you mean " + std::string(meant) + "?"));
+}
+
+/// Of an object the primitive to look at: the one that misses most pixels, else the one that shows most, else the
+/// first.
+template <int D>
+std::uint32_t primitive_of_object(const Session<D>& session, std::uint32_t object) {
+    const Objects& objects = session.objects();
+    const Reference& reference = session.reference();
+    const std::vector<std::uint8_t> rendered = rendered_mask(session.met(), objects.of.size());
+    std::uint32_t best = none;
+    const auto worth = [&](std::uint32_t p) {
+        return std::pair(rendered[p] ? 0 : reference.pixels[p], reference.pixels[p]);
+    };
+    for (std::uint32_t p = 0; p < objects.of.size(); ++p)
+        if (objects.of[p] == object && (best == none || worth(p) > worth(best))) best = p;
+    return best;
+}
+
+/// Of the exact image: what it shows there, or what is drawn there.
+void select_pixel(Workbench<3>& bench, Text text) {
+    const auto at = parse_pair(text);
+    if (!at) throw InputError("write the column and the row of a pixel of the exact image as X,Y");
+    const PixelHistory history = pixel_history(bench.session, static_cast<int>(at->x), static_cast<int>(at->y));
+    bench.session.selected_primitive = history.should_own != none ? history.should_own : history.owns;
+    bench.pixel = {history.x, history.y};
+}
+void select_pixel(Workbench<2>&, Text) {
+    throw InputError("only the exact image of the 3D viewer has pixels to select");
+}
+
 /// A segment or a note is selected to be edited, one at a time; the cell or box that is being explained stays
 /// meanwhile.
 template <int D>
@@ -35,8 +80,14 @@ void select(Workbench<D>& bench, Text text) {
     Session<D>& session = bench.session;
     if (text.starts_with("plane:")) return select_plane(bench, text.substr(6));
     std::uint32_t cell = session.selected_cell, node = session.selected_node, primitive = none, note = none;
+    bench.pixel.reset();
     if (text.starts_with("primitive:")) {
         primitive = primitive_argument(bench, text.substr(10));
+    } else if (text.starts_with("object:")) {
+        primitive = primitive_of_object(session, object_argument(bench, text.substr(7)));
+    } else if (text.starts_with("pixel:")) {
+        select_pixel(bench, text.substr(6));
+        primitive = session.selected_primitive;
     } else if (text.starts_with("note:")) {
         note = note_argument(bench, text.substr(5));
     } else if (text.starts_with("node:")) {
@@ -66,7 +117,7 @@ template <int D>
 std::string condition_text(const Workbench<D>& bench, Text text) {
     if (text == "selected" || text == "last") return "cell:" + std::to_string(cell_argument(bench, text));
     if (text == "here") return "step:" + std::to_string(bench.session.position());
-    if (text.empty()) throw InputError("write step:N, cell:ID or an expression");
+    if (text.empty()) throw InputError("write step:N, cell:ID, primitive:ID, object:NAME or an expression");
     return text;
 }
 
@@ -118,9 +169,11 @@ constexpr std::array stops{NamedArgument{"Break at selection", "selected"}, Name
 template <int D>
 std::span<const Command<D>> mark_commands() {
     static constexpr std::array table{
-        Command<D>{"select", "Select", "ID | last | node:ID | node:last | plane:N | primitive:ID | note:N | none",
-                   "select a cell, a box, one of its planes, a primitive or a note", "J=last", select<D>, "",
-                   selectable},
+        Command<D>{
+            "select", "Select",
+            "ID | last | node:ID | node:last | plane:N | primitive:ID | object:NAME | pixel:X,Y | note:N | none",
+            "select a cell, a box, one of its planes, a primitive, an object, a pixel of the exact image or a note",
+            "J=last", select<D>, "", selectable},
         Command<D>{"bookmark", "Bookmark", "LABEL", "give this step a name", "B=?", bookmark<D>},
         Command<D>{"break", "Breakpoint", "CONDITION | selected | here | none", "set or remove a breakpoint",
                    "F9=? Shift+F9=selected", set_breakpoint<D>, "", stops},

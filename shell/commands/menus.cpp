@@ -78,6 +78,8 @@ std::vector<Menu> make_menus() {
                                "2D: scene save ?", "2D: -", "tool select", "tool text", "tool arrow", "tool ring",
                                "tool callout", "delete", "-", "bookmark ?", "mark ?"})},
         {"View", menu_rows<D>({"fit",
+                               "fit selected",
+                               "look selected",
                                "zoom 1.25",
                                "zoom 0.8",
                                "2D: eye-strip",
@@ -100,21 +102,20 @@ std::vector<Menu> make_menus() {
                                "animate",
                                "projector",
                                "fullscreen"})},
-        {"Run",
-         menu_rows<D>(
-             {"step",     "back",       "into",          "out",      "-",       "seek start",     "run",      "toggle",
-              "play 20s", "speed half", "speed double",  "-",        "until ?", "reach selected", "continue", "break ?",
-              "-",        "<Method>",   "cycle penalty", "budget ?", "complete"})},
+        {"Run", menu_rows<D>({"step",     "back",     "into",       "out",          "-", "seek start", "run",
+                              "toggle",   "play 20s", "speed half", "speed double", "-", "until ?",    "reach selected",
+                              "continue", "break ?",  "-",          "missed 1",     "-", "<Method>",   "cycle penalty",
+                              "budget ?", "complete"})},
         {"Compare",
          menu_rows<D>({"compare penalty", "compare distance", "compare perfect order", "compare view only", "compare ?",
                        "-", "difference", "swap", "align step", "align drawn", "compare off", "-", "show trade-off"})},
         {"Lesson", menu_rows<D>({"lesson", "next", "previous", "truth", "answer ?", "speaker", "lesson end"})},
         {"Help", menu_rows<D>({"help", "show words", "console", "-", "show why", "what-if"})},
     };
-    if (D == 3)
-        all.insert(all.begin() + 4, Menu{"Fly", menu_rows<D>({"fly", "path", "path toggle", "path step", "path back",
-                                                              "path start", "path loop", "path record", "path save ?",
-                                                              "-", "fly-speed x2", "fly-speed x0.5"})});
+    all.insert(all.begin() + 4,
+               Menu{D == 3 ? "Fly" : "Path",
+                    menu_rows<D>({"3D: fly", "path", "path toggle", "path step", "path back", "path start", "path loop",
+                                  "path record", "path save ?", "3D: -", "3D: fly-speed x2", "3D: fly-speed x0.5"})});
     return all;
 }
 

@@ -4,10 +4,13 @@
 #include "core/base/glossary.h"
 #include "core/session/explain.h"
 #include "core/session/explain_box.h"
+#include "core/session/explain_primitive.h"
 #include "core/session/explanation_json.h"
 #include "shell/commands/arguments.h"
 #include "shell/commands/groups.h"
+#include "shell/desk/faults.h"
 #include "shell/desk/fly.h"
+#include "shell/desk/moved.h"
 #include "shell/desk/what_if.h"
 #include "shell/export/export.h"
 #include "shell/panels/panel_table.h"
@@ -95,7 +98,8 @@ void what_if_changed(Workbench<D>& bench, Text text) {
 
 template <int D>
 void front(Workbench<D>& bench, Text) {
-    for (const Row& row : conceal_rows(bench, front_rows(bench))) bench.say((row.tone == Tone::heading ? "" : "  ") + row.text);
+    for (const Row& row : conceal_rows(bench, front_rows(bench)))
+        bench.say((row.tone == Tone::heading ? "" : "  ") + row.text);
 }
 
 template <int D>
@@ -108,6 +112,29 @@ void list_inversions(Workbench<D>& bench, Text) {
                   (i.kind == Inversion::Kind::mis_ranked ? " (mis-ranked: it was in the front)"
                                                          : " (unreached: it was still clean)") +
                   ", " + std::to_string(i.wasted) + " wasted");
+}
+
+/// The list, or one region: selected at the end of the run, with what keeps it out.
+template <int D>
+void missed_regions(Workbench<D>& bench, Text text) {
+    if (!text.empty()) {
+        hunt(bench, whole_argument(text, "the number of a wrong region"));
+        take_along(bench);
+        const PrimitiveExplanation e = explain_primitive(bench.session, bench.session.selected_primitive);
+        bench.say(sight_sentence(bench.session, e));
+        const std::string why = put_off_sentence(bench.session, e);
+        return bench.say(why.empty() ? met_sentence(e, bench.session.position()) : why);
+    }
+    update_faults(bench);
+    for (const Row& row : missed_rows(bench))
+        bench.say(std::string(2 * static_cast<std::size_t>(row.indent), ' ') + row.text);
+}
+
+template <int D>
+void objects(Workbench<D>& bench, Text) {
+    update_faults(bench, true);
+    for (const Row& row : object_rows(bench))
+        bench.say(std::string(2 * static_cast<std::size_t>(row.indent), ' ') + row.text);
 }
 
 template <int D>
@@ -142,10 +169,12 @@ void say_glossary(Workbench<D>& bench, Text text) {
 template <int D>
 void panels(Workbench<D>& bench, Text text) {
     update_what_if(bench);
+    update_faults(bench, true);
     if (!text.empty()) return write_text(text, panels_text(bench));
     bench.say(panels_text(bench));
 }
 
+constexpr std::array regions{NamedArgument{"Largest wrong region", "1"}};
 constexpr std::array written{NamedArgument{"Write panels", "panels.txt"}};
 
 }  // namespace
@@ -162,6 +191,11 @@ std::span<const Command<D>> say_commands() {
         Command<D>{"front", "List front", "", "list the front", "", front<D>},
         Command<D>{"inversions", "List inversions", "", "list hidden cells projected before visible ones", "",
                    list_inversions<D>},
+        Command<D>{"missed", "Wrong regions", "[N]",
+                   "list the wrong regions, largest first; with a number, go to the end and say why that one is missed",
+                   "Shift+W=1", missed_regions<D>, "", regions},
+        Command<D>{"objects", "List objects", "", "list what is missed and drawn in vain, object by object", "",
+                   objects<D>},
         Command<D>{"markers", "List markers", "",
                    "list penalties, inversions, the first wrong pixel, budget ticks, pops and bookmarks", "",
                    markers<D>},

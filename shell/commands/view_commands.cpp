@@ -22,7 +22,7 @@ void eye(Workbench<D>& bench, Text text) {
 template <int D>
 void look(Workbench<D>& bench, Text text) {
     ViewSpec<D> view = bench.session.display_view();
-    view.look_at = parse_point(text, bench.session.scene());
+    view.look_at = text == "selected" ? box_of_selection(bench).centre() : parse_point(text, bench.session.scene());
     change_view(bench, view);
 }
 
@@ -64,6 +64,16 @@ void eye_strip(Workbench<D>& bench, Text) {
     change_settings(bench, settings);
 }
 
+template <int D>
+void fit_to(Workbench<D>& bench, Text text) {
+    constexpr auto words = std::to_array<std::string_view>({"selected"});
+    if (text.empty()) return fit(bench);
+    word_argument(text, words);
+    fit_selection(bench);
+}
+
+constexpr std::array looked_at{NamedArgument{"Look at selection", "selected"}};
+constexpr std::array fitted{NamedArgument{"Go to selection", "selected"}};
 constexpr std::array zooms{NamedArgument{"Zoom in", "1.25"}, NamedArgument{"Zoom out", "0.8"}};
 constexpr std::array pans{NamedArgument{"Pan right", "0.1,0"}, NamedArgument{"Pan left", "-0.1,0"},
                           NamedArgument{"Pan up", "0,0.1"}, NamedArgument{"Pan down", "0,-0.1"}};
@@ -75,11 +85,14 @@ std::span<const Command<D>> view_commands() {
     static constexpr std::array table{
         Command<D>{"eye", "Move eye", D == 2 ? "X,Y" : "X,Y,Z",
                    "move the eye; while frozen, move only the eye of the display view", "", eye<D>},
-        Command<D>{"look", "Look at", D == 2 ? "X,Y" : "X,Y,Z", "turn the view towards a point", "", look<D>},
+        Command<D>{"look", "Look at", D == 2 ? "X,Y | selected" : "X,Y,Z | selected",
+                   "turn the view towards a point, or to what is selected", "", look<D>, "", looked_at},
         Command<D>{"fov", "Field of view", "DEGREES",
                    D == 2 ? "set the field of view; 360 looks all around" : "set the field of view", "", fov<D>},
-        Command<D>{"fit", "Whole scene", "", "show the whole scene again", "0",
-                   [](Workbench<D>& bench, Text) { fit(bench); }},
+        Command<D>{"fit", "Whole scene", "[selected]",
+                   D == 2 ? "show the whole scene again, or what is selected in the middle of the picture"
+                          : "show the whole scene again, or freeze the view and go to what is selected",
+                   "0 Shift+X=selected", fit_to<D>, "", fitted},
         Command<D>{"zoom", "Zoom", "FACTOR", "zoom about the centre of the picture", "+=1.25 -=0.8",
                    [](Workbench<D>& bench, Text text) { zoom(bench, number_argument(text, "a factor")); }, "", zooms},
         Command<D>{"pan", "Pan", "DX,DY", "pan by a share of the picture: 0.1,0 moves to the right",

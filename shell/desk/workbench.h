@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -13,6 +14,8 @@
 #include "core/draw/key_light.h"
 #include "core/session/counterfactual.h"
 #include "core/session/figure_spec.h"
+#include "core/session/missed.h"
+#include "core/session/object_report.h"
 #include "core/session/session.h"
 #include "shell/desk/comparison.h"
 #include "shell/desk/desk.h"
@@ -41,6 +44,14 @@ struct Place {
 struct WhatIf {
     std::uint64_t run = 0;  ///< Workbench::run
     Counterfactuals all;
+};
+
+/// What the whole run of the session misses (faults.h).
+struct Faults {
+    std::uint64_t run = 0;  ///< Workbench::run
+    ImageSize size;         ///< of the reference
+    Missed missed;
+    std::optional<std::vector<ObjectReport>> objects{};  ///< those that matter most first
 };
 
 /// The budget that `complete` has set, and the one before.
@@ -76,8 +87,10 @@ struct Workbench {
     std::optional<Completing> completing{};
     TradeOff<D> trade_off{};
     std::optional<WhatIf> what_if{};
-    std::optional<Teaching> teaching{};  ///< the lesson that is being given
-    std::vector<Lesson> lessons{};       ///< those that the desk lists
+    std::optional<Faults> faults{};
+    std::optional<std::array<int, 2>> pixel{};  ///< 3D: column and row of the exact image, whose history is told
+    std::optional<Teaching> teaching{};         ///< the lesson that is being given
+    std::vector<Lesson> lessons{};              ///< those that the desk lists
 
     /// Counts the traversals: what was derived from the recording is made again when this has changed.
     std::uint64_t run = 0;

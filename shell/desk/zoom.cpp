@@ -6,10 +6,14 @@
 #include <glm/geometric.hpp>
 
 #include "core/base/error.h"
+#include "core/base/index.h"
 #include "core/base/trig.h"
+#include "core/draw/shown_boxes.h"
 #include "core/draw/shown_world.h"
 #include "shell/desk/camera.h"
 #include "shell/desk/change.h"
+#include "shell/desk/moved.h"
+#include "shell/desk/undo.h"
 
 namespace sightline {
 
@@ -82,6 +86,54 @@ void fit<2>(Workbench<2>& bench) {
     settings.zoom = 1;
     settings.zoom_at = ZoomAt::view;
     change_settings(bench, settings);
+}
+
+template <int D>
+Box<D> box_of_selection(const Workbench<D>& bench) {
+    const Session<D>& session = bench.session;
+    Box<D> box;
+    if (session.selected_primitive != none) {
+        for (const Vec<D>& corner : session.scene().primitives[session.selected_primitive]) box.add(corner);
+    } else if (const auto node = selected_box(session)) {
+        box = *node;
+    } else if (session.selected_cell != none) {
+        for (const std::uint32_t corner : session.cells().corners_of(session.selected_cell))
+            box.add(session.cells().points[corner]);
+    } else {
+        throw InputError("select a cell, a box or a primitive first");
+    }
+    return box;
+}
+template Box<2> box_of_selection<2>(const Workbench<2>&);
+template Box<3> box_of_selection<3>(const Workbench<3>&);
+
+namespace {
+
+/// With one longest side of room on every side, so that one sees where it is.
+template <int D>
+Box<D> with_room(Box<D> box) {
+    const double room = std::max(box.longest_side(), 1e-6);
+    box.min -= Vec<D>(room);
+    box.max += Vec<D>(room);
+    return box;
+}
+
+}  // namespace
+
+template <>
+void fit_selection<2>(Workbench<2>& bench) {
+    hold(bench, with_room(box_of_selection(bench)));
+}
+
+template <>
+void fit_selection<3>(Workbench<3>& bench) {
+    const Box<3> box = with_room(box_of_selection(bench));
+    remember(bench);
+    if (!bench.session.frozen()) bench.session.freeze();
+    const ImageSize size = image_size<3>(bench.session.settings().reference_size);
+    bench.session.set_view(outside(bench.session.display_view(), box, bench.session.scene().up_axis,
+                                   static_cast<double>(size.width) / size.height));
+    moved(bench);
 }
 
 template <>

@@ -30,4 +30,13 @@ void hold(Workbench<2>& bench, const Box<2>& world, const std::string& gesture =
 template <int D>
 void fit(Workbench<D>& bench);
 
+/// The box of the selected primitive, box of a tree or cell. Throws InputError when nothing of that kind is selected.
+template <int D>
+Box<D> box_of_selection(const Workbench<D>& bench);
+
+/// The selection in the middle of the picture, about three times as wide as itself; in 3D the display view alone moves
+/// (the culling view is frozen first, so that the run stays), and circling then goes about the selection.
+template <int D>
+void fit_selection(Workbench<D>& bench);
+
 }  // namespace sightline

@@ -14,7 +14,7 @@ std::vector<Row> breakpoint_rows(const Workbench<D>& bench) {
         rows.push_back(std::move(row));
     }
     if (breakpoints.empty())
-        rows.push_back({"none; press F9, then type step:N, cell:ID or an expression", Tone::faint});
+        rows.push_back({"none; press F9, then type step:N, cell:ID, object:NAME or an expression", Tone::faint});
     rows.push_back({"Marked steps", Tone::heading});
     if (bench.marked_by.empty())
         rows.push_back({"none; type mark CONDITION", Tone::faint});

@@ -17,6 +17,10 @@ std::vector<Row> code_rows(const Workbench<D>& bench);
 template <int D>
 std::vector<Row> front_rows(const Workbench<D>& bench);
 template <int D>
+std::vector<Row> missed_rows(const Workbench<D>& bench);
+template <int D>
+std::vector<Row> object_rows(const Workbench<D>& bench);
+template <int D>
 std::vector<Row> inversion_rows(const Workbench<D>& bench);
 template <int D>
 std::vector<Row> breakpoint_rows(const Workbench<D>& bench);

@@ -10,7 +10,9 @@
 #include "core/session/explain_box.h"
 #include "core/session/explain_primitive.h"
 #include "core/session/headline.h"
+#include "core/session/pixel_history.h"
 #include "core/space/box_tree.h"
+#include "shell/desk/faults.h"
 #include "shell/desk/into.h"
 #include "shell/desk/what_if.h"
 #include "shell/panels/panel_table.h"
@@ -154,9 +156,55 @@ void write_cell(Writer& to, const CellExplanation& cell, std::string_view key_na
     }
 }
 
+/// What lies behind a pixel, nearest first, and when each was rendered.
+void write_pixel(Writer& to, const Session<3>& s, const std::array<int, 2>& pixel) {
+    constexpr std::size_t most_layers_told = 8;
+    const PixelHistory history = pixel_history(s, pixel[0], pixel[1]);
+    to.heading("Pixel " + std::to_string(history.x) + "," + std::to_string(history.y) + " of the exact image");
+    const auto named = [&](std::uint32_t primitive) { return primitive_name(s.scene(), primitive); };
+    const auto line = [&](const std::string& text, std::uint32_t primitive, int indent, Tone tone) {
+        Row& row = to.add(text, indent, tone);
+        row.command = "select primitive:" + std::to_string(primitive);
+    };
+    if (history.should_own == none)
+        to.add("nothing is there: the background is right");
+    else if (history.should_own == history.owns)
+        line("right: " + named(history.owns) + " is there", history.owns, 0, Tone::good);
+    else
+        line("should show " + named(history.should_own) + ", shows " +
+                 (history.owns == none ? "nothing" : named(history.owns)),
+             history.should_own, 0, Tone::bad);
+    for (std::size_t i = 0; i < std::min(history.layers.size(), most_layers_told); ++i) {
+        const PixelLayer& layer = history.layers[i];
+        std::string when = "no step renders it";
+        if (layer.met_at > 0)
+            when = (layer.met_at <= s.position() ? "rendered in step " : "will be rendered in step ") +
+                   std::to_string(layer.met_at);
+        line(
+            std::to_string(i + 1) + ": " + named(layer.primitive) + " at " + short_number(layer.distance) + ", " + when,
+            layer.primitive, 1, layer.met_at > 0 ? Tone::plain : Tone::faint);
+    }
+    if (history.layers.size() > most_layers_told)
+        to.add(std::to_string(history.layers.size() - most_layers_told) + " more behind them", 1, Tone::faint);
+}
+void write_pixel(Writer&, const Session<2>&, const std::array<int, 2>&) {}
+
+/// Of the object that the primitive belongs to.
+template <int D>
+void write_object(Writer& to, const Workbench<D>& bench, std::uint32_t primitive) {
+    const Faults* const known = faults(bench);
+    if (!known || !known->objects) return;
+    const std::uint32_t object = bench.session.objects().of[primitive];
+    for (const ObjectReport& report : *known->objects)
+        if (report.object == object)
+            to.add(bench.session.objects().names[object] + ": " + verdict_words<D>(report), 0, Tone::faint).command =
+                "show objects";
+}
+
+/// What decides comes first: whether it is seen, whether it is rendered, and which cell put it off why.
 template <int D>
 void write_primitive(Writer& to, const Session<D>& s, const PrimitiveExplanation& e) {
-    to.heading(std::string("Selected ") + (D == 2 ? "segment" : "triangle"));
+    to.heading("Selected " + primitive_name(s.scene(), e.primitive));
     if (to.truth) to.add(sight_sentence(s, e));
     const bool missed = to.truth && e.visible && e.met_at == 0;
     Row& met = to.add(met_sentence(e, s.position()), 0, missed ? Tone::bad : Tone::plain);
@@ -166,6 +214,14 @@ void write_primitive(Writer& to, const Session<D>& s, const PrimitiveExplanation
             to.add("in " + box_sentence(s, box), 1).command = "select node:" + std::to_string(box);
         return;
     }
+    if (const std::string why = put_off_sentence(s, e); !why.empty()) to.cell(why, e.cells.front(), 0, Tone::lit);
+}
+
+/// The cells that hold a primitive, the one that comes first in front.
+template <int D>
+void write_cells_of(Writer& to, const Session<D>& s, const PrimitiveExplanation& e) {
+    if (box_around(s, e.primitive) != none || e.cells.empty()) return;
+    to.heading("Cells that hold it");
     for (std::size_t i = 0; i < std::min(e.cells.size(), most_cells_told); ++i)
         to.cell("in " + name(e.cells[i]) + ": " + place_words(s, e.cells[i]), e.cells[i], 1);
     if (e.cells.size() > most_cells_told)
@@ -297,7 +353,23 @@ std::vector<Row> why_rows(const Workbench<D>& bench) {
         to.heading("Flying");
         to.add("frames of a flight are not recorded: press F to freeze this one and step through it");
         return to.rows;
-    } else if (s.position() == 0) {
+    }
+    const bool nothing = s.selected_cell == none && s.selected_node == none && s.selected_primitive == none;
+    if (const Faults* const found = faults(bench); nothing && found && !found->missed.regions.empty())
+        to.add(percent_text(found->missed.share()) + " of the pixels are wrong at the end of this run. Why is " +
+                   primitive_name(s.scene(), found->missed.regions.front().primitives.front().primitive) +
+                   " missed, in the largest wrong region?",
+               0, Tone::link)
+            .command = "missed 1";
+    if (bench.pixel) write_pixel(to, s, *bench.pixel);
+    if (s.selected_primitive != none) {
+        const PrimitiveExplanation e = explain_primitive(bench.session, s.selected_primitive);
+        write_primitive(to, s, e);
+        write_what_if(to, bench);
+        write_cells_of(to, s, e);
+        write_object(to, bench, s.selected_primitive);
+    }
+    if (s.position() == 0) {
         to.heading("Step 0");
         if (seed_cell(s) != none) to.cell("the seed " + name(seed_cell(s)) + " is in the front", seed_cell(s));
         to.add("nothing is projected yet: press Right or Space");
@@ -306,13 +378,12 @@ std::vector<Row> why_rows(const Workbench<D>& bench) {
         const auto source = step.cell == none ? std::nullopt : key_source(s, step.cell, step.digits);
         write_step(to, step, source, bench.substep.has_value());
     }
-    if (s.selected_primitive != none) write_primitive(to, s, explain_primitive(bench.session, s.selected_primitive));
     if (const std::uint32_t node = box_at_hand(s);
         node != none && (s.traversal().tests_planes() || node == s.selected_node))
         write_box(to, s, node);
     if (s.selected_cell != none) write_cell(to, explain_cell(s, s.selected_cell), key_title(s));
-    write_what_if(to, bench);
-    if (s.selected_cell == none && s.selected_node == none && s.selected_primitive == none)
+    if (s.selected_primitive == none) write_what_if(to, bench);
+    if (nothing)
         to.add("Why not another? Click a cell or a primitive to see why it is rendered, waiting or hidden.", 0,
                Tone::faint);
     return to.rows;

@@ -95,7 +95,9 @@ void add_setting_options(CLI::App& app, Options& o) {
 template <int D>
 void add_step_options(CLI::App& app, Options& o, Typed& typed) {
     app.add_option("--steps", typed.steps, "start at step 0 and go to step N");
-    app.add_option("--until", o.until, "start at step 0 and stop at step:N, cell:ID or where an expression holds");
+    app.add_option(
+        "--until", o.until,
+        "start at step 0 and stop at step:N, cell:ID, primitive:ID, object:NAME or where an expression holds");
     app.add_option("--do", o.commands, "\"COMMAND; COMMAND\": start at step 0 and run commands, see below");
     if (D == 2) return;
     app.add_option("--path", o.path, "a flight path of the scene (--list) or from a file; opens at its first frame");

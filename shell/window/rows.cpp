@@ -1,6 +1,9 @@
 // Rows of a panel: wrapped text, a click runs the row's command, the mouse over a row outlines its cell.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <optional>
+
 #include "core/base/glossary.h"
+#include "shell/panels/id_link.h"
 #include "shell/window/formula.h"
 #include "shell/window/parts.h"
 #include "shell/window/theme.h"
@@ -26,26 +29,43 @@ void tooltip(const std::string& text) {
     ImGui::EndTooltip();
 }
 
-/// Underlines the term of the glossary that is under the mouse, and says what it means. The text is in the current
-/// font, with its line breaks.
-bool explain_term(ImDrawList& list, const ImVec2& start, std::string_view text) {
-    const ImVec2 mouse = ImGui::GetMousePos();
+/// What of a text lies under the mouse: the text in the current font, with its line breaks, from `start` on.
+struct UnderMouse {
+    std::size_t line = 0, at = 0;  ///< bytes: where the line begins, and the letter in it
+    float y = 0;                   ///< of the line's top
+};
+std::optional<UnderMouse> letter_at(const ImVec2& start, std::string_view text, const ImVec2& mouse) {
     const float size = ImGui::GetFontSize();
-    float y = start.y;
-    for (; mouse.y >= y + size; y += size) {
-        const std::size_t end = text.find('\n');
-        if (end == text.npos) return false;
-        text.remove_prefix(end + 1);
+    UnderMouse found{0, 0, start.y};
+    for (; mouse.y >= found.y + size; found.y += size) {
+        const std::size_t end = text.find('\n', found.line);
+        if (end == text.npos) return std::nullopt;
+        found.line = end + 1;
     }
-    text = text.substr(0, text.find('\n'));
-    const auto width = [&](std::size_t count) { return width_of_line(text.substr(0, count)); };
+    const std::string_view line = text.substr(found.line, text.find('\n', found.line) - found.line);
     std::size_t at = 0;
-    while (at < text.size() && start.x + width(at + 1) <= mouse.x) ++at;
-    if (at == text.size() || mouse.x < start.x) return false;
-    const TermSpot spot = term_at(text, at);
+    while (at < line.size() && start.x + width_of_line(line.substr(0, at + 1)) <= mouse.x) ++at;
+    if (at == line.size() || mouse.x < start.x) return std::nullopt;
+    found.at = found.line + at;
+    return found;
+}
+
+/// Part of a line, given in bytes of the text.
+void underline(ImDrawList& list, const ImVec2& start, std::string_view text, const UnderMouse& under, std::size_t first,
+               std::size_t count) {
+    const auto x = [&](std::size_t byte) {
+        return start.x + width_of_line(text.substr(under.line, byte - under.line));
+    };
+    const float y = under.y + ImGui::GetFontSize();
+    list.AddLine({x(first), y}, {x(first + count), y}, colour(theme::accent));
+}
+
+/// Underlines the term of the glossary that is under the mouse, and says what it means.
+bool explain_term(ImDrawList& list, const ImVec2& start, std::string_view text, const UnderMouse& under) {
+    const std::string_view line = text.substr(under.line, text.find('\n', under.line) - under.line);
+    const TermSpot spot = term_at(line, under.at - under.line);
     if (!spot.entry) return false;
-    list.AddLine({start.x + width(spot.first), y + size}, {start.x + width(spot.first + spot.count), y + size},
-                 colour(theme::accent));
+    underline(list, start, text, under, under.line + spot.first, spot.count);
     tooltip(std::string(spot.entry->term) + ": " + std::string(spot.entry->sentence));
     return true;
 }
@@ -77,8 +97,12 @@ void draw_rows(Ui& ui, const std::vector<Row>& rows, std::uint32_t hovered_cell)
             ui.followed = ui.revision;
             if (!ImGui::IsItemVisible()) ImGui::SetScrollHereY();
         }
-        if (ImGui::IsItemClicked() && !row.command.empty()) command = row.command;
         const bool hovered = ImGui::IsItemHovered();
+        // A number that names something is a link of its own within the row.
+        const auto under =
+            hovered && row.parts.empty() ? letter_at({at.x + indent, at.y}, text, ImGui::GetMousePos()) : std::nullopt;
+        const IdLink link = under ? id_link_at(text, under->at) : IdLink{};
+        if (ImGui::IsItemClicked()) command = !link.command.empty() ? link.command : row.command;
         if (at.y + size.y >= top && at.y <= bottom) {
             const ImVec2 end{at.x + room, at.y + size.y};
             const bool active = row.cell != none && row.cell == hovered_cell;
@@ -94,9 +118,10 @@ void draw_rows(Ui& ui, const std::vector<Row>& rows, std::uint32_t hovered_cell)
                 ui.lighting.about = about;
             }
         }
+        if (!link.command.empty()) underline(list, {at.x + indent, at.y}, text, *under, link.first, link.count);
         // The picture shows a lit term; a term of the glossary comes before what the row says of itself.
         const bool free = hovered && !ui.lighting;
-        if (free && !(row.parts.empty() && explain_term(list, {at.x + indent, at.y}, text)) && !row.tip.empty())
+        if (free && !(under && explain_term(list, {at.x + indent, at.y}, text, *under)) && !row.tip.empty())
             tooltip(row.tip);
         ImGui::PopFont();
         if (hovered && row.cell != none) ui.hovering = row.cell;

@@ -20,7 +20,8 @@ std::vector<std::pair<const char*, const char*>> buttons_that_fit(float room, fl
     std::vector<std::pair<const char*, const char*>> buttons{{"lesson", "Lessons"},       {"scenes", "Scenes"},
                                                              {"show compare", "Compare"}, {"show settings", "Settings"},
                                                              {"projector", "Projector"},  {"help", "Keys"}};
-    if (D == 3) buttons.insert(buttons.begin() + 2, {{"fly", "Fly"}, {"path", "Path"}});
+    buttons.insert(buttons.begin() + 2, {"path", "Path"});
+    if (D == 3) buttons.insert(buttons.begin() + 2, {"fly", "Fly"});
     const ImGuiStyle& style = ImGui::GetStyle();
     width = 0;
     std::size_t fits = 0;

@@ -11,6 +11,7 @@
 #include "shell/commands/key_bindings.h"
 #include "shell/commands/prompt.h"
 #include "shell/commands/teach.h"
+#include "shell/desk/faults.h"
 #include "shell/desk/fly.h"
 #include "shell/desk/measure_trade_off.h"
 #include "shell/desk/moved.h"
@@ -360,7 +361,10 @@ void Window<D>::frame(double seconds) {
     ui_.revision += advance_flight(bench_, seconds);
     measure();
     // Not while an eye is dragged: each place would run every change again.
-    if (!ImGui::IsAnyMouseDown() && stands_still(bench_)) ui_.revision += update_what_if(bench_);
+    if (!ImGui::IsAnyMouseDown() && stands_still(bench_)) {
+        ui_.revision += update_what_if(bench_);
+        ui_.revision += update_faults(bench_, bench_.desk.right == "objects");
+    }
     if (fullscreen_ != bench_.desk.fullscreen) {
         fullscreen_ = bench_.desk.fullscreen;
         SDL_SetWindowFullscreen(context_.window(), fullscreen_ ? SDL_WINDOW_FULLSCREEN_DESKTOP : 0);

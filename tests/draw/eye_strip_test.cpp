@@ -314,11 +314,15 @@ TEST(EyeStrip, TooltipsSayWhatIsThereAndWhatIsDrawnInstead) {
     EyeStrip strip;
     strip.pixels = 5;
     strip.pieces = {{0, 1, 17, 30}, {1, 2, 17, 17}, {2, 3, 17, none}, {3, 5, none, none}};
-    const auto words = [&](int pixel) { return strip_words(strip, {pixel, false, strip.at(pixel)}); };
+    Scene<2> scene;
+    const auto words = [&](int pixel) { return strip_words(scene, strip, {pixel, false, strip.at(pixel)}); };
     EXPECT_EQ(words(0), "pixel 1: segment 17, missing: segment 30 is drawn instead");
     EXPECT_EQ(words(1), "pixel 2: segment 17, drawn");
     EXPECT_EQ(words(2), "pixel 3: segment 17, missing: nothing is drawn yet");
     EXPECT_EQ(words(4), "pixel 5: nothing is there");
+    scene.objects = {{"wall", "door"}, std::vector<std::uint32_t>(31, 1)};
+    EXPECT_EQ(words(1), "pixel 2: segment 17 (door), drawn");
+    scene.objects = {};
     strip.concealed = true;
     strip.pieces = {{0, 1, none, 30}, {1, 5, none, none}};
     EXPECT_EQ(words(0), "pixel 1: segment 30 is drawn");

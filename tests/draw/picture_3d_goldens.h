@@ -10,13 +10,13 @@ namespace sightline::test {
 using Goldens = std::vector<std::array<const char*, 6>>;
 
 inline const Goldens picture_3d_goldens{
-    {"69bb8ce7a76361c6", "64ce5bf306cdf36c", "ef51d2f4b8e8c1e2", "d7e36d55f5f781d9", "e37fd0c6db0c161d",
+    {"69bb8ce7a76361c6", "5532d0df7e98983e", "e7731886870cce84", "67bdf8acbb356f63", "e37fd0c6db0c161d",
      "2dc1497b5aff3a91"},
-    {"4e65bb5032bfcc5d", "cd2c2518ab8aa942", "1833dbc762955a57", "983e08bbc9bc4d67", "96cc74b633942d4a",
+    {"4e65bb5032bfcc5d", "6f1cf8e40c2e2d34", "7fdea05f3851ac45", "16e3f7fb28521cd0", "96cc74b633942d4a",
      "f7ab330d577ebc59"},
-    {"edc1af6354a59721", "e7162fcddeda3160", "f81882d90dc8f424", "c984eced9f3696d5", "3f6420d4252e4a85",
+    {"edc1af6354a59721", "23c4aeb6c75fd06e", "5b1b011178156b3c", "a150634a83a5f469", "3f6420d4252e4a85",
      "3d4787e1e91e6e0a"},
-    {"ab7fafc81e503023", "d936053031664365", "c37c30a21dd0a090", "deac729234c98c2a", "e2514e0ab96a3c5e",
+    {"ab7fafc81e503023", "6b26f91fb9dc5d39", "fc34d97b1fa1840d", "0e617f17753d6734", "e2514e0ab96a3c5e",
      "035f528aa95c4ca6"},
 };
 

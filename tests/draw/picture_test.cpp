@@ -311,20 +311,20 @@ TEST(Picture, AnEmptySceneHasAWorld) {
 
 const std::vector<Golden>& goldens() {
     static const std::vector<Golden> table{
-        {"bottleneck", {"ada058d5c331603f", "23fa44f85ad867ba", "3c94a3bf70aef439"}},
-        {"field", {"30cfa8d8ce2d752e", "8932e2d06febd3a6", "771fb0dcb763e1a1"}},
-        {"streets", {"32d70951b548c343", "3667882b76b7a243", "ead4ce216ff4b150"}},
-        {"rooms", {"e2895e98c6b64779", "9ba314d599b63317", "6f9eb38729b516e0"}},
-        {"cars", {"db9b0eb573ff3c13", "8c07eae5714e4991", "cbb8e702c0115137"}},
-        {"jungle", {"f2f019e7813474cd", "530a89ac66299beb", "dfcb79149872d891"}},
-        {"terrain", {"5b793e925453a7aa", "a5cc19cd4dbc58ff", "b2ab54edd559e6b3"}},
-        {"wallholes", {"11105ef272387af3", "a804ce803100c7d6", "dd5a6c553e46891d"}},
-        {"wall2", {"aa4c53b45e1f674c", "6887952cd4c99258", "6d2069bd4b1b094e"}},
-        {"statue", {"c2ad67406fb79289", "a4367a9c2f8e3453", "c3a085796ad724a2"}},
-        {"forget", {"ca08d4f2a9fa6f34", "44ac56829990d6c5", "2ecb3b7f21b7e1c9"}},
-        {"soda", {"c2d7d882641ac5d5", "878f6f36c06aff9e", "e13874ee08146715"}},
-        {"blocks", {"49ffc8b16b5adf1b", "6264ad753cf620da", "8e5f3b2978eb13d5"}},
-        {"tetra", {"b66ff4b22fe3a096", "27d38a8000f6ff50", "412a9df2b181da24"}},
+        {"bottleneck", {"c38c1dc4944d0b95", "2ae18757557125be", "3c94a3bf70aef439"}},
+        {"field", {"afade6770b3f6e9a", "45150bd778ac74e8", "771fb0dcb763e1a1"}},
+        {"streets", {"b875c8294f08c57b", "9d4fdadaf463c367", "ead4ce216ff4b150"}},
+        {"rooms", {"ef411fd1c2f9c2ab", "a7417dc43e4aae59", "6f9eb38729b516e0"}},
+        {"cars", {"47b6dc783bee6435", "e9fc1ca93a3ea21d", "cbb8e702c0115137"}},
+        {"jungle", {"18bbcf3dc4f8ce10", "f99cb224cc9a4a4f", "dfcb79149872d891"}},
+        {"terrain", {"e099a0b75eab897f", "4d077e29d2dee063", "b2ab54edd559e6b3"}},
+        {"wallholes", {"6d7f02aeb53bf1b1", "e96c547fe7a86efe", "dd5a6c553e46891d"}},
+        {"wall2", {"c001e5b34146f8a0", "9d6a90609fa58034", "6d2069bd4b1b094e"}},
+        {"statue", {"e845247ff14df033", "1b34694f565b550d", "c3a085796ad724a2"}},
+        {"forget", {"89cab5430b17bab8", "c030b7804849ce50", "2ecb3b7f21b7e1c9"}},
+        {"soda", {"917dbdc425210f9d", "ff8297300070171c", "e13874ee08146715"}},
+        {"blocks", {"07a32bbc790d32bc", "48c127dead7ef44f", "8e5f3b2978eb13d5"}},
+        {"tetra", {"7f47fa4bd1c9d4ca", "5214b9c39f035898", "412a9df2b181da24"}},
     };
     return table;
 }

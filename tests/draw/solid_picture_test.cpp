@@ -176,13 +176,16 @@ TEST(SolidPicture, TrianglesAreApartByWhatIsKnownOfThem) {
             settings.show_visibility == Switch::on && (outside || settings.triangles >= Triangles::visible);
         for (std::uint32_t p = 0; p < look.size(); ++p) {
             const bool visible = session.reference().visible[p], rendered = all.contains(p);
+            const bool adds_missed = settings.triangles == Triangles::missed &&
+                                     settings.show_visibility == Switch::on && (session.frozen() || session.finished());
             SolidLook expected = rendered ? SolidLook::plain : SolidLook::rest;
             if (tell && rendered) expected = visible ? SolidLook::rendered : SolidLook::wasted;
-            if (tell && !rendered) expected = visible ? SolidLook::missed : SolidLook::other;
+            if ((tell || adds_missed) && !rendered) expected = visible ? SolidLook::missed : SolidLook::other;
             if (rendered && !before.contains(p)) expected = SolidLook::fresh;
-            const bool shown = settings.triangles == Triangles::all ||
-                               (settings.triangles == Triangles::rendered && rendered) ||
-                               (settings.triangles == Triangles::visible && visible);
+            const bool shown =
+                settings.triangles == Triangles::all ||
+                ((settings.triangles == Triangles::rendered || settings.triangles == Triangles::missed) && rendered) ||
+                (adds_missed && visible) || (settings.triangles == Triangles::visible && visible);
             ASSERT_EQ(look[p], shown ? index_of_style(expected) : -1);
             if (shown) ++seen[list.styles[index_of_style(expected)].name];
         }

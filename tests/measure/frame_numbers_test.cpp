@@ -251,6 +251,8 @@ TEST(WrongRegion, IsThatOfASlowSearch) {
         Set mask(static_cast<std::size_t>(w * h));
         for (auto& m : mask) m = random.below(5) < 3;
         EXPECT_EQ(largest_region(mask, w, h), largest_region_slowly(mask, w, h));
+        const auto regions = wrong_regions({w, h, std::vector<std::uint32_t>(mask.size(), 0)}, mask);
+        EXPECT_EQ(regions.empty() ? 0 : regions.front().pixels, largest_region_slowly(mask, w, h));
     }
 }
 

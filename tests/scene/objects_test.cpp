@@ -78,7 +78,7 @@ TEST(Objects, PartsAreWhatHangsTogetherByCorners) {
 
 TEST(Objects, RowsListThePrimitivesOfEach) {
     const Objects objects{{"a", "b", "c"}, {2, 0, 2, 1, 0}};
-    const ObjectRows rows = rows_of(objects);
+    const ObjectRows rows = primitives_of_objects(objects);
     EXPECT_EQ(rows.first, (std::vector<std::uint32_t>{0, 2, 3, 5}));
     EXPECT_EQ(rows.ids, (std::vector<std::uint32_t>{1, 4, 3, 0, 2}));
 }

@@ -41,6 +41,19 @@ Values expected(const Session<2>& session, const std::vector<Mark>& before, std:
     for (std::uint32_t p = 0; p < reference.visible.size(); ++p)
         visible += reference.visible[p] && rendered.contains(p);
     v["coverage"] = reference.count == 0 ? nan : visible / static_cast<double>(reference.count);
+    const std::vector<std::uint32_t>& image = reference.image.ids;  // one row: regions are runs of wrong pixels
+    double wrong = 0, run = 0, longest = 0;
+    for (const std::uint32_t id : image) {
+        const bool is_wrong = id != none && !rendered.contains(id);
+        wrong += is_wrong;
+        run = is_wrong ? run + 1 : 0;
+        longest = std::max(longest, run);
+    }
+    v["wrong_pixels"] = wrong / static_cast<double>(image.size());
+    v["wrong_region"] = longest / static_cast<double>(image.size());
+    std::set<std::uint32_t> objects;
+    for (const std::uint32_t p : rendered) objects.insert(session.objects().of[p]);
+    v["objects"] = static_cast<double>(objects.size());
 
     const auto front = test::sorted_front(before);
     if (session.method().pops == Kind::node && session.timeline().steps[session.position() - 1].item) {
@@ -299,6 +312,41 @@ TEST(Condition, AnyTextIsACondtionOrAnInputError) {
         }
     }
     EXPECT_GT(taken, 200);
+}
+
+TEST(Condition, OfAPrimitiveOrAnObjectHoldsWhereItIsRendered) {
+    Random random(77);
+    int found = 0;
+    for (int i = 0; i < test::soak_count(10); ++i) {
+        Session<2> session = test::random_cell_start(random).session();
+        session.run();
+        const auto step_of = [&](const auto& is_one) {  // the first that renders one
+            for (std::uint32_t step = 1; step <= session.recorded(); ++step) {
+                const std::size_t first = session.timeline().before(step).touched_count,
+                                  last = session.timeline().after(step).touched_count;
+                for (const Met met : session.met().subspan(first, last - first))
+                    if (!met.culled() && is_one(met.primitive())) return step;
+            }
+            return 0u;
+        };
+        const std::uint32_t count = static_cast<std::uint32_t>(session.scene().primitives.size());
+        if (count == 0) continue;
+        const std::uint32_t wanted = static_cast<std::uint32_t>(random.below(count));
+        const auto first_match = [&](const std::string& text) {
+            const auto steps = matches(session, condition_for(session, text));
+            return steps.empty() ? 0u : steps.front();
+        };
+        const std::uint32_t step = step_of([&](std::uint32_t p) { return p == wanted; });
+        EXPECT_EQ(first_match("primitive:" + std::to_string(wanted)), step);
+        const Objects& objects = session.objects();
+        const std::uint32_t object = objects.of[wanted];
+        EXPECT_EQ(first_match("object:" + objects.names[object]),
+                  step_of([&](std::uint32_t p) { return objects.of[p] == object; }));
+        found += step > 0;
+    }
+    EXPECT_GT(found, 3);
+    test::expect_input_error([] { Condition<2>("primitive:x"); }, "condition: write primitive:N, with a number");
+    test::expect_input_error([] { Condition<2>("object:"); }, "condition: write object:NAME");
 }
 
 }  // namespace

@@ -79,7 +79,7 @@ inline void randomise_picture(Settings& s, Random& random) {
         *as = static_cast<DrawnAs>(random.below(4));
     s.show_tessellation = static_cast<Switch>(random.below(2));
     s.show_visibility = static_cast<Switch>(random.below(2));
-    s.triangles = static_cast<Triangles>(random.below(4));
+    s.triangles = static_cast<Triangles>(random.below(5));
     s.slice = random.below(2) ? static_cast<SliceAcross>(random.below(5)) : SliceAcross::off;
     s.slice_at = random.unit();
     s.only = random.below(2) ? static_cast<OnlyCells>(random.below(3)) : OnlyCells::all;

@@ -6,6 +6,7 @@
 #include "core/base/file.h"
 #include "core/session/state_file.h"
 #include "core/space/cells_file.h"
+#include "shell/commands/arguments.h"
 #include "shell/commands/groups.h"
 #include "shell/desk/camera.h"
 #include "shell/desk/open_scene.h"
@@ -72,9 +73,10 @@ TEST_F(Commands3, EachThatIsNotAsIn2DHasATest) {
             own.emplace(command.id);
     }
     // Views have another form, and so have pictures.
-    for (const auto& group : {view_commands<3>(), flight_commands<3>(), file_commands<3>()})
+    for (const auto& group : {view_commands<3>(), flight_commands<3>(), path_commands<3>(), file_commands<3>()})
         for (const Command<3>& command : group) own.emplace(command.id);
     own.emplace("tool");
+    own.emplace("select");
     EXPECT_EQ(tested_commands("EachCommand3"), own);
 }
 
@@ -190,6 +192,26 @@ TEST_F(EachCommand3, fit) {
     const View<3> view = make_view(display(), 4.0 / 3, session().scene().up_axis);
     for (const Primitive<3>& triangle : session().scene().primitives)
         for (const Vec<3>& corner : triangle) EXPECT_TRUE(in_view(view, std::span<const Vec<3>>(&corner, 1)));
+    const ViewSpec<3> before = culling();
+    run("unfreeze; eye " + point_text(before.eye, session().scene()) + "; select primitive:4; fit selected");
+    EXPECT_TRUE(session().frozen()) << "the run stays";
+    Box<3> box;
+    for (const Vec<3>& corner : session().scene().primitives[4]) box.add(corner);
+    EXPECT_NEAR(glm::length(display().look_at - box.centre()), 0, 1e-9) << "what circling goes about";
+    const View<3> near = make_view(display(), 4.0 / 3, session().scene().up_axis);
+    for (const Vec<3>& corner : session().scene().primitives[4])
+        EXPECT_TRUE(in_view(near, std::span<const Vec<3>>(&corner, 1)));
+}
+
+TEST_F(EachCommand3, select) {
+    run("run; select pixel:20,15");
+    const IdImage& image = session().reference().image;
+    ASSERT_EQ(bench->pixel, (std::array{20, 15}));
+    if (image.at(20, 15) != none) EXPECT_EQ(session().selected_primitive, image.at(20, 15));
+    run("select primitive:3");
+    EXPECT_FALSE(bench->pixel);
+    expect_input_error([&] { run("select pixel:4000,2"); },
+                       "command 'select pixel:4000,2': there is no pixel 4000,2: the image has 40 x 30");
 }
 
 TEST_F(EachCommand3, zoom) {

@@ -18,6 +18,13 @@ TEST_F(EachCommand, select) {
     EXPECT_NE(session().selected_node, none) << "the box that is being explained stays";
     run("select 7");
     EXPECT_EQ(session().selected_node, none);
+    run("method published; run; select object:" + session().objects().names[0]);
+    ASSERT_NE(session().selected_primitive, none);
+    EXPECT_EQ(session().objects().of[session().selected_primitive], 0u);
+    run("select object:#1");
+    EXPECT_EQ(session().objects().of[session().selected_primitive], 1u);
+    EXPECT_THROW(run("select object:no such"), InputError);
+    EXPECT_THROW(run("select pixel:1,1"), InputError) << "there is none in 2D";
 }
 
 TEST_F(EachCommand, bookmark) {

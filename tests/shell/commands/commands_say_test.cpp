@@ -5,6 +5,8 @@
 #include "core/base/file.h"
 #include "core/base/glossary.h"
 #include "core/session/explain.h"
+#include "core/session/explain_primitive.h"
+#include "shell/desk/faults.h"
 #include "shell/desk/what_if.h"
 #include "tests/shell/commands/commands_support.h"
 
@@ -55,6 +57,38 @@ TEST_F(EachCommand, what_if) {
     };
     EXPECT_TRUE(tells("workers=2"));
     EXPECT_FALSE(tells("workers=0.5")) << "there is no half of a worker";
+}
+
+TEST_F(EachCommand, missed) {
+    run("set budget=5; seek 0");
+    run("missed");
+    EXPECT_EQ(said.at(0), "Missed at the end of the run");
+    const Faults* const found = faults(*bench);
+    ASSERT_NE(found, nullptr);
+    ASSERT_FALSE(found->missed.regions.empty());
+    EXPECT_EQ(session().position(), 0u) << "looking moves nothing";
+    const std::uint32_t worst = found->missed.regions[0].primitives[0].primitive;
+    run("missed 1");
+    EXPECT_TRUE(session().finished());
+    EXPECT_EQ(session().selected_primitive, worst);
+    EXPECT_EQ(bench->desk.right, "why");
+    const PrimitiveExplanation why = explain_primitive(session(), worst);
+    EXPECT_EQ(said.at(0), sight_sentence(session(), why));
+    EXPECT_EQ(said.at(1), put_off_sentence(session(), why));
+    EXPECT_NE(said.at(1).find(" in the front"), std::string::npos) << said[1];
+    EXPECT_THROW(run("missed 0"), InputError);
+    EXPECT_THROW(run("missed 4000"), InputError);
+    run("set budget=unlimited");
+    run("missed");
+    EXPECT_EQ(said.at(0), "Nothing is missed");
+    EXPECT_THROW(run("missed 1"), InputError);
+}
+
+TEST_F(EachCommand, objects) {
+    run("objects");
+    EXPECT_EQ(said.at(0), std::to_string(session().objects().names.size()) + " parts at the end of the run");
+    ASSERT_TRUE(faults(*bench)->objects);
+    EXPECT_EQ(faults(*bench)->objects->size(), session().objects().names.size());
 }
 
 TEST_F(EachCommand, glossary) {

@@ -116,6 +116,8 @@ protected:
         add(bench->transport.steps_per_second);
         add(bench->history.past.size());
         add(bench->teaching.has_value());
+        for (const bool on : {bench->flight.bar, bench->flight.recording, bench->flight.replaying, bench->flight.loop})
+            add(on);
         add(bench->quit);
         if (bench->other) {
             text += bench->other->title + bench->other->session.settings().method;
@@ -140,6 +142,9 @@ protected:
                                                             {"tool select", "tool text"},
                                                             {"scale 1", "scale 2"},
                                                             {"what-if", "select 20"},
+                                                            {"fit selected", "select 20"},
+                                                            {"look selected", "select 20"},
+                                                            {"missed 1", "set budget=5"},
                                                             {"reach selected", "select 20"},
                                                             {"fit", "zoom 3"},
                                                             {"method published", "method layers"}};
@@ -159,6 +164,8 @@ TEST_F(MenuRows, EachDoesSomething) {
         if (row.kind != Kind::command || row.command == "viewer3d") continue;  // opens another program
         SCOPED_TRACE(row.command);
         *bench = fresh;
+        const ViewSpec<2> here = session().culling_view(), there{{3, 3}, here.look_at, here.fov};
+        if (row.command.starts_with("path ")) bench->flight = {.path = {"test", {there, here, there}}, .frame = 1};
         clipboard.clear();
         run(before(row.command));
         said.clear();
