@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/geometry/vec.h"
+#include "core/scene/read/read_mesh.h"
 #include "tests/scene/scene_support.h"
 
 namespace sightline::test {
@@ -169,5 +170,31 @@ public:
 private:
     std::filesystem::path path_;
 };
+
+/// The scene of a file with this name and content.
+inline Scene<3> read_bytes(const std::string& name, const std::string& bytes) {
+    const TemporaryFile file(name, bytes);
+    return read_mesh(file.path(), "x");
+}
+
+/// The corners of the scene's triangles in the file's coordinates.
+inline std::vector<Primitive<3>> in_file(const Scene<3>& scene) {
+    std::vector<Primitive<3>> triangles = scene.primitives;
+    for (Primitive<3>& triangle : triangles)
+        for (Vec<3>& corner : triangle) corner += scene.origin;
+    return triangles;
+}
+
+/// A pyramid on a square of 2 by 2, 3 high along y, fronts outside.
+inline Mesh pyramid() {
+    return {{Vec<3>(0), Vec<3>(2, 0, 0), Vec<3>(2, 0, 2), Vec<3>(0, 0, 2), Vec<3>(1, 3, 1)},
+            {{0, 1, 2}, {0, 2, 3}, {0, 4, 1}, {1, 4, 2}, {2, 4, 3}, {3, 4, 0}}};
+}
+
+inline std::vector<Primitive<3>> triangles_of(const Mesh& mesh) {
+    std::vector<Primitive<3>> triangles;
+    for (const auto& f : mesh.faces) triangles.push_back({mesh.points[f[0]], mesh.points[f[1]], mesh.points[f[2]]});
+    return triangles;
+}
 
 }  // namespace sightline::test

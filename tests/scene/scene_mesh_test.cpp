@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <signal.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -293,6 +294,30 @@ TEST(SceneMesh, AFolderIsOneSoup) {
     expect_input_error([&] { read_meshes(named, "named"); }, "named: " + named[1] + ": *");
 }
 
+/// COLLADA, which Assimp reads.
+std::string dae_of(const test::Mesh& mesh) {
+    std::string points, corners;
+    char number[40];
+    for (const Vec<3>& p : mesh.points)
+        for (int axis = 0; axis < 3; ++axis)
+            points.append(number, std::snprintf(number, sizeof number, "%.2f ", p[axis]));
+    for (const auto& f : mesh.faces) corners += test::words(f, 0) + " ";
+    const std::string count = std::to_string(mesh.points.size());
+    return R"(<?xml version="1.0"?><COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
+        <asset><up_axis>Z_UP</up_axis></asset><library_geometries><geometry id="g"><mesh><source id="p">
+        <float_array id="a" count=")" +
+           std::to_string(3 * mesh.points.size()) + "\">" + points +
+           R"(</float_array><technique_common><accessor source="#a" count=")" + count + R"(" stride="3">
+        <param name="X" type="float"/><param name="Y" type="float"/><param name="Z" type="float"/></accessor>
+        </technique_common></source><vertices id="v"><input semantic="POSITION" source="#p"/></vertices>
+        <triangles count=")" +
+           std::to_string(mesh.faces.size()) + R"("><input semantic="VERTEX" source="#v" offset="0"/>
+        <p>)" +
+           corners + R"(</p></triangles></mesh></geometry></library_geometries><library_visual_scenes>
+        <visual_scene id="s"><node><instance_geometry url="#g"/></node></visual_scene></library_visual_scenes>
+        <scene><instance_visual_scene url="#s"/></scene></COLLADA>)";
+}
+
 /// Ends what this process started; the number of processes that were there.
 int kill_children() {
     int killed = 0;
@@ -315,12 +340,12 @@ TEST(SceneMesh, AFileWhoseReaderEndsInTheMiddleLeavesNoTriangle) {
         large.points.push_back(Vec<3>(i % 100, i / 100, i % 7));
         if (i >= 2) large.faces.push_back({i - 2, i - 1, i});
     }
-    folder.write("b.stl", test::stl_of(large, true));
+    folder.write("b.dae", dae_of(large));
     int killed = 0;
     double last = 0;
     const MeshOptions options{false, [&](std::string_view what, double share) {
                                   // The first of three parts has come, and its sender waits to send more.
-                                  if (what == "reading b.stl" && share - last > 0.2) killed += kill_children();
+                                  if (what == "reading b.dae" && share - last > 0.2) killed += kill_children();
                                   last = share;
                               }};
     const Scene<3> scene = read_mesh(folder.path(), "half", options);
@@ -329,7 +354,7 @@ TEST(SceneMesh, AFileWhoseReaderEndsInTheMiddleLeavesNoTriangle) {
     ASSERT_EQ(scene.two_sided.size(), 24u);
     for (std::size_t i = 0; i < 24; ++i) EXPECT_EQ(scene.two_sided[i], i >= 12) << i;
     ASSERT_EQ(scene.warnings.size(), 1u);
-    EXPECT_EQ(scene.warnings[0], "left out: b.stl: the reader (Assimp) was killed (too little memory?)");
+    EXPECT_EQ(scene.warnings[0], "left out: b.dae: the reader (Assimp) was killed (too little memory?)");
 }
 
 TEST(SceneMesh, AFolderWithoutScenesSaysSo) {
@@ -380,13 +405,13 @@ TEST(SceneMesh, SaysWhatIsWrong) {
              {"stl.obj", stl, "x: line 1: *"},
              {"obj.stl", obj, "x: *(it begins like OBJ)"},
              {"obj.ply", obj, "x: line 1: is not \"ply\", so this is no PLY file (it begins like OBJ)"},
-             {"obj.off", obj, "x: OFF: Header is invalid (it begins like OBJ)"},
+             {"obj.off", obj, "x: line 2: begins with neither OFF nor a number of vertices (it begins like OBJ)"},
              {"png.ply", "\x89PNG\r\n\x1a\n and so on", "x: *(it begins like a PNG picture)"},
              {"lfs.glb", "version https://git-lfs.github.com/spec/v1\n",
               "x: *(it begins like a stand-in of Git LFS, not the file itself)"},
              {"text.gltf", "Dear all,\n", "x: is not a 3D file that Assimp can read"},
              // Counts that lie.
-             {"index.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n", "x: OBJ: vertex index out of range"},
+             {"index.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n", "x: line 4: a face refers to vertex 9 of 3"},
              {"short.ply", ply.substr(0, 300), announces},
              {"header.ply", ply.substr(0, 100), "x: its header does not end"},
              {"short.off", test::off_of(cube).substr(0, 60), announces},
@@ -402,7 +427,7 @@ TEST(SceneMesh, SaysWhatIsWrong) {
              {"buffer.gltf", replaced(test::gltf_of(cube), "data:application", "missing"), "x: *"},
              // Numbers beyond what floats can square.
              {"large.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 1e30 0\nf 1 2 3\nf 1 2 4\n",
-              "x: triangle 1: coordinate 1.00000001504746*"},
+              "x: triangle 1: coordinate 1e+30*"},
              {"tiny.obj", "v 0 0 0\nv 1e-30 0 0\nv 0 1e-30 0\nf 1 2 3\n", "x: the scene is 1.0000000*"}}) {
         SCOPED_TRACE(name);
         const TemporaryFile file(name, bytes);
@@ -412,10 +437,23 @@ TEST(SceneMesh, SaysWhatIsWrong) {
     expect_input_error([] { read_mesh("/dev/null", "x"); }, "x: is not a regular file");
 }
 
-TEST(SceneMesh, PassesOnWhatAssimpPassedOver) {
-    const TemporaryFile file("index.off", "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 1 7\n");
-    const Scene<3> scene = read(file);
-    EXPECT_EQ(scene.warnings, std::vector<std::string>{"OFF: Vertex index is out of range"});
+TEST(SceneMesh, SaysWhereFloatsAreTooCoarse) {
+    test::Mesh mesh = test::pyramid();
+    EXPECT_TRUE(test::read_bytes("near.dae", dae_of(mesh)).warnings.empty());
+    for (Vec<3>& p : mesh.points) p = Vec<3>(1800216.1 + p.x / 10, 5200112.2 + p.y / 10, p.z / 10);
+    EXPECT_EQ(
+        test::read_bytes("far.dae", dae_of(mesh)).warnings,
+        std::vector<std::string>{"lies so far from zero that its coordinates, read as floats, are in steps of 0.5"});
+}
+
+TEST(SceneMesh, PipesThatAModelNamesAreNotWaitedFor) {
+    const Folder folder("pipes");
+    std::string gltf = test::gltf_of(test::cube());
+    const std::size_t uri = gltf.find("data:application");
+    gltf.replace(uri, gltf.find('"', uri) - uri, "pipe.bin");
+    folder.write("a.gltf", gltf);
+    ASSERT_EQ(mkfifo((folder.path() + "/pipe.bin").c_str(), 0600), 0);
+    expect_input_error([&] { read_mesh(folder.path() + "/a.gltf", "x"); }, "x: *");
 }
 
 TEST(SceneMesh, CountsWhatItDrops) {

@@ -8,6 +8,7 @@
 #include "core/base/text.h"
 #include "core/scene/clean.h"
 #include "core/scene/read/file_kind.h"
+#include "core/scene/read/file_objects.h"
 #include "core/scene/read/import_mesh.h"
 
 namespace sightline {
@@ -61,6 +62,11 @@ void check(const MeshFile& mesh, const std::string& name) {
     if (size == 0) throw input_error(name, mesh.place, "the file is empty");
 }
 
+/// What the file is called in the names of objects.
+std::string label(const MeshFile& mesh) {
+    return mesh.named || mesh.place.empty() ? fs::path(mesh.path).filename().string() : mesh.place;
+}
+
 }  // namespace
 
 Scene<3> read_meshes(std::span<const std::string> paths, const std::string& name, const MeshOptions& options) {
@@ -73,7 +79,7 @@ Scene<3> read_meshes(std::span<const std::string> paths, const std::string& name
     for (std::size_t k = 0; k < files.size(); ++k) {
         const MeshFile& mesh = files[k];
         const std::string what = "reading " + fs::path(mesh.path).filename().string();
-        const std::size_t before = scene.primitives.size();
+        const std::size_t before = scene.primitives.size(), names_before = scene.objects.names.size();
         try {
             check(mesh, name);
             const ImportedFile file = import_mesh(mesh.path, name, mesh.place, scene,
@@ -82,6 +88,7 @@ Scene<3> read_meshes(std::span<const std::string> paths, const std::string& name
                 scene.source = file.format;
                 scene.up_axis = file.up_axis;
             }
+            name_file_objects(scene, names_before, files.size() > 1 ? label(mesh) : "");
             axes_differ = axes_differ || file.up_axis != scene.up_axis;
             if (!camera) camera = file.camera;
             any = true;

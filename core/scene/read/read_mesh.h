@@ -1,4 +1,4 @@
-// Files of 3D models: whatever Assimp reads becomes one soup of triangles.
+// Files of 3D models, as one soup of triangles.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
