@@ -90,6 +90,24 @@ TEST(CutPolygon, OnesThatAreNotConvexFromEveryCornerAndSide) {
                 }
 }
 
+/// Twice the area, of a polygon in the plane z = 0.
+double shoelace(const Corners& corners) {
+    double sum = 0;
+    for (std::size_t i = 0; i < corners.size(); ++i) sum += glm::cross(corners[i], corners[(i + 1) % corners.size()]).z;
+    return sum;
+}
+
+TEST(CutPolygon, OnesOfManyCornersInEachOthersWay) {
+    Random random(3);
+    Corners spikes = star(3000, 1), spiral;
+    for (Vec<3>& p : spikes) p *= random.uniform(0.1, 1);
+    for (int i = 0; i < 800; ++i) spiral.push_back((1 + 0.02 * i) * Vec<3>(std::cos(0.2 * i), std::sin(0.2 * i), 0));
+    for (int i = 800; i-- > 0;)  // back along a wall that is not smooth
+        spiral.push_back((1.1 + 0.02 * i + random.uniform(0, 0.3)) * Vec<3>(std::cos(0.2 * i), std::sin(0.2 * i), 0));
+    std::reverse(spiral.begin(), spiral.end());
+    for (const Corners& corners : {spikes, spiral}) expect_cut(corners, Vec<3>(0, 0, 1), shoelace(corners) / 2);
+}
+
 TEST(CutPolygon, OnesThatCrossThemselvesLoseNothing) {
     Random random(5);
     for (int n = 0; n < 500; ++n) {
