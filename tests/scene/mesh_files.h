@@ -171,6 +171,30 @@ private:
     std::filesystem::path path_;
 };
 
+/// COLLADA, which Assimp reads.
+inline std::string dae_of(const Mesh& mesh) {
+    std::string points, corners;
+    char number[40];
+    for (const Vec<3>& p : mesh.points)
+        for (int axis = 0; axis < 3; ++axis)
+            points.append(number, std::snprintf(number, sizeof number, "%.2f ", p[axis]));
+    for (const auto& f : mesh.faces) corners += words(f, 0) + " ";
+    const std::string count = std::to_string(mesh.points.size());
+    return R"(<?xml version="1.0"?><COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
+        <asset><up_axis>Z_UP</up_axis></asset><library_geometries><geometry id="g"><mesh><source id="p">
+        <float_array id="a" count=")" +
+           std::to_string(3 * mesh.points.size()) + "\">" + points +
+           R"(</float_array><technique_common><accessor source="#a" count=")" + count + R"(" stride="3">
+        <param name="X" type="float"/><param name="Y" type="float"/><param name="Z" type="float"/></accessor>
+        </technique_common></source><vertices id="v"><input semantic="POSITION" source="#p"/></vertices>
+        <triangles count=")" +
+           std::to_string(mesh.faces.size()) + R"("><input semantic="VERTEX" source="#v" offset="0"/>
+        <p>)" +
+           corners + R"(</p></triangles></mesh></geometry></library_geometries><library_visual_scenes>
+        <visual_scene id="s"><node><instance_geometry url="#g"/></node></visual_scene></library_visual_scenes>
+        <scene><instance_visual_scene url="#s"/></scene></COLLADA>)";
+}
+
 /// The scene of a file with this name and content.
 inline Scene<3> read_bytes(const std::string& name, const std::string& bytes) {
     const TemporaryFile file(name, bytes);

@@ -120,6 +120,12 @@ TEST(ReadObj, SaysWhatIsWrongAndWhere) {
     }
 }
 
+TEST(ReadObj, RefusesWhatTheMachineCannotHold) {
+    expect_input_error([] { check_memory(std::uint64_t{1} << 50, 0); },
+                       "holds 1125899906842624 triangles, which need 1.08e+08 GB of memory; this machine has *");
+    check_memory(1000, 1000);
+}
+
 TEST(ReadObj, WarnsOfWhatItLeavesOut) {
     const ParsedMesh mesh =
         parse_obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\nf 1 2 3\nf 1\ncurv2 1 2\ncall other.obj\nfoo\nf 1 3 2\n");

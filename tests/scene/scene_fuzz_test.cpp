@@ -99,5 +99,26 @@ TEST(SceneFuzz, Off) {
         false);
 }
 
+/// Through a process of its own: whatever happens there ends in a scene or in one line.
+TEST(SceneFuzz, Assimp) {
+    const std::string seeds[] = {test::dae_of(test::cube()), test::dae_of(test::pyramid())};
+    Random random(2026);
+    std::size_t read = 0;
+    const auto count = static_cast<std::size_t>(test::soak_count(100));
+    for (std::size_t i = 0; i < count; ++i) {
+        std::string bytes = seeds[i % 2];
+        for (std::uint64_t rounds = random.below(4); rounds > 0; --rounds)
+            test::mutate(random, bytes, seeds[1 - i % 2], false);
+        const test::TemporaryFile file("mutated.dae", bytes);
+        try {
+            read += read_mesh(file.path(), "input").start_view.has_value();
+        } catch (const InputError& error) {
+            EXPECT_TRUE(fuzz::is_one_line(error.what())) << error.what();
+        }
+    }
+    EXPECT_GT(read, count / 50);
+    EXPECT_LT(read, count);
+}
+
 }  // namespace
 }  // namespace sightline

@@ -294,30 +294,6 @@ TEST(SceneMesh, AFolderIsOneSoup) {
     expect_input_error([&] { read_meshes(named, "named"); }, "named: " + named[1] + ": *");
 }
 
-/// COLLADA, which Assimp reads.
-std::string dae_of(const test::Mesh& mesh) {
-    std::string points, corners;
-    char number[40];
-    for (const Vec<3>& p : mesh.points)
-        for (int axis = 0; axis < 3; ++axis)
-            points.append(number, std::snprintf(number, sizeof number, "%.2f ", p[axis]));
-    for (const auto& f : mesh.faces) corners += test::words(f, 0) + " ";
-    const std::string count = std::to_string(mesh.points.size());
-    return R"(<?xml version="1.0"?><COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
-        <asset><up_axis>Z_UP</up_axis></asset><library_geometries><geometry id="g"><mesh><source id="p">
-        <float_array id="a" count=")" +
-           std::to_string(3 * mesh.points.size()) + "\">" + points +
-           R"(</float_array><technique_common><accessor source="#a" count=")" + count + R"(" stride="3">
-        <param name="X" type="float"/><param name="Y" type="float"/><param name="Z" type="float"/></accessor>
-        </technique_common></source><vertices id="v"><input semantic="POSITION" source="#p"/></vertices>
-        <triangles count=")" +
-           std::to_string(mesh.faces.size()) + R"("><input semantic="VERTEX" source="#v" offset="0"/>
-        <p>)" +
-           corners + R"(</p></triangles></mesh></geometry></library_geometries><library_visual_scenes>
-        <visual_scene id="s"><node><instance_geometry url="#g"/></node></visual_scene></library_visual_scenes>
-        <scene><instance_visual_scene url="#s"/></scene></COLLADA>)";
-}
-
 /// Ends what this process started; the number of processes that were there.
 int kill_children() {
     int killed = 0;
@@ -340,7 +316,7 @@ TEST(SceneMesh, AFileWhoseReaderEndsInTheMiddleLeavesNoTriangle) {
         large.points.push_back(Vec<3>(i % 100, i / 100, i % 7));
         if (i >= 2) large.faces.push_back({i - 2, i - 1, i});
     }
-    folder.write("b.dae", dae_of(large));
+    folder.write("b.dae", test::dae_of(large));
     int killed = 0;
     double last = 0;
     const MeshOptions options{false, [&](std::string_view what, double share) {
@@ -439,10 +415,10 @@ TEST(SceneMesh, SaysWhatIsWrong) {
 
 TEST(SceneMesh, SaysWhereFloatsAreTooCoarse) {
     test::Mesh mesh = test::pyramid();
-    EXPECT_TRUE(test::read_bytes("near.dae", dae_of(mesh)).warnings.empty());
+    EXPECT_TRUE(test::read_bytes("near.dae", test::dae_of(mesh)).warnings.empty());
     for (Vec<3>& p : mesh.points) p = Vec<3>(1800216.1 + p.x / 10, 5200112.2 + p.y / 10, p.z / 10);
     EXPECT_EQ(
-        test::read_bytes("far.dae", dae_of(mesh)).warnings,
+        test::read_bytes("far.dae", test::dae_of(mesh)).warnings,
         std::vector<std::string>{"lies so far from zero that its coordinates, read as floats, are in steps of 0.5"});
 }
 

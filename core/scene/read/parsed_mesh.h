@@ -15,8 +15,8 @@
 namespace sightline {
 
 /// Each reader takes the whole file and throws InputError "line 3: reason"; the place is left out where lines have no
-/// meaning. Coordinates are the file's numbers as doubles. Memory beside the file: at most 200 bytes a triangle, known
-/// and checked before it is taken.
+/// meaning. Coordinates are the file's numbers as doubles. Memory beside the file: at most 200 bytes a triangle and as
+/// much an object; that of triangles is known, and checked, before it is taken.
 struct ParsedMesh {
     std::vector<Primitive<3>> triangles;
     Objects objects;
