@@ -11,6 +11,7 @@
 #include "core/scene/read/parsed_scene.h"
 #include "core/scene/read/read_json.h"
 #include "core/session/condition.h"
+#include "core/session/start_settings.h"
 
 namespace sightline {
 
@@ -144,7 +145,7 @@ Scene<2> embedded_scene(const Json& json, const std::string& name) {
 }
 
 template <int D>
-Scene<D> read_scene(const Json& json, const std::string& name, bool two_sided, const Progress& progress) {
+Scene<D> read_scene(const Json& json, const std::string& name, LoadOptions options) {
     Scene<D> scene;
     bool embedded = false;
     if constexpr (D == 2) embedded = json.contains("embedded");
@@ -160,7 +161,8 @@ Scene<D> read_scene(const Json& json, const std::string& name, bool two_sided, c
         };
         const std::string beside = (std::filesystem::path(name).parent_path() / file).string();
         if (!exists(file) && exists(beside)) file = beside;
-        scene = load_scene<D>(file, {.two_sided = two_sided, .progress = progress});
+        options.choose_view = false;  // the state has its own
+        scene = load_scene<D>(file, options);
     }
     if (hash_text(scene_hash(scene)) != json.at("hash").get<std::string>())
         throw InputError("scene '" + scene.id + "' is not the one the state was made with (its hash differs)");
@@ -184,6 +186,7 @@ void read_breakpoints(const Json& json, Session<D>& session) {
 
 Settings settings_of_state(const Json& json) {
     Settings settings;
+    settings.up = Up::format;  // files from before the setting say nothing, and meant this
     for (const auto& [field, value] : json.items()) apply_setting(settings, field + "=" + value.get<std::string>());
     return settings;
 }
@@ -200,8 +203,8 @@ OpenedState<D> read_state(const Json& json, const std::string& name, std::span<c
                          std::to_string(dimension) + "d");
     const Settings settings = settings_of_state(json.at("settings"));
     if (!shared || json.contains("scene"))
-        shared = std::make_shared<const Scene<D>>(
-            read_scene<D>(json.at("scene"), name, settings.two_sided == Switch::on, progress));
+        shared =
+            std::make_shared<const Scene<D>>(read_scene<D>(json.at("scene"), name, read_options(settings, progress)));
     OpenedState<D> opened{
         Session<D>(std::move(shared), at_member(json, "view", read_view<D>), settings, methods, draw_ids, progress),
         {},

@@ -12,6 +12,7 @@
 #include "core/base/text.h"
 #include "core/scene/read/assimp_reader.h"
 #include "core/scene/read/file_kind.h"
+#include "core/scene/read/read_gltf.h"
 
 namespace sightline {
 
@@ -73,11 +74,21 @@ void check_ending(const std::string& path, const std::string& name, const std::s
     throw input_error(name, place, with_kind(what, path) + "; supported: " + mesh_endings());
 }
 
+bool is_gltf(const std::string& path) {
+    for (const std::string_view ending : {".gltf", ".glb", ".vrm"})
+        if (ending_of(path) == ending) return true;
+    return false;
+}
+
 }  // namespace
 
 ImportedFile import_mesh(const std::string& path, const std::string& name, const std::string& place, Scene<3>& scene,
                          const std::function<void(double share)>& progress) {
     check_ending(path, name, place);
+    if (is_gltf(path)) {
+        progress(0.1);
+        if (std::optional<ImportedFile> file = read_gltf(path, name, place, scene)) return *std::move(file);
+    }
     const double bytes = bytes_to_read(path);
     ChildProcess child([&](const ChildProcess::Send& send) { read_with_assimp(path, send); }, most_seconds(bytes),
                        most_memory(bytes));
@@ -110,9 +121,20 @@ ImportedFile import_mesh(const std::string& path, const std::string& name, const
     }
     if (header.any_two_sided || !scene.two_sided.empty()) scene.two_sided.resize(scene.primitives.size());
     if (header.any_two_sided) receive(&scene.two_sided[before], header.triangles);
+    if (header.objects > 1) {
+        scene.objects.of.resize(before);
+        for (std::uint64_t i = 0; i < header.objects; ++i) {
+            AssimpObject object;
+            receive(&object, sizeof object);
+            scene.objects.of.resize(scene.objects.of.size() + object.triangles,
+                                    static_cast<std::uint32_t>(scene.objects.names.size()));
+            scene.objects.names.emplace_back(object.name);
+        }
+    }
 
     if (header.warning[0]) scene.warnings.push_back((place.empty() ? "" : place + ": ") + one_line(header.warning));
     ImportedFile file{header.text, header.up_axis, {}};
+    file.names_up = header.names_up;
     if (header.has_camera) file.camera = header.camera;
     return file;
 }
