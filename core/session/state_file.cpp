@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
+#include "core/base/percent.h"
 #include "core/base/text.h"
 #include "core/scene/read/load.h"
 #include "core/scene/read/parsed_scene.h"
@@ -155,6 +156,7 @@ Scene<D> read_scene(const Json& json, const std::string& name, LoadOptions optio
     } else {
         // A file that is not where it was may lie beside the state file.
         std::string file = json.value("name", json.at("id").get<std::string>());
+        if (json.contains("name_bytes")) file = percent_decoded(json.at("name_bytes").get<std::string>());
         const auto exists = [](const std::string& path) {
             std::error_code error;
             return std::filesystem::exists(path.substr(0, path.rfind('#')), error);
@@ -291,7 +293,10 @@ OrderedJson scene_part(const Scene<D>& scene) {
             json["embedded"] = OrderedJson::parse(embedded);
             return json;
         }
-    json["name"] = scene.name.empty() ? scene.id : scene.name;
+    const std::string& file = scene.name.empty() ? scene.id : scene.name;
+    json["name"] = file;
+    // Names of files are bytes, of which JSON keeps those that are text.
+    if (clean_text(file) != file) json["name_bytes"] = percent_encoded(file);
     return json;
 }
 
@@ -351,7 +356,9 @@ std::string state_json(const Session<D>& session, const FigureSpec& figure, cons
     json.update(session_part(session));
     if (other) {
         OrderedJson beside = head;
-        if (scene_hash(other->scene()) != scene_hash(session.scene())) beside["scene"] = scene_part(other->scene());
+        const Scene<D>&one = session.scene(), &two = other->scene();
+        if (scene_hash(one) != scene_hash(two) || one.up_axis != two.up_axis)
+            beside["scene"] = scene_part(other->scene());
         beside.update(session_part(*other));
         json["align"] = align_words[static_cast<std::size_t>(align)];
         json["other"] = std::move(beside);

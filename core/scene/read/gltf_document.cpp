@@ -9,7 +9,7 @@
 #include <filesystem>
 
 #include "core/base/file.h"
-#include "core/base/number.h"
+#include "core/base/percent.h"
 #include "core/base/text.h"
 #include "core/scene/read/file_kind.h"
 
@@ -60,13 +60,6 @@ bool is_harmless(std::string_view extension) {
           "EXT_structural_metadata", "EXT_feature_metadata", "CESIUM_primitive_outline", "KHR_audio_emitter"})
         if (extension == known) return true;
     return false;
-}
-
-int hexadecimal(char c) {
-    return c >= '0' && c <= '9'   ? c - '0'
-           : c >= 'a' && c <= 'f' ? c - 'a' + 10
-           : c >= 'A' && c <= 'F' ? c - 'A' + 10
-                                  : -1;
 }
 
 const Json nothing = Json::array();
@@ -182,17 +175,6 @@ std::optional<std::string> from_base64(std::string_view text) {
         bytes += static_cast<char>(word >> 2 & 0xff);
     }
     return bytes;
-}
-
-std::string percent_decoded(std::string_view text) {
-    std::string out;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const int high = text[i] == '%' && i + 2 < text.size() ? hexadecimal(text[i + 1]) : -1;
-        const int low = high < 0 ? -1 : hexadecimal(text[i + 2]);
-        out += low < 0 ? text[i] : static_cast<char>(high * 16 + low);
-        if (low >= 0) i += 2;
-    }
-    return out;
 }
 
 std::string_view GltfDocument::buffer(std::size_t index) {

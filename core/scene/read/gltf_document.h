@@ -86,7 +86,4 @@ private:
 /// The bytes of "data:…;base64,…"; nothing where the text is no base64.
 std::optional<std::string> from_base64(std::string_view text);
 
-/// "my%20file" as "my file"; what is no two hexadecimal digits stays.
-std::string percent_decoded(std::string_view text);
-
 }  // namespace sightline
