@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/number.h"
+#include "core/scene/flight_path_csv.h"
 #include "shell/commands/arguments.h"
 #include "shell/commands/groups.h"
 #include "shell/desk/camera.h"
@@ -127,7 +128,7 @@ constexpr std::array path_words{
     PathWord{"save",
              [](Workbench<3>& bench, Text rest) {
                  if (bench.flight.path.frames.empty()) throw InputError("there is no path: name one, or record it");
-                 write_file(file_argument(rest), write_path(bench.flight.path));
+                 write_file(file_argument(rest), path_text(bench.flight.path, rest));
                  bench.say("wrote " + rest);
              }},
     PathWord{"open", [](Workbench<3>& bench,

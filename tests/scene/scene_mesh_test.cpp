@@ -98,7 +98,7 @@ TEST(SceneMesh, AFormatBehindAnotherEndingIsRefused) {
         }
     const TemporaryFile ply("ply.glb", test::ply_of(cube, true));
     expect_input_error([&] { read(ply); },
-                       "x: its extension is .glb, but its contents belong in .ply (it begins like PLY)");
+                       "x: is not glTF as its extension .glb says (it begins like PLY)");
 }
 
 TEST(SceneMesh, EndingsOfNoMeshAreRefused) {
@@ -385,7 +385,7 @@ TEST(SceneMesh, SaysWhatIsWrong) {
              {"png.ply", "\x89PNG\r\n\x1a\n and so on", "x: *(it begins like a PNG picture)"},
              {"lfs.glb", "version https://git-lfs.github.com/spec/v1\n",
               "x: *(it begins like a stand-in of Git LFS, not the file itself)"},
-             {"text.gltf", "Dear all,\n", "x: is not a 3D file that Assimp can read"},
+             {"text.gltf", "Dear all,\n", "x: line 1, column 1: *"},
              // Counts that lie.
              {"index.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n", "x: line 4: a face refers to vertex 9 of 3"},
              {"short.ply", ply.substr(0, 300), announces},

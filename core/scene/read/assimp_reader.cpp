@@ -52,6 +52,7 @@ public:
 struct Instance {
     const aiMesh* mesh;
     glm::dmat4 to_scene;
+    const aiNode* node;
 };
 
 glm::dmat4 matrix(const aiMatrix4x4& m) {
@@ -80,7 +81,7 @@ std::vector<Instance> instances_of(const aiScene& scene, std::string_view format
         visits.pop_back();
         for (unsigned i = 0; i < visit.node->mNumMeshes; ++i) {
             const unsigned mesh = visit.node->mMeshes[i];
-            if (mesh < scene.mNumMeshes) instances.push_back({scene.mMeshes[mesh], visit.to_scene});
+            if (mesh < scene.mNumMeshes) instances.push_back({scene.mMeshes[mesh], visit.to_scene, visit.node});
         }
         if (camera && camera->mName == visit.node->mName && !header.has_camera) {
             header.has_camera = 1;
@@ -110,9 +111,22 @@ bool is_two_sided(const aiScene& scene, const aiMesh& mesh) {
     return two_sided != 0;
 }
 
-int up_axis_of(const aiScene& scene, std::string_view format) {
+/// Formats with a rule, which Assimp turns to y where it is another one.
+bool has_up(std::string_view format) {
+    for (const std::string_view rule :
+         {"gltf", "dae",     "3mf", "amf", "x3d",    "wrl", "b3d", "blend", "3ds", "ase",    "md2",
+          "md3",  "md5mesh", "mdl", "ifc", "assbin", "x",   "lwo", "lws",   "irr", "irrmesh"})
+        if (format == rule) return true;
+    return false;
+}
+
+int up_axis_of(const aiScene& scene, std::string_view format, AssimpHeader& header) {
     int axis = 0;
-    if (scene.mMetaData && scene.mMetaData->Get("UpAxis", axis) && (axis == 1 || axis == 2)) return axis;
+    header.names_up = has_up(format);
+    if (scene.mMetaData && scene.mMetaData->Get("UpAxis", axis) && axis >= 0 && axis <= 2) {
+        header.names_up = 1;
+        return axis;
+    }
     for (const std::string_view z : {"3mf", "amf", "raw"})
         if (format == z) return 2;
     return 1;
@@ -159,6 +173,20 @@ void send_sides(const aiScene& scene, const std::vector<Instance>& instances, co
         const auto triangles = static_cast<std::size_t>(std::count_if(faces.begin(), faces.end(), is_triangle));
         const std::vector<std::uint8_t> sides(triangles, is_two_sided(scene, *instance.mesh));
         send(sides.data(), sides.size());
+    }
+}
+
+void send_objects(const std::vector<Instance>& instances, const ChildProcess::Send& send) {
+    for (std::size_t i = 0; i < instances.size();) {
+        AssimpObject object;
+        const aiNode* const node = instances[i].node;
+        const aiString& name = node->mName.length > 0 ? node->mName : instances[i].mesh->mName;
+        copy({name.C_Str(), name.length}, object.name);
+        for (; i < instances.size() && instances[i].node == node; ++i) {
+            const std::span<const aiFace> faces(instances[i].mesh->mFaces, instances[i].mesh->mNumFaces);
+            object.triangles += static_cast<std::uint64_t>(std::count_if(faces.begin(), faces.end(), is_triangle));
+        }
+        send(&object, sizeof object);
     }
 }
 
@@ -217,9 +245,11 @@ void read_with_assimp(const std::string& path, const ChildProcess::Send& send) {
         return send(&header, sizeof header);
     }
     copy(format, header.text);
-    header.up_axis = static_cast<std::uint8_t>(up_axis_of(*scene, format));
+    header.up_axis = static_cast<std::uint8_t>(up_axis_of(*scene, format, header));
     const std::vector<Instance> instances = instances_of(*scene, format, header);
     for (const Instance& instance : instances) header.any_two_sided |= is_two_sided(*scene, *instance.mesh);
+    for (std::size_t i = 0; i < instances.size(); ++i)
+        header.objects += i == 0 || instances[i].node != instances[i - 1].node;
     check_faces(instances, header);
     // What Assimp's readers of other formats make nothing of is more likely another kind of file.
     if (header.triangles == 0 && !header.failed && !is_empty && format != "gltf")
@@ -228,6 +258,7 @@ void read_with_assimp(const std::string& path, const ChildProcess::Send& send) {
     if (header.failed) return;
     send_triangles(instances, send);
     if (header.any_two_sided) send_sides(*scene, instances, send);
+    if (header.objects > 1) send_objects(instances, send);
 }
 
 }  // namespace sightline

@@ -16,6 +16,7 @@
 #include "core/base/text.h"
 #include "core/scene/read/assimp_reader.h"
 #include "core/scene/read/file_kind.h"
+#include "core/scene/read/read_gltf.h"
 #include "core/scene/read/read_obj.h"
 #include "core/scene/read/read_off.h"
 #include "core/scene/read/read_ply.h"
@@ -82,6 +83,12 @@ void check_ending(const std::string& path, const std::string& name, const std::s
     throw input_error(name, place, with_kind(what, path) + "; supported: " + mesh_endings());
 }
 
+bool is_gltf(const std::string& path) {
+    for (const std::string_view ending : {".gltf", ".glb", ".vrm"})
+        if (ending_of(path) == ending) return true;
+    return false;
+}
+
 struct OwnFormat {
     std::string_view ending;
     ParsedMesh (*read)(std::string_view bytes, const ShareDone& progress);
@@ -138,7 +145,9 @@ ImportedFile import_own(const OwnFormat& format, const std::string& path, const 
     for (const std::string& warning : mesh.warnings)
         scene.warnings.push_back((place.empty() ? "" : place + ": ") + one_line(warning));
     if (mesh.single_precision) warn_of_steps(scene, before, place);
-    return {std::string(format.ending.substr(1)), format.up_axis, {}};
+    ImportedFile file{std::string(format.ending.substr(1)), format.up_axis, {}};
+    file.names_up = false;
+    return file;
 }
 
 ImportedFile import_with_assimp(const std::string& path, const std::string& name, const std::string& place,
@@ -175,10 +184,21 @@ ImportedFile import_with_assimp(const std::string& path, const std::string& name
     }
     if (header.any_two_sided || !scene.two_sided.empty()) scene.two_sided.resize(scene.primitives.size());
     if (header.any_two_sided) receive(&scene.two_sided[before], header.triangles);
+    if (header.objects > 1) {
+        scene.objects.of.resize(before);
+        for (std::uint64_t i = 0; i < header.objects; ++i) {
+            AssimpObject object;
+            receive(&object, sizeof object);
+            scene.objects.of.resize(scene.objects.of.size() + object.triangles,
+                                    static_cast<std::uint32_t>(scene.objects.names.size()));
+            scene.objects.names.emplace_back(object.name);
+        }
+    }
 
     warn_of_steps(scene, before, place);
     if (header.warning[0]) scene.warnings.push_back((place.empty() ? "" : place + ": ") + one_line(header.warning));
     ImportedFile file{header.text, header.up_axis, {}};
+    file.names_up = header.names_up;
     if (header.has_camera) file.camera = header.camera;
     return file;
 }
@@ -190,6 +210,10 @@ ImportedFile import_mesh(const std::string& path, const std::string& name, const
     check_ending(path, name, place);
     for (const OwnFormat& format : own_formats)
         if (ending_of(path) == format.ending) return import_own(format, path, name, place, scene, progress);
+    if (is_gltf(path)) {
+        progress(0.1);
+        if (std::optional<ImportedFile> file = read_gltf(path, name, place, scene)) return *std::move(file);
+    }
     return import_with_assimp(path, name, place, scene, progress);
 }
 

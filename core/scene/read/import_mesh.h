@@ -12,9 +12,11 @@ namespace sightline {
 
 /// What a file says beside its triangles.
 struct ImportedFile {
-    std::string format;                 ///< "obj"; Assimp's first ending for the reader that took it: "gltf"
-    int up_axis = 2;                    ///< see below
-    std::optional<ViewSpec<3>> camera;  ///< the first camera; look_at one unit ahead
+    std::string format;                  ///< "obj"; Assimp's first ending for the reader that took it: "3ds"
+    int up_axis = 2;                     ///< see below
+    std::optional<ViewSpec<3>> camera;   ///< the first camera; look_at one unit ahead
+    std::vector<FlightPath<3>> paths{};  ///< of its cameras, in the file's coordinates
+    bool names_up = true;                ///< the format, or the file, says which axis points up
 };
 
 /// Appends the triangles of a file to `scene`, in the file's coordinates as doubles, not cleaned, with the transforms
@@ -27,9 +29,11 @@ struct ImportedFile {
 /// The axis that points up is what the file says (FBX) or: z for PLY, STL, OFF, 3MF, AMF and RAW, which have no rule or
 /// whose rule is z; y for all others: OBJ's custom, glTF's rule, and Assimp turns the rest to y.
 ///
-/// scene.objects grows by what the file names; where it names none it is left as it is.
+/// scene.objects grows by what the file names: the nodes of glTF, the objects of OBJ and STL, and the nodes of other
+/// formats where there are two at least; where it names none it is left as it is.
 ///
-/// Assimp runs in a process of its own: bad files make it crash, and its memory is free when this returns.
+/// glTF 2 is read by read_gltf(), what Assimp reads, which runs in a process of its own: bad files make it crash, and
+/// its memory is free when this returns.
 /// JoinIdenticalVertices is not asked for: a soup has no use for it, and it would double the memory and triple the
 /// time. `progress` takes a share in [0, 1], estimated from the file's size (Assimp says little).
 ///

@@ -10,6 +10,7 @@
 #include "core/scene/read/file_kind.h"
 #include "core/scene/read/file_objects.h"
 #include "core/scene/read/import_mesh.h"
+#include "core/scene/up_axis.h"
 
 namespace sightline {
 
@@ -74,7 +75,7 @@ Scene<3> read_meshes(std::span<const std::string> paths, const std::string& name
     Scene<3> scene;
     scene.id = scene.title = name;
     std::optional<ViewSpec<3>> camera;
-    bool any = false, axes_differ = false;
+    bool any = false, axes_differ = false, names_up = true;
     std::string first_failure;
     for (std::size_t k = 0; k < files.size(); ++k) {
         const MeshFile& mesh = files[k];
@@ -88,7 +89,9 @@ Scene<3> read_meshes(std::span<const std::string> paths, const std::string& name
                 scene.source = file.format;
                 scene.up_axis = file.up_axis;
             }
+            names_up = names_up && file.names_up;
             name_file_objects(scene, names_before, files.size() > 1 ? label(mesh) : "");
+            scene.paths.insert(scene.paths.end(), file.paths.begin(), file.paths.end());
             axes_differ = axes_differ || file.up_axis != scene.up_axis;
             if (!camera) camera = file.camera;
             any = true;
@@ -101,11 +104,14 @@ Scene<3> read_meshes(std::span<const std::string> paths, const std::string& name
         }
     }
     if (!any) throw input_error(name, "", "none of its files can be read; the first error is " + first_failure);
-    if (axes_differ)
+    if (axes_differ && (options.up == Up::automatic || options.up == Up::format))
         scene.warnings.push_back("the files disagree on which axis points up; that of the first file is used");
     if (options.two_sided) scene.two_sided.assign(scene.primitives.size(), 1);
     scene.start_view = camera;  // which moves with the triangles
     clean(scene, Recentre::yes, name, options.progress);
+    for (FlightPath<3>& path : scene.paths) path.origin = scene.origin;
+    turn_up(scene, options.up, names_up);
+    if (!options.choose_view) return scene;
     report(options.progress, "choosing a view", 0);
     scene.start_view = default_view(scene.primitives, scene.up_axis, scene.two_sided, scene.start_view);
     report(options.progress, "choosing a view", 1);
