@@ -61,12 +61,13 @@ TEST(ReadObj, NumbersAreDoubles) {
 
 TEST(ReadObj, FarModelsKeepTheirDetail) {
     const Scene<3> scene = read_bytes("far.obj",
-                                      "v 1800216.1 5200112.2 0\nv 1800216.3 5200112.2 0\nv 1800216.2 5200112.5 0.1\n"
-                                      "f 1 2 3\n");
+                                      "v 1800216.1 5200112.2 900000\nv 1800216.3 5200112.2 900000\n"
+                                      "v 1800216.2 5200112.5 900000.1\nf 1 2 3\n");
     EXPECT_TRUE(scene.warnings.empty());
-    const Box<3> box = bounds<3>(scene.primitives);
-    EXPECT_NEAR(box.extent().x, 0.2, 1e-6);
-    EXPECT_NEAR(box.extent().y, 0.3, 1e-6);
+    const Vec<3> size = bounds<3>(scene.primitives).extent();
+    EXPECT_NEAR(size.x, 0.2, 1e-6);
+    EXPECT_NEAR(size.y, 0.3, 1e-6);
+    EXPECT_NEAR(size.z, 0.1, 1e-6);
 }
 
 TEST(ReadObj, GroupsAreObjectsUnlessThereAreObjects) {
