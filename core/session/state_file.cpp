@@ -188,7 +188,6 @@ void read_breakpoints(const Json& json, Session<D>& session) {
 
 Settings settings_of_state(const Json& json) {
     Settings settings;
-    settings.up = Up::format;  // files from before the setting say nothing, and meant this
     for (const auto& [field, value] : json.items()) apply_setting(settings, field + "=" + value.get<std::string>());
     return settings;
 }
@@ -203,7 +202,9 @@ OpenedState<D> read_state(const Json& json, const std::string& name, std::span<c
     if (const int dimension = json.value("dimension", 2); dimension != D)
         throw InputError("the state is one of " + std::to_string(dimension) + "D: open it with viewer" +
                          std::to_string(dimension) + "d");
-    const Settings settings = settings_of_state(json.at("settings"));
+    Settings settings = settings_of_state(json.at("settings"));
+    // Files from before the setting say nothing, and meant this.
+    if (D == 3 && !json.at("settings").contains("up")) settings.up = Up::format;
     if (!shared || json.contains("scene"))
         shared =
             std::make_shared<const Scene<D>>(read_scene<D>(json.at("scene"), name, read_options(settings, progress)));

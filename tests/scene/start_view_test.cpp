@@ -24,7 +24,7 @@ void add_box(test::Mesh& mesh, const Vec<3>& low, const Vec<3>& high, bool insid
     }
 }
 
-Scene<3> read(const test::Mesh& mesh, Up up = Up::automatic) {
+Scene<3> as_obj(const test::Mesh& mesh, Up up = Up::automatic) {
     const TemporaryFile file("x.obj", test::obj_of(mesh));
     return load_scene<3>(file.path(), {.up = up});
 }
@@ -47,7 +47,7 @@ TEST(StartView, ShowsTheWholeOfABoxOfAnyShape) {
             SCOPED_TRACE(testing::Message() << size.x << " " << size.y << " " << size.z << " up " << int(up));
             test::Mesh mesh;
             add_box(mesh, Vec<3>(0), size);
-            expect_all_in_sight(read(mesh, up));
+            expect_all_in_sight(as_obj(mesh, up));
         }
 }
 
@@ -57,7 +57,7 @@ TEST(StartView, StandsOutsideASolidWithAGroove) {
     add_box(mesh, Vec<3>(0, 0, 0), Vec<3>(20, 18, 20));
     add_box(mesh, Vec<3>(0, 18, 0), Vec<3>(9, 20, 20));
     add_box(mesh, Vec<3>(11, 18, 0), Vec<3>(20, 20, 20));
-    expect_all_in_sight(read(mesh));
+    expect_all_in_sight(as_obj(mesh));
 }
 
 TEST(StartView, StandsInsideARoomOfSolidWallsAndOneOfFronts) {
@@ -72,7 +72,7 @@ TEST(StartView, StandsInsideARoomOfSolidWallsAndOneOfFronts) {
     test::Mesh shell;
     add_box(shell, Vec<3>(0, 0, 0), Vec<3>(20, 5, 20), true);
     for (const test::Mesh& mesh : {solid, shell}) {
-        const Vec<3> eye = read(mesh).start_view->eye;
+        const Vec<3> eye = as_obj(mesh).start_view->eye;
         EXPECT_TRUE(eye.x > 0 && eye.x < 20 && eye.y > 0 && eye.y < 5 && eye.z > 0 && eye.z < 20)
             << eye.x << " " << eye.y << " " << eye.z;
     }
@@ -89,11 +89,11 @@ test::Mesh town(const Vec<3>& place) {
 }
 
 TEST(Up, IsGuessedWhereTheFormatDoesNotSay) {
-    Scene<3> scene = read(town(Vec<3>(84000, 447000, 0)));
+    Scene<3> scene = as_obj(town(Vec<3>(84000, 447000, 0)));
     EXPECT_EQ(scene.up_axis, 2);
     ASSERT_EQ(scene.warnings.size(), 1u);
     EXPECT_EQ(scene.warnings[0], "up is taken as z: the model lies far from zero in x and y only; --up y changes it");
-    scene = read(town(Vec<3>(0)));
+    scene = as_obj(town(Vec<3>(0)));
     EXPECT_EQ(scene.up_axis, 2);
     ASSERT_EQ(scene.warnings.size(), 1u);
     EXPECT_EQ(scene.warnings[0],
@@ -103,18 +103,18 @@ TEST(Up, IsGuessedWhereTheFormatDoesNotSay) {
     // The same with y up, as OBJ has it by custom: no word.
     test::Mesh turned = town(Vec<3>(0));
     for (Vec<3>& p : turned.points) p = Vec<3>(p.y, p.z, p.x);
-    scene = read(turned);
+    scene = as_obj(turned);
     EXPECT_EQ(scene.up_axis, 1);
     EXPECT_TRUE(scene.warnings.empty());
     // A tower: its extent is longest upwards.
     test::Mesh tower;
     add_box(tower, Vec<3>(0), Vec<3>(205, 169, 153));
-    EXPECT_EQ(read(tower).up_axis, 1);
+    EXPECT_EQ(as_obj(tower).up_axis, 1);
 }
 
 TEST(Up, IsWhatAPersonAsksFor) {
     for (const auto& [up, axis] : {std::pair{Up::x, 0}, {Up::y, 1}, {Up::z, 2}, {Up::format, 1}}) {
-        const Scene<3> scene = read(town(Vec<3>(0)), up);
+        const Scene<3> scene = as_obj(town(Vec<3>(0)), up);
         EXPECT_EQ(scene.up_axis, axis);
         EXPECT_TRUE(scene.warnings.empty());
     }

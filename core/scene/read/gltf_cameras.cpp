@@ -7,6 +7,7 @@
 #include "core/base/index.h"
 #include "core/base/text.h"
 #include "core/base/trig.h"
+#include "core/scene/read/gltf_document.h"
 #include "core/scene/read/gltf_nodes.h"
 
 namespace sightline {

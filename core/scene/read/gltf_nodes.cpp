@@ -7,6 +7,7 @@
 #include <glm/mat3x3.hpp>
 
 #include "core/base/index.h"
+#include "core/scene/read/gltf_document.h"
 
 namespace sightline {
 

@@ -4,13 +4,15 @@
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/scene/flight_path.h"
-#include "core/scene/read/gltf_document.h"
 
 namespace sightline {
+
+class GltfDocument;
 
 /// What places a node in its parent: a matrix, or these three.
 struct GltfPlace {

@@ -6,8 +6,9 @@
 //    "origin": [x, y],
 //    "objects": {"names": ["wall", …], "of": [0, 0, …]}}
 // format, version, dimension and segments are required. Coordinates are taken as they are, never recentred; origin
-// (default 0) only says what was subtracted earlier. objects names groups of segments: of has a number for each. fov is
-// in degrees and defaults to 60. SPDX-License-Identifier: GPL-3.0-or-later
+// (default 0) only says what was subtracted earlier. fov is in degrees and defaults to 60. objects names groups of
+// segments: "of" has the number of a name for each.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <string>
