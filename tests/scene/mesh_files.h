@@ -210,7 +210,7 @@ inline std::vector<Primitive<3>> in_file(const Scene<3>& scene) {
 }
 
 /// A pyramid on a square of 2 by 2, 3 high along y, fronts outside.
-inline Mesh pyramid() {
+inline Mesh pyramid_mesh() {
     return {{Vec<3>(0), Vec<3>(2, 0, 0), Vec<3>(2, 0, 2), Vec<3>(0, 0, 2), Vec<3>(1, 3, 1)},
             {{0, 1, 2}, {0, 2, 3}, {0, 4, 1}, {1, 4, 2}, {2, 4, 3}, {3, 4, 0}}};
 }

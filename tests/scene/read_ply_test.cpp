@@ -30,7 +30,7 @@ std::string bytes_of_number(T value, bool big) {
 }
 
 TEST(ReadPly, BothByteOrdersAllTypesAndPropertiesInAnyOrder) {
-    const test::Mesh pyramid = test::pyramid();
+    const test::Mesh pyramid = test::pyramid_mesh();
     for (const bool big : {false, true}) {
         std::string file = ply_header_of(big ? "binary_big_endian" : "binary_little_endian",
                                          "comment element face 99\nobj_info x\nelement camera 1\nproperty double a\n"
@@ -102,7 +102,7 @@ TEST(ReadPly, TriangleStrips) {
 }
 
 TEST(ReadPly, FarDoublesKeepTheirDetailAndFarFloatsSaySo) {
-    test::Mesh mesh = test::pyramid();
+    test::Mesh mesh = test::pyramid_mesh();
     for (Vec<3>& p : mesh.points) p = Vec<3>(1800216.1 + p.x / 10, 5200112.2 + p.y / 10, p.z / 10);
     std::string file = ply_header_of("binary_little_endian",
                                      "element vertex 5\nproperty double x\nproperty double y\nproperty double z\n"

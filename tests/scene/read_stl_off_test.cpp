@@ -19,7 +19,7 @@ std::string facet(const Primitive<3>& t, bool normal) {
 
 std::string solid(const std::string& name, bool normal = true) {
     std::string text = "solid " + name + "\n";
-    for (const Primitive<3>& t : test::triangles_of(test::pyramid())) text += facet(t, normal);
+    for (const Primitive<3>& t : test::triangles_of(test::pyramid_mesh())) text += facet(t, normal);
     return text + "endsolid " + name + "\n";
 }
 
@@ -35,7 +35,7 @@ std::string on_one_line(std::string text) {
 }
 
 TEST(ReadStl, TextInAnyForm) {
-    const std::vector<Primitive<3>> pyramid = test::triangles_of(test::pyramid());
+    const std::vector<Primitive<3>> pyramid = test::triangles_of(test::pyramid_mesh());
     std::string nan = solid("a");
     for (std::size_t at = 0; (at = nan.find("0 0 0\n", at)) != nan.npos && nan[at - 2] == 'l'; ++at)
         nan.replace(at, 5, "nan -nan(ind) 1.#QNAN");
@@ -61,8 +61,8 @@ TEST(ReadStl, TextInAnyForm) {
 }
 
 TEST(ReadStl, BinaryThatIsLongerOrShorterThanItSays) {
-    const std::string file = test::stl_of(test::pyramid(), true);
-    const std::vector<Primitive<3>> pyramid = test::triangles_of(test::pyramid());
+    const std::string file = test::stl_of(test::pyramid_mesh(), true);
+    const std::vector<Primitive<3>> pyramid = test::triangles_of(test::pyramid_mesh());
     EXPECT_EQ(read_stl(file, {}).triangles, pyramid);
     EXPECT_EQ(read_stl("solid" + file.substr(5), {}).triangles, pyramid);
     ParsedMesh mesh = read_stl(file + "trailing notes of the exporter", {});
@@ -99,13 +99,13 @@ TEST(ReadStl, SaysWhatIsWrong) {
 
 std::string off_faces() {
     std::string text;
-    for (const auto& f : test::pyramid().faces) text += "3 " + test::words(f, 0) + "\n";
+    for (const auto& f : test::pyramid_mesh().faces) text += "3 " + test::words(f, 0) + "\n";
     return text;
 }
 
 std::string off_points(const std::string& more = "") {
     std::string text;
-    for (const Vec<3>& p : test::pyramid().points) text += test::words(p) + more + "\n";
+    for (const Vec<3>& p : test::pyramid_mesh().points) text += test::words(p) + more + "\n";
     return text;
 }
 
@@ -121,7 +121,7 @@ TEST(ReadOff, TextInAnyForm) {
           "\xef\xbb\xbfOFF\r\n5 6 0\r\n" + off_points() + off_faces()}) {
         SCOPED_TRACE(text);
         const ParsedMesh mesh = read_off(text, {});
-        EXPECT_EQ(mesh.triangles, test::triangles_of(test::pyramid()));
+        EXPECT_EQ(mesh.triangles, test::triangles_of(test::pyramid_mesh()));
         EXPECT_TRUE(mesh.warnings.empty());
     }
     const ParsedMesh coloured = read_off("OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3 255 0 0\n2 0 1 7\n", {});

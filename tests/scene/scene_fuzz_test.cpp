@@ -81,19 +81,19 @@ TEST(SceneFuzz, BinaryPly) {
     std::string big = test::ply_of(test::cube(), true);
     big.replace(big.find("little"), 6, "big");
     big.replace(big.find("face 12"), 7, "face 0 ");
-    run(fuzz::fuzz_ply, {test::ply_of(test::cube(), true), test::ply_of(test::pyramid(), true), big}, true);
+    run(fuzz::fuzz_ply, {test::ply_of(test::cube(), true), test::ply_of(test::pyramid_mesh(), true), big}, true);
 }
 
-TEST(SceneFuzz, Stl) { run(fuzz::fuzz_stl, {test::stl_of(test::pyramid(), false)}, false); }
+TEST(SceneFuzz, Stl) { run(fuzz::fuzz_stl, {test::stl_of(test::pyramid_mesh(), false)}, false); }
 
 TEST(SceneFuzz, BinaryStl) {
-    run(fuzz::fuzz_stl, {test::stl_of(test::pyramid(), true), "solid" + test::stl_of(test::cube(), true).substr(5)},
-        true);
+    run(fuzz::fuzz_stl,
+        {test::stl_of(test::pyramid_mesh(), true), "solid" + test::stl_of(test::cube(), true).substr(5)}, true);
 }
 
 TEST(SceneFuzz, Off) {
     run(fuzz::fuzz_off,
-        {test::off_of(test::pyramid()),
+        {test::off_of(test::pyramid_mesh()),
          "COFF # x\n4 2\n0 0 0 1 1 1 1\n4 0 0 1 1 1 1\n1 1 0 0 0 0 1\n0 4 0 0 0 0 1\n"
          "4 0 1 2 3 255 0 0\n3 0 1 2\n"},
         false);
@@ -101,7 +101,7 @@ TEST(SceneFuzz, Off) {
 
 /// Through a process of its own: whatever happens there ends in a scene or in one line.
 TEST(SceneFuzz, Assimp) {
-    const std::string seeds[] = {test::dae_of(test::cube()), test::dae_of(test::pyramid())};
+    const std::string seeds[] = {test::dae_of(test::cube()), test::dae_of(test::pyramid_mesh())};
     Random random(2026);
     std::size_t read = 0;
     const auto count = static_cast<std::size_t>(test::soak_count(100));

@@ -414,7 +414,7 @@ TEST(SceneMesh, SaysWhatIsWrong) {
 }
 
 TEST(SceneMesh, SaysWhereFloatsAreTooCoarse) {
-    test::Mesh mesh = test::pyramid();
+    test::Mesh mesh = test::pyramid_mesh();
     EXPECT_TRUE(test::read_bytes("near.dae", test::dae_of(mesh)).warnings.empty());
     for (Vec<3>& p : mesh.points) p = Vec<3>(1800216.1 + p.x / 10, 5200112.2 + p.y / 10, p.z / 10);
     EXPECT_EQ(

@@ -119,7 +119,7 @@ private:
 
 }  // namespace
 
-std::size_t size_of(PlyType type) {
+std::size_t bytes_of_type(PlyType type) {
     switch (type) {
         case PlyType::int8:
         case PlyType::uint8:

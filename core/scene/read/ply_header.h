@@ -12,7 +12,7 @@ namespace sightline {
 enum class PlyType : std::uint8_t { int8, uint8, int16, uint16, int32, uint32, int64, uint64, float32, float64 };
 enum class PlyFormat : std::uint8_t { text, little_endian, big_endian };
 
-std::size_t size_of(PlyType type);
+std::size_t bytes_of_type(PlyType type);
 
 struct PlyProperty {
     std::string name;

@@ -88,11 +88,11 @@ public:
         }
     }
     void skip(PlyType type, std::uint64_t values) {
-        if (values > left() / size_of(type)) throw PlyEnds();
-        at_ += values * size_of(type);
+        if (values > left() / bytes_of_type(type)) throw PlyEnds();
+        at_ += values * bytes_of_type(type);
     }
     void end_row() {}
-    std::uint64_t bytes(std::uint64_t values, PlyType type) const { return values * size_of(type); }
+    std::uint64_t bytes(std::uint64_t values, PlyType type) const { return values * bytes_of_type(type); }
     std::uint64_t left() const { return file_.size() - at_; }
     std::size_t at() const { return at_; }
     void go_to(std::size_t at) { at_ = at; }
