@@ -112,9 +112,12 @@ TEST(Structure, AssimpStaysBehindTheReaders) {
 }
 
 TEST(Structure, JsonStaysOutOfHeaders) {
-    // Two headers are for .cpp files only.
-    const std::array<std::string, 2> inner{"core/base/json_input.h", "core/scene/read/parsed_scene.h"};
-    const auto is_inner = [&](const std::string& path) { return path == inner[0] || path == inner[1]; };
+    // Three headers are for .cpp files only.
+    const std::array<std::string, 3> inner{"core/base/json_input.h", "core/scene/read/parsed_scene.h",
+                                           "core/scene/read/gltf_document.h"};
+    const auto is_inner = [&](const std::string& path) {
+        return std::find(inner.begin(), inner.end(), path) != inner.end();
+    };
     for (const Source& source : sources()) {
         if (!is_header(source) || in(source, "tests") || is_inner(source.path)) continue;
         for (const std::string& include : source.includes)

@@ -67,7 +67,8 @@ void send_all(int to, const void* bytes, std::size_t size) {
 
 }  // namespace
 
-ChildProcess::ChildProcess(const std::function<void(const Send&)>& work, double seconds, double bytes) {
+ChildProcess::ChildProcess(const std::function<void(const Send&)>& work, double seconds, double bytes)
+    : most_waiting_(4 * seconds) {
     int ends[2];
     if (pipe2(ends, O_CLOEXEC) != 0) throw WorkError(std::string("cannot create a pipe: ") + std::strerror(errno));
     process_ = fork();
@@ -96,8 +97,13 @@ ChildProcess::~ChildProcess() {
 bool ChildProcess::read(void* bytes, std::size_t size, const std::function<void()>& tick) {
     for (char* at = static_cast<char*>(bytes); size > 0;) {
         pollfd ready{from_child_, POLLIN, 0};
-        const int events = poll(&ready, 1, 100);
-        if (events == 0) tick();
+        constexpr int milliseconds = 100;
+        const int events = poll(&ready, 1, milliseconds);
+        if (events == 0) {
+            waited_ += milliseconds / 1000.0;
+            if (waited_ > most_waiting_) return false;
+            tick();
+        }
         if (events <= 0) continue;
         const ssize_t got = ::read(from_child_, at, size);
         if (got < 0 && errno == EINTR) continue;
@@ -110,9 +116,12 @@ bool ChildProcess::read(void* bytes, std::size_t size, const std::function<void(
 
 std::string ChildProcess::end() {
     int status = 0;
+    const bool too_long = waited_ > most_waiting_;
+    if (too_long) kill(process_, SIGKILL);
     while (waitpid(process_, &status, 0) < 0 && errno == EINTR) {
     }
     process_ = -1;
+    if (too_long) return "did not finish in time";
     if (WIFSIGNALED(status)) {
         if (WTERMSIG(status) == SIGXCPU) return "did not finish in time";
         return WTERMSIG(status) == SIGKILL ? "was killed (too little memory?)"

@@ -45,9 +45,9 @@ ViewSpec<2> default_view(const std::vector<Primitive<2>>& segments);
 /// A view for triangles that come without one, found by casting some ten thousand rays; `two_sided` as in Scene. Tried
 /// are
 ///  - the camera, if given; it is taken when it sees the front of a triangle;
-///  - outside: from 8 directions and 5 heights toward the centre. Taken for objects: scenes that show their fronts to
-///  the
-///    outside and leave a tenth of their footprint empty;
+///  - outside: from 8 directions and 5 heights toward the centre, the box whole in a picture of 4:3. Taken for objects:
+///    scenes that show their fronts to the outside and leave a tenth of their footprint empty, or are solids: fronts to
+///    all sides, from below too, and no floors with a roof in more than two thirds of the footprint;
 ///  - inside: eyes at half the usual room height (a hundredth of the longest side where there are no rooms) above up to
 ///    64 surfaces that face up and have that much air, found by 12 x 12 vertical rays, in 32 directions each, level;
 ///    not where more than a fifth of the rays that go down leave the scene.

@@ -17,6 +17,7 @@ constexpr std::array elevations{-25.0, -15.0, -7.0, 0.0, 7.0, 15.0, 25.0};  ///<
 constexpr std::size_t width = 7;                                            ///< columns in a view, about 75 degrees
 constexpr std::size_t per_side = 12;  ///< places along a side where floors are sought
 constexpr std::size_t most_eyes = 64;
+constexpr double least_room = 0.01;  ///< height of rooms, as a share of the scene's longest side
 
 struct Looker {
     const RayTree& tree;
@@ -33,9 +34,8 @@ struct Looker {
         d[(up + 2) % 3] = e.cos * a.sin;
         return d;
     }
-    bool shows_front(const RayTree::Hit& hit) const {
-        return hit.front || (!two_sided.empty() && two_sided[hit.triangle]);
-    }
+    bool is_two_sided(const RayTree::Hit& hit) const { return !two_sided.empty() && two_sided[hit.triangle]; }
+    bool shows_front(const RayTree::Hit& hit) const { return hit.front || is_two_sided(hit); }
 };
 
 enum class Sky { counts, is_free };
@@ -102,6 +102,7 @@ struct Floor {
 struct Ground {
     std::vector<Floor> floors;  ///< surfaces that face up
     double covered = 0;         ///< share of the footprint that has anything above it
+    double roofed = 0;          ///< share of the footprint with a floor that something covers with room to stand
 };
 
 /// From a grid of vertical rays.
@@ -118,6 +119,7 @@ Ground find_ground(const Looker& looker, const Box<3>& box, const std::vector<Pr
             from[b] = box.min[b] + box.extent()[b] * (static_cast<double>(j) + 0.5379) / per_side;
             from[looker.up] += looker.side;
             double above = -std::numeric_limits<double>::infinity(), after = 0;
+            bool roofed = false, in_solid = false;
             for (int layer = 0; layer < 24; ++layer) {
                 const RayTree::Hit hit = looker.tree.cast(from, down, after);
                 if (!hit.any()) break;
@@ -125,11 +127,15 @@ Ground find_ground(const Looker& looker, const Box<3>& box, const std::vector<Pr
                 const Primitive<3>& t = triangles[hit.triangle];
                 const Vec<3> normal = glm::cross(t[1] - t[0], t[2] - t[0]);
                 const bool flat = std::abs(normal[looker.up]) > 0.9 * std::sqrt(glm::dot(normal, normal));
-                if (flat && looker.shows_front(hit))
+                if (flat && looker.shows_front(hit)) {
                     ground.floors.push_back({from + down * hit.distance, hit.distance - above});
+                    roofed |= layer > 0 && !in_solid && hit.distance - above > least_room * looker.side;
+                }
                 above = hit.distance;
+                in_solid = hit.front && !looker.is_two_sided(hit);
                 after = hit.distance + 1e-5 * looker.side;
             }
+            ground.roofed += roofed ? 1.0 / (per_side * per_side) : 0;
         }
     return ground;
 }
@@ -184,38 +190,69 @@ Choice best_inside(const Looker& looker, std::vector<Floor> found) {
 
 // --------------------------------------------------------------------- outside
 
-std::vector<RayTree::Hit> hits_of(const Looker& looker, const ViewSpec<3>& view) {
-    // The frame of make_view(), but any two directions across do.
-    const Vec<3> ahead = view.look_at - view.eye;
+struct Frame {
+    Vec<3> forward, right, top;
+    double tangent;  ///< of half the height
+};
+
+/// That of make_view(), but any two directions across do.
+Frame frame_of(const Looker& looker, const Vec<3>& ahead, double degrees) {
     const Vec<3> forward = ahead / std::sqrt(glm::dot(ahead, ahead));
     Vec<3> up(0);
     up[std::abs(forward[looker.up]) < 0.99 ? looker.up : (looker.up + 1) % 3] = 1;
     const Vec<3> across = glm::cross(forward, up), right = across / std::sqrt(glm::dot(across, across));
-    const Vec<3> top = glm::cross(right, forward);
-    const SinCos half = sincos_degrees(std::min(view.fov, 170.0) / 2);
-    const double tangent = half.sin / half.cos;
+    const SinCos half = sincos_degrees(std::min(degrees, 170.0) / 2);
+    return {forward, right, glm::cross(right, forward), half.sin / half.cos};
+}
+
+constexpr double aspect = 4.0 / 3;  // of the usual picture
+
+/// How far from its centre a box is seen whole, with a rim of a twentieth.
+double whole_from(const Frame& frame, const Box<3>& box) {
+    const Vec<3> extent = box.extent();
+    double distance = 0.6 * std::sqrt(glm::dot(extent, extent));  // not on a corner
+    for (int corner = 0; corner < 8; ++corner) {
+        Vec<3> d;
+        for (int i = 0; i < 3; ++i) d[i] = (corner >> i & 1 ? 0.5 : -0.5) * extent[i];
+        const double tall = std::abs(glm::dot(d, frame.top)), wide = std::abs(glm::dot(d, frame.right)) / aspect;
+        distance = std::max(distance, 1.05 * std::max(tall, wide) / frame.tangent - glm::dot(d, frame.forward));
+    }
+    return distance;
+}
+
+std::vector<RayTree::Hit> hits_of(const Looker& looker, const ViewSpec<3>& view) {
+    const auto [forward, right, top, tangent] = frame_of(looker, view.look_at - view.eye, view.fov);
     std::vector<RayTree::Hit> hits;
     for (int row = -4; row <= 4; ++row)
         for (int column = -6; column <= 6; ++column) {
-            const Vec<3> ray = forward + (column / 6.5 * 4 / 3 * tangent) * right + (row / 4.5 * tangent) * top;
+            const Vec<3> ray = forward + (column / 6.5 * aspect * tangent) * right + (row / 4.5 * tangent) * top;
             hits.push_back(looker.tree.cast(view.eye, ray / std::sqrt(glm::dot(ray, ray))));
         }
     return hits;
 }
 
-Choice best_outside(const Looker& looker, const Box<3>& box) {
+struct Outside {
     Choice best;
-    const Vec<3> extent = box.extent();
-    const double distance = 0.9 * std::sqrt(glm::dot(extent, extent));
+    std::size_t fronts = 0, backs = 0;  ///< of all hits, whatever is two-sided
+    /// It turns its fronts to all sides, from below too.
+    bool is_solid() const { return backs * 100 <= fronts; }
+};
+
+Outside best_outside(const Looker& looker, const Box<3>& box) {
+    Outside outside;
     for (const double elevation : {20.0, 40.0, -20.0, 89.0, -89.0})
         for (int k = 0; k < 8; ++k) {
             const Vec<3> away = looker.direction(45.0 * k + 30, elevation);
+            const double distance = whole_from(frame_of(looker, -away, fov), box);
             const ViewSpec<3> view{box.centre() + away * distance, box.centre(), fov};
+            const std::vector<RayTree::Hit> hits = hits_of(looker, view);
+            for (const RayTree::Hit& hit : hits)
+                if (hit.any()) ++(hit.front ? outside.fronts : outside.backs);
             // From above objects look best; from below and straight down is for what shows nothing else.
             const double worth = elevation == 20 ? 1 : elevation == 40 ? 0.9 : 0.5;
-            best.offer(worth * score(looker, hits_of(looker, view), 0, Sky::is_free), view);
+            outside.best.offer(worth * score(looker, hits, 0, Sky::is_free), view);
         }
-    return best;
+    return outside;
 }
 
 /// Face to face with the largest triangle.
@@ -253,8 +290,11 @@ ViewSpec<3> default_view(const std::vector<Primitive<3>>& triangles, int up_axis
         }
     }
     const Ground ground = find_ground(looker, box, triangles);
-    const Choice outside = best_outside(looker, box);
-    const bool is_object = ground.covered < 0.9 && outside.score > 0.2;
+    const Outside all_sides = best_outside(looker, box);
+    const Choice& outside = all_sides.best;
+    // A solid may fill its footprint, but nobody stands in it: where it has floors, these are under the sky.
+    const bool is_open = ground.covered < 0.9 || (all_sides.is_solid() && ground.roofed < 0.3);
+    const bool is_object = is_open && outside.score > 0.2;
     const Choice inside = is_object ? Choice{} : best_inside(looker, ground.floors);
     if (inside.score > 0 && inside.score >= outside.score / 2) return inside.view;
     if (outside.score > 0) return outside.view;

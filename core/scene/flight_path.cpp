@@ -4,6 +4,7 @@
 #include "core/base/json_input.h"
 #include "core/base/text.h"
 #include "core/scene/clean.h"
+#include "core/scene/flight_path_csv.h"
 
 namespace sightline {
 
@@ -69,6 +70,9 @@ std::string point_text(const Vec<D>& p) {
 
 template <int D>
 FlightPath<D> read_path(std::string_view text, const std::string& name) {
+    const std::size_t first = text.find_first_not_of(" \t\r\n\xef\xbb\xbf");
+    if (first != std::string_view::npos && text[first] != '{' && text[first] != '[')
+        return read_csv_path<D>(text, name);
     const Json root = parse_json(text, name);
     const JsonPlace top;
     if (!root.is_object()) throw input_error(name, "", std::string("expected an object, found ") + json_kind(root));

@@ -46,7 +46,8 @@ std::vector<std::size_t> spread_frames(std::size_t count, std::size_t wanted);
 
 /// One JSON object: {"format": "sightline-path", "version": 1, "dimension": 3, "id": "street", "scene": "city",
 /// "origin": [x, y, z], "frames": [{"eye": [x, y, z], "look_at": [x, y, z], "fov": 60}, …]}. Required are format,
-/// version, dimension and frames, of which there must be one at least. Throws InputError "name: place: reason".
+/// version, dimension and frames, of which there must be one at least. Text that is no JSON is read as a table, see
+/// flight_path_csv.h. Throws InputError "name: place: reason".
 template <int D>
 FlightPath<D> read_path(std::string_view text, const std::string& name);
 

@@ -87,8 +87,10 @@ RayTree::Hit RayTree::cast(const Vec<3>& from, const Vec<3>& direction, double a
     const auto least = static_cast<float>(after);
     float nearest = std::numeric_limits<float>::infinity();
     Hit hit;
-    // Where the ray enters a box; infinity when it misses it.
+    // Where the ray enters a box; infinity when it misses it, and for the boxes without triangles that fill up the last
+    // rows of the tree: their infinite sides would count as met.
     const auto entry = [&](const Bounds& box) {
+        if (box.min.x > box.max.x) return std::numeric_limits<float>::infinity();
         float in = least, out = nearest;
         for (int i = 0; i < 3; ++i) {
             const float low = (box.min[i] - origin[i]) * inverse[i], high = (box.max[i] - origin[i]) * inverse[i];

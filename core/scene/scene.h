@@ -43,7 +43,7 @@ struct Scene {
     /// which their corners turn counter-clockwise.
     std::vector<std::uint8_t> two_sided;
     Objects objects;      ///< that the file names; empty: none, see connected_parts()
-    int up_axis = D - 1;  ///< 3D: the axis that points up, 1 or 2
+    int up_axis = D - 1;  ///< 3D: the axis that points up
     Vec<D> origin{};      ///< added to a coordinate gives that of the file
     std::optional<ViewSpec<D>> start_view;
     std::vector<FlightPath<D>> paths;  ///< 3D: those that come with the scene

@@ -54,7 +54,8 @@ View<2> make_view(const ViewSpec<2>& spec) {
     check(spec);
     View<2> view{spec.eye, spec.look_at, spec.fov, spec.fov == 360, {}, {}};
     if (view.all_round) return view;
-    const SinCos half = sincos_degrees(spec.fov / 2);
+    // Of a right angle, the usual one, both are taken as 1: the corners are then exact on a grid of whole numbers.
+    const SinCos half = spec.fov == 90 ? SinCos{1, 1} : sincos_degrees(spec.fov / 2);
     const Vec<2> d = spec.look_at - spec.eye;
     view.corners[0] = spec.eye + Vec<2>(half.cos * d.x + half.sin * d.y, half.cos * d.y - half.sin * d.x);
     view.corners[1] = spec.eye + Vec<2>(half.cos * d.x - half.sin * d.y, half.cos * d.y + half.sin * d.x);
@@ -68,13 +69,13 @@ View<3> make_view(const ViewSpec<3>& spec, double aspect, int up_axis) {
     View<3> view{spec.eye, spec.look_at, spec.fov, false, {}, {}};
     const Vec<3> forward = view.forward();
     Vec<3> up_hint(0);
-    up_hint[std::abs(forward[up_axis]) < 0.999999 ? up_axis : 3 - up_axis] = 1;
+    up_hint[std::abs(forward[up_axis]) < 0.999999 ? up_axis : other_axis(up_axis)] = 1;
     const Vec<3> right =
         glm::cross(forward, up_hint) / std::sqrt(glm::dot(glm::cross(forward, up_hint), glm::cross(forward, up_hint)));
     const Vec<3> up = glm::cross(right, forward);
     const SinCos half = sincos_degrees(spec.fov / 2);
     const double distance = std::sqrt(glm::dot(spec.look_at - spec.eye, spec.look_at - spec.eye));
-    const double h = distance * half.sin / half.cos, w = h * aspect;
+    const double h = spec.fov == 90 ? distance : distance * half.sin / half.cos, w = h * aspect;
     const Vec<3> centre = spec.look_at;
     view.corners = {centre - right * w - up * h, centre + right * w - up * h, centre + right * w + up * h,
                     centre - right * w + up * h};

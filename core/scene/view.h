@@ -33,11 +33,15 @@ struct View {
     Vec<D> forward() const { return (look_at - eye) / std::sqrt(glm::dot(look_at - eye, look_at - eye)); }
 };
 
+/// What points up in a view along the axis that usually does.
+constexpr int other_axis(int up_axis) { return up_axis == 0 ? 2 : 3 - up_axis; }
+
 /// Builds the view. Throws InputError when a coordinate is not finite, when look_at coincides with the eye, when they
 /// are so far apart that the corners overflow (3D: 1e150 or more), or when fov is outside (0, 180); fov = 360 looks all
 /// round (2D only).
 View<2> make_view(const ViewSpec<2>& spec);
-/// As above; `aspect` is width / height of the image; up_axis (1 or 2) points up unless the view looks along it.
+/// As above; `aspect` is width / height of the image; up_axis points up unless the view looks along it:
+/// then other_axis() does.
 View<3> make_view(const ViewSpec<3>& spec, double aspect, int up_axis = 2);
 
 /// Whether the triangle turns its front to the eye: the side from which its corners turn counter-clockwise. Exact; one

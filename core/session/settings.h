@@ -8,6 +8,7 @@
 #include "core/base/image_size.h"
 #include "core/run/budget.h"
 #include "core/run/parameters.h"
+#include "core/scene/reading.h"
 #include "core/session/picture_settings.h"
 #include "core/space/tessellation.h"
 #include "core/truth/reference_by.h"
@@ -16,6 +17,8 @@ namespace sightline {
 
 struct Settings : TessellationSettings, PictureSettings {
     Switch two_sided = Switch::off;
+    Up up = Up::automatic;
+    Degrees degrees = Degrees::as_is;
     /// An id of the method table, or a variant: "published on_reenqueue=min". A session splits the variant up: its
     /// assignments go to `parameters`, and the id stays.
     std::string method = "published";

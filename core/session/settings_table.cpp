@@ -155,6 +155,12 @@ std::vector<SettingRow> own_rows() {
     return {
         choice<&S::two_sided>("two_sided", Invalidates::scene, "Doom WAD",
                               "also read the two-sided lines of a level, not only its solid walls"),
+        only_in(3, choice<&S::up>("up", Invalidates::scene, "docs/three-dimensions.md",
+                                  "the axis that points up: as the format says, else guessed (auto); by the format's "
+                                  "rule or custom (format); or this one")),
+        only_in(2, choice<&S::degrees>("degrees", Invalidates::scene, "RFC 7946",
+                                       "GeoJSON in degrees: taken as they are, or x scaled by the cosine of the "
+                                       "middle latitude")),
 
         choice<&S::tessellation>("tessellation", Invalidates::tessellation, "TVCG 4.3",
                                  "cells: Delaunay of the leaf centres, the leaves of the tree, or those of a kd-tree"),

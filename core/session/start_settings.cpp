@@ -18,6 +18,13 @@ Settings catalogue_settings(const std::string& name) {
     return settings;
 }
 
+LoadOptions read_options(const Settings& settings, const Progress& progress) {
+    return {.two_sided = settings.two_sided == Switch::on,
+            .progress = progress,
+            .up = settings.up,
+            .degrees = settings.degrees};
+}
+
 template Settings catalogue_settings<2>(const std::string&);
 template Settings catalogue_settings<3>(const std::string&);
 

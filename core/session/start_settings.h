@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "core/scene/read/load.h"
 #include "core/session/settings.h"
 
 namespace sightline {
@@ -11,5 +12,8 @@ namespace sightline {
 /// The catalogue row's settings, method and budget, or the defaults for a name that is not in the catalogue.
 template <int D>
 Settings catalogue_settings(const std::string& name);
+
+/// What the settings say of reading a scene.
+LoadOptions read_options(const Settings& settings, const Progress& progress = {});
 
 }  // namespace sightline

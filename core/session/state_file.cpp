@@ -6,11 +6,13 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
+#include "core/base/percent.h"
 #include "core/base/text.h"
 #include "core/scene/read/load.h"
 #include "core/scene/read/parsed_scene.h"
 #include "core/scene/read/read_json.h"
 #include "core/session/condition.h"
+#include "core/session/start_settings.h"
 
 namespace sightline {
 
@@ -144,7 +146,7 @@ Scene<2> embedded_scene(const Json& json, const std::string& name) {
 }
 
 template <int D>
-Scene<D> read_scene(const Json& json, const std::string& name, bool two_sided, const Progress& progress) {
+Scene<D> read_scene(const Json& json, const std::string& name, LoadOptions options) {
     Scene<D> scene;
     bool embedded = false;
     if constexpr (D == 2) embedded = json.contains("embedded");
@@ -154,13 +156,15 @@ Scene<D> read_scene(const Json& json, const std::string& name, bool two_sided, c
     } else {
         // A file that is not where it was may lie beside the state file.
         std::string file = json.value("name", json.at("id").get<std::string>());
+        if (json.contains("name_bytes")) file = percent_decoded(json.at("name_bytes").get<std::string>());
         const auto exists = [](const std::string& path) {
             std::error_code error;
             return std::filesystem::exists(path.substr(0, path.rfind('#')), error);
         };
         const std::string beside = (std::filesystem::path(name).parent_path() / file).string();
         if (!exists(file) && exists(beside)) file = beside;
-        scene = load_scene<D>(file, {.two_sided = two_sided, .progress = progress});
+        options.choose_view = false;  // the state has its own
+        scene = load_scene<D>(file, options);
     }
     if (hash_text(scene_hash(scene)) != json.at("hash").get<std::string>())
         throw InputError("scene '" + scene.id + "' is not the one the state was made with (its hash differs)");
@@ -198,10 +202,12 @@ OpenedState<D> read_state(const Json& json, const std::string& name, std::span<c
     if (const int dimension = json.value("dimension", 2); dimension != D)
         throw InputError("the state is one of " + std::to_string(dimension) + "D: open it with viewer" +
                          std::to_string(dimension) + "d");
-    const Settings settings = settings_of_state(json.at("settings"));
+    Settings settings = settings_of_state(json.at("settings"));
+    // Files from before the setting say nothing, and meant this.
+    if (D == 3 && !json.at("settings").contains("up")) settings.up = Up::format;
     if (!shared || json.contains("scene"))
-        shared = std::make_shared<const Scene<D>>(
-            read_scene<D>(json.at("scene"), name, settings.two_sided == Switch::on, progress));
+        shared =
+            std::make_shared<const Scene<D>>(read_scene<D>(json.at("scene"), name, read_options(settings, progress)));
     OpenedState<D> opened{
         Session<D>(std::move(shared), at_member(json, "view", read_view<D>), settings, methods, draw_ids, progress),
         {},
@@ -288,7 +294,10 @@ OrderedJson scene_part(const Scene<D>& scene) {
             json["embedded"] = OrderedJson::parse(embedded);
             return json;
         }
-    json["name"] = scene.name.empty() ? scene.id : scene.name;
+    const std::string& file = scene.name.empty() ? scene.id : scene.name;
+    json["name"] = file;
+    // Names of files are bytes, of which JSON keeps those that are text.
+    if (clean_text(file) != file) json["name_bytes"] = percent_encoded(file);
     return json;
 }
 
@@ -348,7 +357,9 @@ std::string state_json(const Session<D>& session, const FigureSpec& figure, cons
     json.update(session_part(session));
     if (other) {
         OrderedJson beside = head;
-        if (scene_hash(other->scene()) != scene_hash(session.scene())) beside["scene"] = scene_part(other->scene());
+        const Scene<D>&one = session.scene(), &two = other->scene();
+        if (scene_hash(one) != scene_hash(two) || one.up_axis != two.up_axis)
+            beside["scene"] = scene_part(other->scene());
         beside.update(session_part(*other));
         json["align"] = align_words[static_cast<std::size_t>(align)];
         json["other"] = std::move(beside);

@@ -45,7 +45,7 @@ Settings settings_of(const std::string& file, const Study& study) {
 
 template <int D>
 Scene<D> load(const std::string& file, const Settings& settings, const Progress& progress) {
-    return load_scene<D>(file, {.two_sided = settings.two_sided == Switch::on, .progress = progress});
+    return load_scene<D>(file, read_options(settings, progress));
 }
 
 }  // namespace

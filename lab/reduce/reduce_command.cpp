@@ -43,7 +43,8 @@ std::shared_ptr<const Scene<3>> written(const Scene<3>& scene, const fs::path& f
     const fs::path file = folder / "reduced.obj";
     write_file(file, obj_text(scene));
     const bool two_sided = !scene.two_sided.empty() && scene.two_sided.front();
-    return std::make_shared<const Scene<3>>(load_scene<3>(file.string(), {.two_sided = two_sided}));
+    return std::make_shared<const Scene<3>>(load_scene<3>(
+        file.string(), {.two_sided = two_sided, .up = static_cast<Up>(static_cast<int>(Up::x) + scene.up_axis)}));
 }
 
 template <int D>

@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/scene/flight_path_csv.h"
 #include "shell/commands/arguments.h"
 #include "shell/commands/groups.h"
 #include "shell/desk/fly.h"
@@ -75,7 +76,7 @@ constexpr std::array path_words{
     PathWord<D>{"save",
                 [](Workbench<D>& bench, Text rest) {
                     if (bench.flight.path.frames.empty()) throw InputError("there is no path: name one, or record it");
-                    write_file(file_argument(rest), write_path(bench.flight.path));
+                    write_file(file_argument(rest), path_text(bench.flight.path, rest));
                     bench.say("wrote " + rest);
                 }},
     PathWord<D>{"open", [](Workbench<D>& bench,

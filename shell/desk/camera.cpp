@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/base/trig.h"
+#include "core/scene/view.h"
 
 namespace sightline {
 
@@ -29,7 +30,7 @@ Vec<3> turned_direction(const Vec<3>& direction, int up_axis, double right, doub
     const double height = angle_of(direction[up_axis], flat) * 180 / pi;
     const double to = std::clamp(height + up, std::min(height, -90 + pole_margin), std::max(height, 90 - pole_margin));
     Vec<3> side = glm::cross(direction, world_up);
-    if (glm::dot(side, side) < 1e-24 * length * length) side = Vec<3>(1, 0, 0);
+    if (glm::dot(side, side) < 1e-24 * length * length) side = up_axis == 0 ? Vec<3>(0, 1, 0) : Vec<3>(1, 0, 0);
     return rotated(rotated(direction, unit(side), to - height), world_up, -right);
 }
 
@@ -38,7 +39,7 @@ Vec<3> turned_direction(const Vec<3>& direction, int up_axis, double right, doub
 Axes axes(const ViewSpec<3>& view, int up_axis) {
     Vec<3> up_hint(0);
     const Vec<3> forward = unit(view.look_at - view.eye);
-    up_hint[std::abs(forward[up_axis]) < 0.999999 ? up_axis : 3 - up_axis] = 1;
+    up_hint[std::abs(forward[up_axis]) < 0.999999 ? up_axis : other_axis(up_axis)] = 1;
     const Vec<3> right = unit(glm::cross(forward, up_hint));
     return {forward, right, glm::cross(right, forward)};
 }

@@ -34,10 +34,11 @@ Settings start_settings(const std::string& name, bool in_window) {
 template <int D>
 Session<D> open_scene(const std::string& name, const Settings& settings, std::span<const Method<D>> methods,
                       const std::function<void(const std::string&)>& warn, const Graphics& graphics,
-                      const std::string& cells, const ChooseView<D>& look) {
+                      const std::string& cells, const ChooseView<D>& look, bool choose_view) {
     const Stopwatch reading;
-    auto scene = std::make_shared<const Scene<D>>(
-        load_scene<D>(name, {.two_sided = settings.two_sided == Switch::on, .progress = graphics.progress}));
+    LoadOptions options = read_options(settings, graphics.progress);
+    options.choose_view = choose_view;
+    auto scene = std::make_shared<const Scene<D>>(load_scene<D>(name, options));
     double read_ms = reading.milliseconds();
     for (const std::string& warning : scene->warnings) warn(warning);
     if (const Dropped& d = scene->dropped; d.total() > 0)
@@ -74,10 +75,9 @@ void add_bookmarks(Session<D>& session) {
 
 template <int D>
 std::shared_ptr<const Scene<D>> reread(const std::shared_ptr<const Scene<D>>& scene, const Settings& settings) {
-    if (D == 2 && !scene->source.starts_with("wad")) return scene;
-    if (scene->name.empty()) throw InputError("two_sided: the scene's file is unknown, so it cannot be read again");
-    return std::make_shared<const Scene<D>>(
-        load_scene<D>(scene->name, {.two_sided = settings.two_sided == Switch::on}));
+    if (D == 2 && scene->source != "wad" && scene->source != "geojson") return scene;
+    if (scene->name.empty()) throw InputError("the scene's file is unknown, so it cannot be read again");
+    return std::make_shared<const Scene<D>>(load_scene<D>(scene->name, read_options(settings)));
 }
 
 #define SIGHTLINE_INSTANTIATE(D)                                                                       \
@@ -85,7 +85,7 @@ std::shared_ptr<const Scene<D>> reread(const std::shared_ptr<const Scene<D>>& sc
     template Settings start_settings<D>(const std::string&, bool);                                     \
     template Session<D> open_scene<D>(const std::string&, const Settings&, std::span<const Method<D>>, \
                                       const std::function<void(const std::string&)>&, const Graphics&, \
-                                      const std::string&, const ChooseView<D>&);                       \
+                                      const std::string&, const ChooseView<D>&, bool);                 \
     template void add_bookmarks<D>(Session<D>&);                                                       \
     template std::shared_ptr<const Scene<D>> reread<D>(const std::shared_ptr<const Scene<D>>&, const Settings&);
 SIGHTLINE_INSTANTIATE(2)

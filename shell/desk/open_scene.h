@@ -30,11 +30,12 @@ using ChooseView = std::function<ViewSpec<D>(const ViewSpec<D>& start, const Sce
 
 /// Loads a scene by any name that load_scene takes and stays at step 0 of its start view, or of what `look` makes of
 /// it. `warn` gets a line for each thing that was left out or looks odd. `cells`: the file that its tessellation comes
-/// from (cells_file.h), empty for none. Throws InputError, also for cells that do not fit.
+/// from (cells_file.h), empty for none. `choose_view`: false where `look` needs no start view.
+/// Throws InputError, also for cells that do not fit.
 template <int D>
 Session<D> open_scene(const std::string& name, const Settings& settings, std::span<const Method<D>> methods,
                       const std::function<void(const std::string&)>& warn, const Graphics& graphics = {},
-                      const std::string& cells = "", const ChooseView<D>& look = {});
+                      const std::string& cells = "", const ChooseView<D>& look = {}, bool choose_view = true);
 
 /// The bookmarks of the session's catalogue row: conditions there, steps here.
 template <int D>

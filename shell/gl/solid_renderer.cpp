@@ -188,7 +188,10 @@ void SolidRenderer::sort_sheets(const Vec<3>& eye) {
 
 void SolidRenderer::draw_faces(const CameraMatrix& camera, const Vec<3>& forward) {
     // From above and one corner: the four walls of a box differ.
-    const Vec<3> lamp = scene_ && scene_->up_axis == 1 ? Vec<3>(0.17, 0.85, 0.5) : Vec<3>(0.17, -0.5, 0.85);
+    const int up = scene_ ? scene_->up_axis : 2;
+    const Vec<3> lamp = up == 0   ? Vec<3>(0.85, 0.5, 0.17)
+                        : up == 1 ? Vec<3>(0.17, 0.85, 0.5)
+                                  : Vec<3>(0.17, -0.5, 0.85);
     glUseProgram(face_program_.program.name());
     set_camera(camera, face_program_.clip, face_program_.eye, face_program_.eye_rest);
     const glm::vec3 way = floats(forward), light = floats(lamp / std::sqrt(glm::dot(lamp, lamp)));

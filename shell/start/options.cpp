@@ -78,6 +78,7 @@ void add_scene_options(CLI::App& app, Options& o, Typed& typed) {
     app.add_flag("--headless", o.headless, "no window: run the options, write the files, exit");
     app.add_option("--eye", o.eye, std::string(point) + " of the eye, in the file's coordinates");
     app.add_option("--look-at", o.look_at, std::string(point) + " of a point to look at");
+    if (D == 3) app.add_option("--up", o.up, "x, y or z: the axis that points up; as --set up=");
     app.add_option("--fov", typed.fov,
                    D == 2 ? "field of view in degrees; 360 looks all around" : "vertical field of view in degrees");
 }

@@ -17,6 +17,7 @@ struct Options {
     std::string scene;  ///< or a state file
     bool list = false, headless = false;
     std::string eye, look_at;
+    std::string up;  ///< 3D
     std::optional<double> fov;
     std::string method, preset, budget;
     std::string settings_file;

@@ -43,6 +43,7 @@ void apply_options(Settings& settings, const Options& o) {
     if (!o.method.empty()) settings.method = o.method;
     if (!o.budget.empty()) settings.budget = parse_budget(o.budget);
     for (const std::string& assignment : o.settings) apply_setting(settings, assignment);
+    if (!o.up.empty()) apply_setting(settings, "up=" + o.up);
 }
 
 template <int D>
@@ -79,7 +80,8 @@ Session<D> open_session(const Options& o, const std::string& name, bool in_windo
     const bool made = !o.cells.empty() && std::filesystem::exists(o.cells, error);
     return open_scene<D>(
         name, settings, methods, warn, graphics, made ? o.cells : "",
-        [&o](const ViewSpec<D>& view, const Scene<D>& scene) { return apply_options<D>(view, o, scene); });
+        [&o](const ViewSpec<D>& view, const Scene<D>& scene) { return apply_options<D>(view, o, scene); },
+        o.eye.empty() || o.look_at.empty());
 }
 
 template <int D>
@@ -102,7 +104,8 @@ Workbench<D> open_bench(const Options& o, const Asked& asked, bool in_window, st
     Settings settings = opened.session.settings();
     apply_options(settings, o);
     if (difference(opened.session.settings(), settings) == Invalidates::scene)
-        throw InputError("two_sided decides how the scene is read: it cannot be changed in a state file");
+        throw InputError(
+            "two_sided, up and degrees decide how the scene is read: they cannot be changed in a state file");
     opened.session.change(settings);
     const ViewSpec<D> view = apply_options<D>(opened.session.culling_view(), o, opened.session.scene());
     if (view != opened.session.culling_view()) opened.session.set_view(view);

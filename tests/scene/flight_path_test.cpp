@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/flight_path.h"
 
+#include "core/scene/flight_path_csv.h"
 #include "tests/scene/scene_support.h"
 
 namespace sightline {
@@ -90,6 +91,43 @@ TEST(FlightPath, SaysWhatIsWrong) {
          "p: /frames/0: fov 360 is not between 0 and 180"},
     };
     for (const auto& [text, line] : cases) test::expect_input_error([&] { read_path<3>(text, "p"); }, line);
+}
+
+TEST(FlightPath, IsAlsoATable) {
+    FlightPath<3> path = some_path<3>();
+    path.origin = {0, 0, 0};
+    FlightPath<3> read = read_path<3>(write_csv_path(path), "p");
+    EXPECT_EQ(read.frames, path.frames);
+    EXPECT_EQ(read.origin, Vec<3>(0));
+    // In the file's coordinates.
+    path.origin = {1024, 0, -8};
+    read = read_path<3>(write_csv_path(path), "p");
+    set_origin(read, path.origin);
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(glm::length(read.frames[i].eye - path.frames[i].eye), 0, 1e-12);
+    EXPECT_TRUE(write_csv_path(path).starts_with("eye_x,eye_y,eye_z,look_at_x,look_at_y,look_at_z,fov\n"));
+    EXPECT_TRUE(path_text(path, "a.csv").starts_with("eye_x,"));
+    EXPECT_TRUE(path_text(path, "a.json").starts_with("{"));
+
+    const FlightPath<2> flat = read_path<2>(
+        "# of an engine\r\nframe, look_at_y ,look_at_x,eye_y,eye_x\r\n\r\n0, 4, 3, 2, 1\r\n1,4,3,2,1.5", "p");
+    ASSERT_EQ(flat.frames.size(), 2u);
+    EXPECT_EQ(flat.frames[0], (ViewSpec<2>{{1, 2}, {3, 4}, 60}));
+    EXPECT_EQ(flat.frames[1].eye, Vec<2>(1.5, 2));
+}
+
+TEST(FlightPath, SaysWhatIsWrongInATable) {
+    const std::string head = csv_path_columns<2>() + "\n";
+    EXPECT_EQ(head, "eye_x,eye_y,look_at_x,look_at_y,fov\n");
+    for (const auto& [text, line] : std::initializer_list<std::pair<std::string, std::string>>{
+             {"hello",
+              "p: line 1: no column eye_x: a path is JSON, or CSV with a first line such as " + csv_path_columns<2>()},
+             {head, "p: a path needs one frame at least"},
+             {head + "1,2,3,4\n", "p: line 2: 4 columns, 5 expected"},
+             {head + "1,2,3,4,60\n1,2,x,4,60\n", "p: line 3: look_at_x \"x\" is not a number"},
+             {head + "1,2,1,2,60\n", "p: line 2: look_at is the same point as eye"},
+             {head + "1,2,3,4,200\n", "p: line 2: fov 200 is not between 0 and 180, nor 360"},
+             {"eye_x,eye_x,eye_y,look_at_x,look_at_y\n", "p: line 1: column eye_x is there twice"}})
+        test::expect_input_error([&, &text = text] { read_path<2>(text, "p"); }, line);
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/geometry/vec.h"
+#include "core/scene/read/read_mesh.h"
 #include "tests/scene/scene_support.h"
 
 namespace sightline::test {
@@ -169,5 +170,55 @@ public:
 private:
     std::filesystem::path path_;
 };
+
+/// COLLADA, which Assimp reads.
+inline std::string dae_of(const Mesh& mesh) {
+    std::string points, corners;
+    char number[40];
+    for (const Vec<3>& p : mesh.points)
+        for (int axis = 0; axis < 3; ++axis)
+            points.append(number, std::snprintf(number, sizeof number, "%.2f ", p[axis]));
+    for (const auto& f : mesh.faces) corners += words(f, 0) + " ";
+    const std::string count = std::to_string(mesh.points.size());
+    return R"(<?xml version="1.0"?><COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
+        <asset><up_axis>Z_UP</up_axis></asset><library_geometries><geometry id="g"><mesh><source id="p">
+        <float_array id="a" count=")" +
+           std::to_string(3 * mesh.points.size()) + "\">" + points +
+           R"(</float_array><technique_common><accessor source="#a" count=")" + count + R"(" stride="3">
+        <param name="X" type="float"/><param name="Y" type="float"/><param name="Z" type="float"/></accessor>
+        </technique_common></source><vertices id="v"><input semantic="POSITION" source="#p"/></vertices>
+        <triangles count=")" +
+           std::to_string(mesh.faces.size()) + R"("><input semantic="VERTEX" source="#v" offset="0"/>
+        <p>)" +
+           corners + R"(</p></triangles></mesh></geometry></library_geometries><library_visual_scenes>
+        <visual_scene id="s"><node><instance_geometry url="#g"/></node></visual_scene></library_visual_scenes>
+        <scene><instance_visual_scene url="#s"/></scene></COLLADA>)";
+}
+
+/// The scene of a file with this name and content.
+inline Scene<3> read_bytes(const std::string& name, const std::string& bytes) {
+    const TemporaryFile file(name, bytes);
+    return read_mesh(file.path(), "x");
+}
+
+/// The corners of the scene's triangles in the file's coordinates.
+inline std::vector<Primitive<3>> in_file(const Scene<3>& scene) {
+    std::vector<Primitive<3>> triangles = scene.primitives;
+    for (Primitive<3>& triangle : triangles)
+        for (Vec<3>& corner : triangle) corner += scene.origin;
+    return triangles;
+}
+
+/// A pyramid on a square of 2 by 2, 3 high along y, fronts outside.
+inline Mesh pyramid_mesh() {
+    return {{Vec<3>(0), Vec<3>(2, 0, 0), Vec<3>(2, 0, 2), Vec<3>(0, 0, 2), Vec<3>(1, 3, 1)},
+            {{0, 1, 2}, {0, 2, 3}, {0, 4, 1}, {1, 4, 2}, {2, 4, 3}, {3, 4, 0}}};
+}
+
+inline std::vector<Primitive<3>> triangles_of(const Mesh& mesh) {
+    std::vector<Primitive<3>> triangles;
+    for (const auto& f : mesh.faces) triangles.push_back({mesh.points[f[0]], mesh.points[f[1]], mesh.points[f[2]]});
+    return triangles;
+}
 
 }  // namespace sightline::test

@@ -181,13 +181,86 @@ TEST(SceneGeoJson, DropsSharedEdgesAndEmptyCollectionsAreFine) {
     EXPECT_EQ(read_geojson(R"({"type": "Polygon", "coordinates": [[]]})", "g").primitives.size(), 0u);
 }
 
+TEST(SceneGeoJson, OneBadFeatureAmongManyIsAWord) {
+    const std::string square =
+        R"({"type": "Feature", "geometry": {"type": "Polygon", "coordinates": [[[0,0],[4,0],[4,4],[0,4],[0,0]]]}})";
+    const Scene<2> scene =
+        read_geojson(R"({"type": "FeatureCollection", "features": [null, {"type": "Feature"}, )" + square + "]}", "g");
+    EXPECT_EQ(scene.primitives.size(), 4u);
+    EXPECT_EQ(scene.warnings, (std::vector<std::string>{"1 features have no geometry", "1 features are null"}));
+}
+
+TEST(SceneGeoJson, FeaturesAreObjectsByNameIdAndNumber) {
+    const auto line = [](const std::string& more, int y) {
+        return R"({"type": "Feature", )" + more + R"("geometry": {"type": "LineString", "coordinates": [[0,)" +
+               std::to_string(y) + R"(], [1,)" + std::to_string(y) + "]]}}";
+    };
+    Scene<2> scene = read_geojson(
+        R"({"type": "FeatureCollection", "features": [{"type": "LineString", "coordinates": [[5,5],[6,5]]}, )" +
+            line(R"("properties": {"name": "town hall"}, "id": 7, )", 1) + ", " + line(R"("id": 8, )", 2) + ", " +
+            line(R"("properties": null, )", 3) + "]}",
+        "g");
+    EXPECT_EQ(scene.objects.names, (std::vector<std::string>{"town hall", "8", "feature 2", "no feature"}));
+    EXPECT_EQ(scene.objects.of, (std::vector<std::uint32_t>{3, 0, 1, 2}));
+    EXPECT_TRUE(read_geojson(line("", 1), "g").objects.empty());
+}
+
+TEST(SceneGeoJson, SaysThatDegreesAreSquashedAndScalesThem) {
+    // 111 m by 111 m in Helsinki.
+    const std::string square =
+        R"({"type": "Polygon", "coordinates": [[[25,60],[25.002,60],[25.002,60.001],[25,60.001],[25,60]]]})";
+    Scene<2> scene = read_geojson(square, "g");
+    EXPECT_EQ(scene.warnings,
+              std::vector<std::string>{"the coordinates look like degrees: x is stretched by 2 at latitude 60; "
+                                       "--set degrees=scaled corrects it"});
+    scene = read_geojson(square, "g", Degrees::scaled);
+    EXPECT_TRUE(scene.warnings.empty());
+    const Vec<2> extent = bounds<2>(scene.primitives).extent();
+    EXPECT_NEAR(extent.x / extent.y, 1, 1e-4);
+    // A plan near zero is none of it, nor are metres.
+    EXPECT_TRUE(read_geojson(R"({"type": "LineString", "coordinates": [[0,0],[4,3]]})", "g").warnings.empty());
+    EXPECT_EQ(read_geojson(R"({"type": "LineString", "coordinates": [[0,0],[400,60]]})", "g", Degrees::scaled).warnings,
+              std::vector<std::string>{"the coordinates are no degrees: degrees=scaled leaves them as they are"});
+    EXPECT_EQ(
+        read_geojson(R"({"type": "LineString", "coordinates": [[179,0],[-179,1]]})", "g").warnings,
+        std::vector<std::string>{"1 lines step over more than 180 degrees of longitude: cut them at the date line "
+                                 "(RFC 7946, 3.1.9)"});
+}
+
+TEST(SceneGeoJson, ReadsAFeatureALine) {
+    const std::string one = R"({"type": "LineString", "coordinates": [[0,0],[1,0]]})",
+                      other = R"({"type": "LineString", "coordinates": [[0,1],[1,1]]})";
+    EXPECT_EQ(read_geojson(one + "\n" + other + "\n", "g").primitives.size(), 2u);
+    EXPECT_EQ(read_geojson("\x1e" + one + "\n\x1e" + other + "\n", "g").primitives.size(), 2u);
+    expect_geojson_error(one + "\n" + other.substr(0, 20) + "\n", "g.json: line 2: line 1, column 21: *");
+}
+
+TEST(SceneJson, KeepsObjects) {
+    const std::string text = R"({"format": "sightline-scene", "version": 1, "dimension": 2,
+        "segments": [[0,0,1,0],[0,1,1,1],[0,2,1,2]], "objects": {"names": ["a", "b"], "of": [0, 1, 1]}})";
+    const Scene<2> scene = read_json(text, "s");
+    EXPECT_EQ(scene.objects.names, (std::vector<std::string>{"a", "b"}));
+    EXPECT_EQ(scene.objects.of, (std::vector<std::uint32_t>{0, 1, 1}));
+    EXPECT_TRUE(scene.warnings.empty());
+    EXPECT_EQ(read_json(write_json(scene), "s").objects, scene.objects);
+    const auto with = [&](const std::string& of) {
+        std::string other = text;
+        return other.replace(other.find("[0, 1, 1]"), 9, of);
+    };
+    const std::string numbers = "s: /objects/of: expected numbers of names, from 0";
+    expect_input_error([&] { read_json(with("[0, 1, 2]"), "s"); }, numbers);
+    expect_input_error([&] { read_json(with("[0, 1, -1]"), "s"); }, numbers);
+    expect_input_error([&] { read_json(with("[0, 1]"), "s"); }, "s: /objects: expected an array of names*");
+    expect_input_error([] { read_json(R"({"format": "sightline-state", "version": 1})", "s"); },
+                       "s: /format: is a state file: open it with --state");
+}
+
 TEST(SceneGeoJson, SaysWhatIsWrongAndWhere) {
     expect_geojson_error("[]", "g.json: expected an object, found an array");
     expect_geojson_error("{}", "g.json: \"type\" is missing");
     expect_geojson_error(R"({"type": 3})", "g.json: /type: expected a string, found a number");
     expect_geojson_error(R"({"type": "Polgon"})", "g.json: /type: \"Polgon\" is not a GeoJSON type");
     expect_geojson_error(R"({"type": "Polygon"})", "g.json: \"coordinates\" is missing");
-    expect_geojson_error(R"({"type": "Feature"})", "g.json: \"geometry\" is missing");
     expect_geojson_error(R"({"type": "FeatureCollection"})", "g.json: \"features\" is missing");
     expect_geojson_error(R"({"type": "FeatureCollection", "features": [1]})",
                          "g.json: /features/0: expected an object, found a number");

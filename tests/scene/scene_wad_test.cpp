@@ -105,6 +105,49 @@ TEST(SceneLoad, FindsCatalogueRowsAndFilesByContent) {
     EXPECT_EQ(list_wad_maps(wad.path()), (std::vector<std::string>{"E1M1", "MAP07"}));
 }
 
+TEST(SceneWad, TheLastStartAndTheLastMapOfANameCount) {
+    std::vector<test::WadLump> lumps = room_map("MAP01"), again = room_map("MAP01");
+    again[1].bytes = test::thing(900, 900, 0, 1) + test::thing(100, 100, 90, 1);
+    again[2].bytes.resize(2 * 14);
+    lumps.insert(lumps.end(), again.begin(), again.end());
+    const std::string bytes = wad_of(lumps);
+    EXPECT_EQ(wad_maps(bytes, "w"), std::vector<std::string>{"MAP01"});
+    for (const char* map : {"", "map01"}) {
+        const Scene<2> scene = read_wad(bytes, "w", {map});
+        EXPECT_EQ(scene.primitives.size(), 2u);
+        EXPECT_EQ(scene.start_view->eye, Vec<2>(100, 100));
+        EXPECT_EQ(scene.start_view->look_at, Vec<2>(100, 356));
+    }
+}
+
+TEST(SceneWad, SectorsAreObjects) {
+    std::vector<test::WadLump> lumps = room_map("MAP01");
+    const auto side = [](std::uint32_t sector) { return std::string(28, '-') + test::little(sector, 2); };
+    const auto line = [](std::uint32_t a, std::uint32_t b, std::uint32_t right) {
+        return test::little(a, 2) + test::little(b, 2) + test::little(1, 2) + test::little(0, 4) +
+               test::little(right, 2) + test::little(0xffff, 2);
+    };
+    lumps[2].bytes = line(0, 1, 1) + line(1, 2, 0) + line(2, 3, 1) + line(3, 0, 9);
+    lumps[3].bytes = side(3) + side(12);
+    const Scene<2> scene = read_wad(wad_of(lumps), "w");
+    EXPECT_EQ(scene.objects.names, (std::vector<std::string>{"sector 3", "sector 12", "no sector"}));
+    EXPECT_EQ(scene.objects.of, (std::vector<std::uint32_t>{1, 0, 1, 2}));
+    EXPECT_TRUE(read_wad(wad_of(room_map("MAP01")), "w").objects.empty());
+}
+
+TEST(SceneLoad, SaysWhatAFileIsThatItCannotRead) {
+    const auto expect_end = [](const std::string& bytes, const std::string& end) {
+        const test::TemporaryFile file("x.pk3", bytes);
+        expect_input_error([&] { load_scene(file.path()); }, file.path() + ": " + end);
+    };
+    const std::string no = "byte 0: is not a WAD, GeoJSON or Sightline JSON file (it begins like ";
+    expect_end("PK\x03\x04 and so on", no + "a ZIP archive)");
+    expect_end("\x1f\x8b and so on", no + "a gzip archive)");
+    expect_end(std::string("\xff\xfe{\0", 4), no + "text in UTF-16: save it as UTF-8)");
+    expect_end(wad_of({{"MAP01", ""}, {"TEXTMAP", "namespace = \"doom\";"}, {"ENDMAP", ""}}),
+               "MAP01: is a map in UDMF, which is not supported");
+}
+
 TEST(SceneLoad, SaysWhatIsWrong) {
     const auto expect_load_error = [](const std::string& name, const std::string& line) {
         expect_input_error([&] { load_scene(name); }, line);

@@ -125,7 +125,7 @@ TEST(Settings, EveryFieldOfTheStructHasARow) {
     const auto& [p1, p2, p3, p4, p5, p6, p7, p8, p9, p10, p11, p12, p13, p14, p15, p16, p17, p18, p19, p20, p21, p22,
                  p23, p24, p25, p26, p27, p28, p29, p30, p31, p32, p33, p34] = static_cast<const PictureSettings&>(changed);
     static_cast<void>(p1);
-    constexpr std::size_t own = 5;  // two_sided, method, budget, reference_size, reference
+    constexpr std::size_t own = 7;  // two_sided, up, degrees, method, budget, reference_size, reference
     EXPECT_EQ(settings_table().size(), 8u + 34u + own + all_parameters().size());
 }
 
@@ -183,6 +183,8 @@ TEST(Settings, NamesDefaultsAndWordsAreThoseOfTheDesign) {
 
 TEST(Settings, EachRowSaysWhatItInvalidates) {
     const std::map<std::string_view, Invalidates> expected{{"two_sided", Invalidates::scene},
+                                                           {"up", Invalidates::scene},
+                                                           {"degrees", Invalidates::scene},
                                                            {"tessellation", Invalidates::tessellation},
                                                            {"error_bound", Invalidates::tessellation},
                                                            {"border", Invalidates::tessellation},

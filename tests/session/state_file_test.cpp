@@ -184,7 +184,7 @@ TEST(StateFile, EmbedsSmallScenesAndNamesLargeOnes) {
     const Json with = Json::parse(state_json(small));
     EXPECT_TRUE(with["scene"].contains("embedded"));
 
-    // A file whose own id is not its name: it must still be found again.
+    // A file whose own id is not its name, which is no text: it must still be found again.
     Random random(62);
     Scene<2> large;
     large.id = "large";
@@ -195,7 +195,7 @@ TEST(StateFile, EmbedsSmallScenesAndNamesLargeOnes) {
     }
     const std::string bytes = write_json(large);
     ASSERT_GT(bytes.size(), embed_limit_bytes);
-    test::TemporaryFile file("sightline_large_scene.json", bytes);
+    test::TemporaryFile file("sightline_large_\xff.json", bytes);
     auto scene = std::make_shared<const Scene<2>>(load_scene(file.path()));
     Settings settings;
     settings.error_bound = 0.2;
@@ -212,7 +212,7 @@ TEST(StateFile, EmbedsSmallScenesAndNamesLargeOnes) {
 
     // The file has changed since: not the same scene.
     large.primitives[123][1].x += 1;
-    test::TemporaryFile changed("sightline_large_scene.json", write_json(large));
+    test::TemporaryFile changed("sightline_large_\xff.json", write_json(large));
     test::expect_input_error([&] { open_state(text, "file.json"); },
                              "file.json: scene 'large' is not the one the state was made with (its hash differs)");
     std::filesystem::remove(file.path());

@@ -9,10 +9,10 @@
 
 #include <algorithm>
 #include <assimp/DefaultLogger.hpp>
-#include <assimp/IOStream.hpp>
 #include <assimp/Importer.hpp>
 #include <assimp/LogStream.hpp>
 #include <cstring>
+#include <filesystem>
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
@@ -21,7 +21,6 @@
 
 #include "core/base/trig.h"
 #include "core/scene/read/file_kind.h"
-#include "core/scene/read/mesh_text.h"
 
 namespace sightline {
 
@@ -37,51 +36,23 @@ void refuse(AssimpHeader& header, std::string_view reason) {
     copy(reason, header.text);
 }
 
-/// Text that has been moved, read as if it were the file.
-class TextStream : public Assimp::IOStream {
+/// Opens files only, whatever a model names: who opens a pipe waits for its other end. Assimp asks whether a file is
+/// there by opening it.
+class RegularFiles : public Assimp::DefaultIOSystem {
 public:
-    explicit TextStream(const std::string& text) : text_(text) {}
-    std::size_t Read(void* to, std::size_t size, std::size_t count) override {
-        if (size == 0) return 0;
-        const std::size_t whole = std::min(count, (text_.size() - at_) / size);
-        std::memcpy(to, text_.data() + at_, whole * size);
-        at_ += whole * size;
-        return whole;
+    bool Exists(const char* path) const override {
+        std::error_code no_error;
+        return std::filesystem::is_regular_file(path, no_error);
     }
-    std::size_t Write(const void*, std::size_t, std::size_t) override { return 0; }
-    aiReturn Seek(std::size_t offset, aiOrigin origin) override {
-        const std::size_t base = origin == aiOrigin_SET ? 0 : origin == aiOrigin_CUR ? at_ : text_.size();
-        const std::size_t to = origin == aiOrigin_END ? base - offset : base + offset;
-        if (to > text_.size()) return aiReturn_FAILURE;
-        at_ = to;
-        return aiReturn_SUCCESS;
-    }
-    std::size_t Tell() const override { return at_; }
-    std::size_t FileSize() const override { return text_.size(); }
-    void Flush() override {}
-
-private:
-    const std::string& text_;
-    std::size_t at_ = 0;
-};
-
-/// The file system, with one file's text replaced.
-class FilesWithText : public Assimp::DefaultIOSystem {
-public:
-    FilesWithText(std::string path, const std::string& text) : path_(std::move(path)), text_(text) {}
     Assimp::IOStream* Open(const char* path, const char* mode) override {
-        if (path == path_) return new TextStream(text_);
-        return DefaultIOSystem::Open(path, mode);
+        return Exists(path) ? DefaultIOSystem::Open(path, mode) : nullptr;
     }
-
-private:
-    std::string path_;
-    const std::string& text_;
 };
 
 struct Instance {
     const aiMesh* mesh;
     glm::dmat4 to_scene;
+    const aiNode* node;
 };
 
 glm::dmat4 matrix(const aiMatrix4x4& m) {
@@ -96,8 +67,7 @@ Vec<3> vector(const aiVector3D& v) { return {v.x, v.y, v.z}; }
 Vec<3> transformed(const glm::dmat4& m, const Vec<3>& p) { return Vec<3>(m * glm::dvec4(p, 1)); }
 
 /// Every use of a mesh, in the order of the nodes, and the first camera.
-std::vector<Instance> instances_of(const aiScene& scene, std::string_view format, const Vec<3>& shift,
-                                   AssimpHeader& header) {
+std::vector<Instance> instances_of(const aiScene& scene, std::string_view format, AssimpHeader& header) {
     std::vector<Instance> instances;
     struct Visit {
         const aiNode* node;
@@ -105,15 +75,13 @@ std::vector<Instance> instances_of(const aiScene& scene, std::string_view format
     };
     std::vector<Visit> visits;
     if (scene.mRootNode) visits.push_back({scene.mRootNode, matrix(scene.mRootNode->mTransformation)});
-    glm::dmat4 unshift(1);
-    unshift[3] = glm::dvec4(shift, 1);
     const aiCamera* camera = scene.mNumCameras > 0 ? scene.mCameras[0] : nullptr;
     while (!visits.empty()) {
         const Visit visit = visits.back();
         visits.pop_back();
         for (unsigned i = 0; i < visit.node->mNumMeshes; ++i) {
             const unsigned mesh = visit.node->mMeshes[i];
-            if (mesh < scene.mNumMeshes) instances.push_back({scene.mMeshes[mesh], visit.to_scene * unshift});
+            if (mesh < scene.mNumMeshes) instances.push_back({scene.mMeshes[mesh], visit.to_scene, visit.node});
         }
         if (camera && camera->mName == visit.node->mName && !header.has_camera) {
             header.has_camera = 1;
@@ -136,18 +104,30 @@ std::vector<Instance> instances_of(const aiScene& scene, std::string_view format
 
 bool is_triangle(const aiFace& face) { return face.mNumIndices == 3; }
 
-bool is_two_sided(const aiScene& scene, const aiMesh& mesh, std::string_view format) {
-    if (format == "ply" || format == "off") return false;  // no materials: what Assimp hands out is its own
+bool is_two_sided(const aiScene& scene, const aiMesh& mesh) {
     int two_sided = 0;
     if (mesh.mMaterialIndex < scene.mNumMaterials)
         scene.mMaterials[mesh.mMaterialIndex]->Get(AI_MATKEY_TWOSIDED, two_sided);
     return two_sided != 0;
 }
 
-int up_axis_of(const aiScene& scene, std::string_view format) {
+/// Formats with a rule, which Assimp turns to y where it is another one.
+bool has_up(std::string_view format) {
+    for (const std::string_view rule :
+         {"gltf", "dae",     "3mf", "amf", "x3d",    "wrl", "b3d", "blend", "3ds", "ase",    "md2",
+          "md3",  "md5mesh", "mdl", "ifc", "assbin", "x",   "lwo", "lws",   "irr", "irrmesh"})
+        if (format == rule) return true;
+    return false;
+}
+
+int up_axis_of(const aiScene& scene, std::string_view format, AssimpHeader& header) {
     int axis = 0;
-    if (scene.mMetaData && scene.mMetaData->Get("UpAxis", axis) && (axis == 1 || axis == 2)) return axis;
-    for (const std::string_view z : {"ply", "stl", "off", "3mf", "amf", "raw"})
+    header.names_up = has_up(format);
+    if (scene.mMetaData && scene.mMetaData->Get("UpAxis", axis) && axis >= 0 && axis <= 2) {
+        header.names_up = 1;
+        return axis;
+    }
+    for (const std::string_view z : {"3mf", "amf", "raw"})
         if (format == z) return 2;
     return 1;
 }
@@ -187,13 +167,26 @@ void send_triangles(const std::vector<Instance>& instances, const ChildProcess::
     flush();
 }
 
-void send_sides(const aiScene& scene, const std::vector<Instance>& instances, std::string_view format,
-                const ChildProcess::Send& send) {
+void send_sides(const aiScene& scene, const std::vector<Instance>& instances, const ChildProcess::Send& send) {
     for (const Instance& instance : instances) {
         const std::span<const aiFace> faces(instance.mesh->mFaces, instance.mesh->mNumFaces);
         const auto triangles = static_cast<std::size_t>(std::count_if(faces.begin(), faces.end(), is_triangle));
-        const std::vector<std::uint8_t> sides(triangles, is_two_sided(scene, *instance.mesh, format));
+        const std::vector<std::uint8_t> sides(triangles, is_two_sided(scene, *instance.mesh));
         send(sides.data(), sides.size());
+    }
+}
+
+void send_objects(const std::vector<Instance>& instances, const ChildProcess::Send& send) {
+    for (std::size_t i = 0; i < instances.size();) {
+        AssimpObject object;
+        const aiNode* const node = instances[i].node;
+        const aiString& name = node->mName.length > 0 ? node->mName : instances[i].mesh->mName;
+        copy({name.C_Str(), name.length}, object.name);
+        for (; i < instances.size() && instances[i].node == node; ++i) {
+            const std::span<const aiFace> faces(instances[i].mesh->mFaces, instances[i].mesh->mNumFaces);
+            object.triangles += static_cast<std::uint64_t>(std::count_if(faces.begin(), faces.end(), is_triangle));
+        }
+        send(&object, sizeof object);
     }
 }
 
@@ -213,14 +206,6 @@ private:
     AssimpHeader& header_;
 };
 
-/// Files that are well-formed and hold nothing; Assimp calls that an error.
-bool is_empty(std::string_view error) {
-    for (const std::string_view empty : {"OFF: There are no valid vertices", "OFF: There are no valid faces",
-                                         "GLTF: No scene", "STL: file is empty. There are no facets defined"})
-        if (error == empty) return true;
-    return false;
-}
-
 /// Of Assimp's "gltf glb" or "mesh mesh.xml".
 bool lists(std::string_view endings, std::string_view ending) {
     for (; !endings.empty(); endings.remove_prefix(std::min(endings.find(' '), endings.size() - 1) + 1)) {
@@ -230,40 +215,25 @@ bool lists(std::string_view endings, std::string_view ending) {
     return false;
 }
 
-/// Why a file without triangles is not just empty; nothing where it is. What Assimp's readers of other formats than
-/// these make nothing of is more likely another kind of file.
-std::string why_no_triangles(const std::string& path, std::string_view format, bool said_to_be_empty) {
-    if (said_to_be_empty || format == "gltf" || format == "stl") return {};
-    if (format == "obj") return why_no_obj(path);  // the reader passes over lines that it does not know
-    return "no triangle is found in it, read as ." + std::string(format);
-}
-
 }  // namespace
 
 void read_with_assimp(const std::string& path, const ChildProcess::Send& send) {
     AssimpHeader header;
     Assimp::DefaultLogger::create(nullptr, Assimp::Logger::NORMAL, 0);
     Assimp::DefaultLogger::get()->attachStream(new Complaints(header), Assimp::Logger::Err);
-    const MeshText prepared = prepare_mesh_text(path);
-    if (!prepared.error.empty()) {
-        refuse(header, prepared.error);
-        return send(&header, sizeof header);
-    }
     Assimp::Importer importer;
-    importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);                // bones are no scene
-    if (prepared.text) importer.SetIOHandler(new FilesWithText(path, *prepared.text));  // which the importer then owns
+    importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);  // bones are no scene
+    importer.SetIOHandler(new RegularFiles);                              // which the importer then owns
     const aiScene* scene = importer.ReadFile(path, aiProcess_Triangulate);
     const aiScene nothing;
     const std::string error = importer.GetErrorString();
-    const bool too_small = error == "OBJ-file is too small.";  // a comment, say
-    const std::string why = too_small ? why_no_obj(path) : error;
-    const bool said_to_be_empty = prepared.empty || (too_small && why.empty()) || is_empty(error);
-    if (!scene && said_to_be_empty) {
+    const bool is_empty = error == "GLTF: No scene";
+    if (!scene && is_empty) {
         scene = &nothing;
         header.warning[0] = 0;
     }
     if (!scene) {
-        refuse(header, why);
+        refuse(header, error);
         return send(&header, sizeof header);
     }
     const auto reader = static_cast<std::size_t>(importer.GetPropertyInteger("importerIndex", 0));
@@ -275,16 +245,20 @@ void read_with_assimp(const std::string& path, const ChildProcess::Send& send) {
         return send(&header, sizeof header);
     }
     copy(format, header.text);
-    header.up_axis = static_cast<std::uint8_t>(up_axis_of(*scene, format));
-    const std::vector<Instance> instances = instances_of(*scene, format, prepared.shift, header);
-    for (const Instance& instance : instances) header.any_two_sided |= is_two_sided(*scene, *instance.mesh, format);
+    header.up_axis = static_cast<std::uint8_t>(up_axis_of(*scene, format, header));
+    const std::vector<Instance> instances = instances_of(*scene, format, header);
+    for (const Instance& instance : instances) header.any_two_sided |= is_two_sided(*scene, *instance.mesh);
+    for (std::size_t i = 0; i < instances.size(); ++i)
+        header.objects += i == 0 || instances[i].node != instances[i - 1].node;
     check_faces(instances, header);
-    if (header.triangles == 0 && !header.failed)
-        if (const std::string why = why_no_triangles(path, format, said_to_be_empty); !why.empty()) refuse(header, why);
+    // What Assimp's readers of other formats make nothing of is more likely another kind of file.
+    if (header.triangles == 0 && !header.failed && !is_empty && format != "gltf")
+        refuse(header, "no triangle is found in it, read as ." + std::string(format));
     send(&header, sizeof header);
     if (header.failed) return;
     send_triangles(instances, send);
-    if (header.any_two_sided) send_sides(*scene, instances, format, send);
+    if (header.any_two_sided) send_sides(*scene, instances, send);
+    if (header.objects > 1) send_objects(instances, send);
 }
 
 }  // namespace sightline

@@ -43,6 +43,8 @@ constexpr Kind kinds[] = {
     {"ISO-10303-21;"sv, "STEP", ".ifc .step .stp"},
     {"Kaydara FBX Binary"sv, "FBX", ".fbx"},
     {"BLENDER"sv, "Blender's own format", ".blend"},
+    {"\xff\xfe"sv, "text in UTF-16: save it as UTF-8", ""},
+    {"\xfe\xff"sv, "text in UTF-16: save it as UTF-8", ""},
     {"<!DOCTYPE html"sv, "a web page", ".html"},
     {"<html"sv, "a web page", ".html"},
     {"version https://git-lfs"sv, "a stand-in of Git LFS, not the file itself", ""},
@@ -62,6 +64,12 @@ std::string ending_of(const std::string& path) {
     for (char& c : ending)
         if (c >= 'A' && c <= 'Z') c += 'a' - 'A';
     return ending;
+}
+
+std::string kind_of(std::string_view bytes) {
+    for (const Kind& kind : kinds)
+        if (bytes.starts_with(kind.first)) return std::string(kind.name);
+    return "";
 }
 
 std::string kind_behind(const std::string& path) {

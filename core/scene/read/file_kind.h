@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 namespace sightline {
 
@@ -12,5 +13,8 @@ std::string ending_of(const std::string& path);
 /// "a PNG picture", where the file begins like a format that its ending does not stand for; nothing where it does not,
 /// where it begins like none that is known, and where it cannot be read.
 std::string kind_behind(const std::string& path);
+
+/// "a gzip archive": what the first bytes of a file begin like; nothing where that is not known.
+std::string kind_of(std::string_view bytes);
 
 }  // namespace sightline

@@ -6,6 +6,7 @@
 #include "core/base/file.h"
 #include "core/base/text.h"
 #include "core/scene/make/catalogue.h"
+#include "core/scene/read/file_kind.h"
 #include "core/scene/read/no_scene.h"
 #include "core/scene/read/parsed_scene.h"
 #include "core/scene/read/read_wad.h"
@@ -26,7 +27,7 @@ bool is_wad(std::string_view bytes) { return bytes.starts_with("IWAD") || bytes.
 bool is_json(std::string_view bytes) {
     if (bytes.starts_with("\xef\xbb\xbf")) bytes.remove_prefix(3);
     const std::size_t first = bytes.find_first_not_of(" \t\r\n");
-    return first != std::string_view::npos && (bytes[first] == '{' || bytes[first] == '[');
+    return first != std::string_view::npos && (bytes[first] == '{' || bytes[first] == '[' || bytes[first] == '\x1e');
 }
 
 Scene<2> read_any(const std::string& path, const std::string& map, const std::string& name,
@@ -35,11 +36,18 @@ Scene<2> read_any(const std::string& path, const std::string& map, const std::st
     if (bytes.empty()) throw input_error(name, "", "the file is empty");
     if (is_wad(bytes)) return read_wad(bytes, name, {map, options.two_sided});
     if (!map.empty()) throw input_error(name, "", "is not a WAD file, so #" + one_line(map, 40) + " has no meaning");
-    if (!is_json(bytes)) throw input_error(name, "byte 0", "is not a WAD, GeoJSON or Sightline JSON file");
+    if (!is_json(bytes)) {
+        const std::string kind = kind_of(bytes);
+        throw input_error(
+            name, "byte 0",
+            "is not a WAD, GeoJSON or Sightline JSON file" + (kind.empty() ? "" : " (it begins like " + kind + ")"));
+    }
+    if (const std::optional<Json> features = geojson_sequence(bytes, name))
+        return scene_from_geojson(*features, name, options.degrees);
     const Json root = parse_json(bytes, name);
     const bool ours = root.is_object() && root.contains("format");
     if (root.is_object() && root.contains("type") && !(ours && root["format"] == "sightline-scene"))
-        return scene_from_geojson(root, name);
+        return scene_from_geojson(root, name, options.degrees);
     if (ours) return scene_from_json(root, name);
     throw input_error(name, "", "is JSON, but neither GeoJSON (\"type\") nor a scene (\"format\")");
 }

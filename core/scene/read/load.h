@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/progress.h"
+#include "core/scene/reading.h"
 #include "core/scene/scene.h"
 
 namespace sightline {
@@ -16,7 +17,10 @@ inline constexpr const char* freedoom_folder = "/usr/share/games/doom";
 struct LoadOptions {
     bool two_sided = false;  ///< WAD: also lines that can be seen through; 3D: all triangles are seen from both sides
     std::string games_folder = freedoom_folder;
-    Progress progress{};  ///< 3D
+    Progress progress{};    ///< 3D
+    Up up = Up::automatic;  ///< 3D
+    Degrees degrees = Degrees::as_is;
+    bool choose_view = true;  ///< 3D: false where the start view is not needed: it is the file's camera, or none
 };
 
 /// In 2D `name` is, tried in this order:

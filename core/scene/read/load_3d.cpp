@@ -6,6 +6,7 @@
 #include "core/scene/read/load.h"
 #include "core/scene/read/no_scene.h"
 #include "core/scene/read/read_mesh.h"
+#include "core/scene/up_axis.h"
 
 namespace sightline {
 
@@ -29,10 +30,11 @@ std::vector<std::string> split(const std::string& names) {
 
 Scene<3> find_scene(const std::string& name, const LoadOptions& options) {
     if (auto scene = generated_scene(name)) {
+        turn_up(*scene, options.up, true);
         if (options.two_sided) scene->two_sided.assign(scene->primitives.size(), 1);
         return std::move(*scene);
     }
-    const MeshOptions mesh{options.two_sided, options.progress};
+    const MeshOptions mesh{options.two_sided, options.progress, options.up, options.choose_view};
     if (exists(name)) return read_mesh(name, name, mesh);
     if (name.find(';') != std::string::npos) return read_meshes(split(name), name, mesh);
     throw no_scene<3>(name);

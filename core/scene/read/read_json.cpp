@@ -40,6 +40,8 @@ const Json& required(const Json& object, const char* key, const JsonPlace& place
 void check_header(const Json& root, const std::string& name) {
     const JsonPlace top;
     const Json& format = required(root, "format", top, name);
+    if (format == "sightline-state") throw input_error(name, "/format", "is a state file: open it with --state");
+    if (format == "sightline-path") throw input_error(name, "/format", "is a flight path, not a scene");
     if (format != "sightline-scene") throw input_error(name, "/format", "expected \"sightline-scene\"");
     const Json& version = required(root, "version", top, name);
     if (version != 1) throw input_error(name, "/version", "expected 1; this program reads no other version");
@@ -59,9 +61,30 @@ ViewSpec<2> view_of(const Json& value, const std::string& name) {
     return view;
 }
 
+/// {"names": ["wall", …], "of": [0, 0, 1, …]}
+Objects objects_of(const Json& value, std::size_t primitives, const std::string& name) {
+    const JsonPlace top, place = top.member("objects");
+    if (!value.is_object())
+        throw input_error(name, "/objects", std::string("expected an object, found ") + json_kind(value));
+    const Json &names = required(value, "names", place, name), &of = required(value, "of", place, name);
+    if (!names.is_array() || !of.is_array() || of.size() != primitives)
+        throw input_error(name, "/objects", "expected an array of names, and in \"of\" a number for each segment");
+    Objects objects;
+    for (const Json& one : names) {
+        if (!one.is_string()) throw input_error(name, "/objects/names", "expected strings");
+        objects.names.push_back(one.get<std::string>());
+    }
+    for (const Json& one : of) {
+        if (!one.is_number_unsigned() || one.get<std::uint64_t>() >= names.size())
+            throw input_error(name, "/objects/of", "expected numbers of names, from 0");
+        objects.of.push_back(one.get<std::uint32_t>());
+    }
+    return objects;
+}
+
 void warn_of_unknown(const Json& root, Scene<2>& scene) {
-    static constexpr std::array known = {"format", "version", "dimension", "id",   "title",
-                                         "lesson", "seed",    "segments",  "view", "origin"};
+    static constexpr std::array known = {"format", "version",  "dimension", "id",     "title",  "lesson",
+                                         "seed",   "segments", "view",      "origin", "objects"};
     for (const auto& [key, value] : root.items())
         if (std::find(known.begin(), known.end(), key) == known.end())
             scene.warnings.push_back("member \"" + one_line(key, 40) + "\" is not known and was ignored");
@@ -97,6 +120,7 @@ Scene<2> scene_from_json(const Json& root, const std::string& name) {
         const auto s = numbers<4>(segments[i], place.element(i), name);
         scene.primitives.push_back({Vec<2>(s[0], s[1]), Vec<2>(s[2], s[3])});
     }
+    if (root.contains("objects")) scene.objects = objects_of(root["objects"], scene.primitives.size(), name);
     warn_of_unknown(root, scene);
     clean(scene, Recentre::no, name);
     scene.start_view = root.contains("view") ? view_of(root["view"], name) : default_view(scene.primitives);
@@ -136,7 +160,14 @@ std::string write_json(const Scene<2>& scene) {
         out += "    [" + number(s[0].x) + ", " + number(s[0].y) + ", " + number(s[1].x) + ", " + number(s[1].y) + "]";
         separator = ",\n";
     }
-    return out + "\n  ]\n}\n";
+    out += "\n  ]";
+    if (!scene.objects.empty()) {
+        Json names = Json::array();
+        for (const std::string& object : scene.objects.names) names.push_back(object);
+        out += ",\n  \"objects\": {\"names\": " + names.dump(-1, ' ', false, Json::error_handler_t::replace) +
+               ",\n    \"of\": " + Json(scene.objects.of).dump() + "}";
+    }
+    return out + "\n}\n";
 }
 
 }  // namespace sightline

@@ -3,9 +3,11 @@
 //    "id": "…", "title": "…", "lesson": "…", "seed": 7,
 //    "segments": [[x0, y0, x1, y1], …],
 //    "view": {"eye": [x, y], "look_at": [x, y], "fov": 60},
-//    "origin": [x, y]}
+//    "origin": [x, y],
+//    "objects": {"names": ["wall", …], "of": [0, 0, …]}}
 // format, version, dimension and segments are required. Coordinates are taken as they are, never recentred; origin
-// (default 0) only says what was subtracted earlier. fov is in degrees and defaults to 60.
+// (default 0) only says what was subtracted earlier. fov is in degrees and defaults to 60. objects names groups of
+// segments: "of" has the number of a name for each.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -8,7 +8,9 @@
 #include "core/base/text.h"
 #include "core/scene/clean.h"
 #include "core/scene/read/file_kind.h"
+#include "core/scene/read/file_objects.h"
 #include "core/scene/read/import_mesh.h"
+#include "core/scene/up_axis.h"
 
 namespace sightline {
 
@@ -61,6 +63,11 @@ void check(const MeshFile& mesh, const std::string& name) {
     if (size == 0) throw input_error(name, mesh.place, "the file is empty");
 }
 
+/// What the file is called in the names of objects.
+std::string label(const MeshFile& mesh) {
+    return mesh.named || mesh.place.empty() ? fs::path(mesh.path).filename().string() : mesh.place;
+}
+
 }  // namespace
 
 Scene<3> read_meshes(std::span<const std::string> paths, const std::string& name, const MeshOptions& options) {
@@ -68,12 +75,12 @@ Scene<3> read_meshes(std::span<const std::string> paths, const std::string& name
     Scene<3> scene;
     scene.id = scene.title = name;
     std::optional<ViewSpec<3>> camera;
-    bool any = false, axes_differ = false;
+    bool any = false, axes_differ = false, names_up = true;
     std::string first_failure;
     for (std::size_t k = 0; k < files.size(); ++k) {
         const MeshFile& mesh = files[k];
         const std::string what = "reading " + fs::path(mesh.path).filename().string();
-        const std::size_t before = scene.primitives.size();
+        const std::size_t before = scene.primitives.size(), names_before = scene.objects.names.size();
         try {
             check(mesh, name);
             const ImportedFile file = import_mesh(mesh.path, name, mesh.place, scene,
@@ -82,6 +89,9 @@ Scene<3> read_meshes(std::span<const std::string> paths, const std::string& name
                 scene.source = file.format;
                 scene.up_axis = file.up_axis;
             }
+            names_up = names_up && file.names_up;
+            name_file_objects(scene, names_before, files.size() > 1 ? label(mesh) : "");
+            scene.paths.insert(scene.paths.end(), file.paths.begin(), file.paths.end());
             axes_differ = axes_differ || file.up_axis != scene.up_axis;
             if (!camera) camera = file.camera;
             any = true;
@@ -94,11 +104,14 @@ Scene<3> read_meshes(std::span<const std::string> paths, const std::string& name
         }
     }
     if (!any) throw input_error(name, "", "none of its files can be read; the first error is " + first_failure);
-    if (axes_differ)
+    if (axes_differ && (options.up == Up::automatic || options.up == Up::format))
         scene.warnings.push_back("the files disagree on which axis points up; that of the first file is used");
     if (options.two_sided) scene.two_sided.assign(scene.primitives.size(), 1);
     scene.start_view = camera;  // which moves with the triangles
     clean(scene, Recentre::yes, name, options.progress);
+    for (FlightPath<3>& path : scene.paths) path.origin = scene.origin;
+    turn_up(scene, options.up, names_up);
+    if (!options.choose_view) return scene;
     report(options.progress, "choosing a view", 0);
     scene.start_view = default_view(scene.primitives, scene.up_axis, scene.two_sided, scene.start_view);
     report(options.progress, "choosing a view", 1);

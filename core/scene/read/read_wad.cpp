@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/read/read_wad.h"
 
+#include <algorithm>
 #include <array>
 
 #include "core/base/text.h"
@@ -12,7 +13,8 @@ namespace sightline {
 
 namespace {
 
-constexpr std::size_t header_size = 12, entry_size = 16, vertex_size = 4, linedef_size = 14, thing_size = 10;
+constexpr std::size_t header_size = 12, entry_size = 16, vertex_size = 4, linedef_size = 14, thing_size = 10,
+                      sidedef_size = 30;
 constexpr std::uint32_t no_side = 0xffff;
 constexpr double look_ahead = 256;  // map units; a door is 64 to 128 wide
 
@@ -59,6 +61,14 @@ std::vector<std::size_t> map_markers(const std::vector<Lump>& lumps) {
     return markers;
 }
 
+/// Maps of another format, whose text stands in one lump: UDMF.
+std::vector<std::size_t> text_markers(const std::vector<Lump>& lumps) {
+    std::vector<std::size_t> markers;
+    for (std::size_t i = 0; i + 1 < lumps.size(); ++i)
+        if (lumps[i + 1].name == "TEXTMAP") markers.push_back(i);
+    return markers;
+}
+
 std::string upper(std::string text) {
     for (char& c : text)
         if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
@@ -67,14 +77,17 @@ std::string upper(std::string text) {
 
 std::size_t chosen_marker(const std::vector<Lump>& lumps, const std::string& map, const std::string& name) {
     const std::vector<std::size_t> markers = map_markers(lumps);
+    for (const std::size_t i : text_markers(lumps))
+        if (map.empty() ? markers.empty() : upper(lumps[i].name) == upper(map))
+            throw input_error(name, lumps[i].name, "is a map in UDMF, which is not supported");
     if (markers.empty())
         throw input_error(name, "directory", "holds no map (no lump followed by THINGS LINEDEFS SIDEDEFS VERTEXES)");
-    if (map.empty()) return markers.front();
+    // Where a map stands twice the game takes the last one.
+    const std::string wanted = upper(map.empty() ? lumps[markers.front()].name : map);
+    for (auto i = markers.rbegin(); i != markers.rend(); ++i)
+        if (upper(lumps[*i].name) == wanted) return *i;
     std::string known;
-    for (const std::size_t i : markers) {
-        if (upper(lumps[i].name) == upper(map)) return i;
-        known += " " + lumps[i].name;
-    }
+    for (const std::size_t i : markers) known += " " + lumps[i].name;
     throw input_error(name, "directory", "no map \"" + one_line(map, 40) + "\"; it has" + known);
 }
 
@@ -90,14 +103,31 @@ std::string_view contents(std::string_view bytes, const Lump& lump, std::size_t 
     return bytes.substr(lump.offset, lump.size);
 }
 
+/// Of several starts of player 1 the last is the player's; the others are dolls.
 std::optional<ViewSpec<2>> player_view(std::string_view things) {
+    std::optional<ViewSpec<2>> view;
     for (std::size_t at = 0; at < things.size(); at += thing_size) {
         if (u16(things, at + 6) != 1) continue;
         const Vec<2> eye(i16(things, at), i16(things, at + 2));
         const SinCos direction = sincos_degrees(i16(things, at + 4));
-        return ViewSpec<2>{eye, eye + look_ahead * Vec<2>(direction.cos, direction.sin), 90};
+        view = ViewSpec<2>{eye, eye + look_ahead * Vec<2>(direction.cos, direction.sin), 90};
     }
-    return std::nullopt;
+    return view;
+}
+
+/// Lines belong to the sector on their right side.
+Objects sectors_of(std::string_view sidedefs, const std::vector<std::uint32_t>& right_sides) {
+    Objects objects;
+    const std::size_t sides = sidedefs.size() / sidedef_size;
+    std::uint32_t most = 0;
+    for (const std::uint32_t side : right_sides)
+        if (side < sides) most = std::max(most, u16(sidedefs, side * sidedef_size + 28) + 1);
+    if (most == 0) return objects;  // nothing is said of sectors
+    for (std::uint32_t i = 0; i < most; ++i) objects.names.push_back("sector " + std::to_string(i));
+    objects.names.emplace_back("no sector");
+    for (const std::uint32_t side : right_sides)
+        objects.of.push_back(side < sides ? u16(sidedefs, side * sidedef_size + 28) : most);
+    return objects;
 }
 
 }  // namespace
@@ -105,7 +135,8 @@ std::optional<ViewSpec<2>> player_view(std::string_view things) {
 std::vector<std::string> wad_maps(std::string_view bytes, const std::string& name) {
     const std::vector<Lump> lumps = directory(bytes, name);
     std::vector<std::string> maps;
-    for (const std::size_t i : map_markers(lumps)) maps.push_back(lumps[i].name);
+    for (const std::size_t i : map_markers(lumps))
+        if (std::find(maps.begin(), maps.end(), lumps[i].name) == maps.end()) maps.push_back(lumps[i].name);
     return maps;
 }
 
@@ -119,6 +150,7 @@ Scene<2> read_wad(std::string_view bytes, const std::string& name, const WadOpti
 
     const std::string_view things = contents(bytes, lumps[marker + 1], thing_size, name);
     const std::string_view linedefs = contents(bytes, lumps[marker + 2], linedef_size, name);
+    const std::string_view sidedefs = contents(bytes, lumps[marker + 3], sidedef_size, name);
     const std::string_view vertexes = contents(bytes, lumps[marker + 4], vertex_size, name);
     const std::size_t vertex_count = vertexes.size() / vertex_size;
 
@@ -127,6 +159,7 @@ Scene<2> read_wad(std::string_view bytes, const std::string& name, const WadOpti
     scene.title = lumps[marker].name + " of " + name;
     scene.source = "wad";
     std::size_t see_through = 0;
+    std::vector<std::uint32_t> right_sides;  // per primitive
     for (std::size_t at = 0; at < linedefs.size(); at += linedef_size) {
         Primitive<2> segment;
         for (std::size_t end = 0; end < 2; ++end) {
@@ -137,14 +170,17 @@ Scene<2> read_wad(std::string_view bytes, const std::string& name, const WadOpti
             segment[end] = {i16(vertexes, vertex * vertex_size), i16(vertexes, vertex * vertex_size + 2)};
         }
         const bool wall = u16(linedefs, at + 12) == no_side;
-        if (wall || options.two_sided)
+        if (wall || options.two_sided) {
             scene.primitives.push_back(segment);
-        else
+            right_sides.push_back(u16(linedefs, at + 10));
+        } else {
             ++see_through;
+        }
     }
     if (see_through > 0)
         scene.warnings.push_back(std::to_string(see_through) +
                                  " two-sided lines, which can be seen through, are left out");
+    scene.objects = sectors_of(sidedefs, right_sides);
     clean(scene, Recentre::no, name);
     scene.start_view = player_view(things);
     if (!scene.start_view) {

@@ -19,8 +19,9 @@ struct WadOptions {
 /// Throws InputError when the bytes are no WAD or its directory does not fit them.
 std::vector<std::string> wad_maps(std::string_view bytes, const std::string& name);
 
-/// Coordinates are map units, not recentred. The start view is that of player 1 (a thing of type 1), 90 degrees wide;
-/// default_view() where there is none. The id is "name#MAP". Throws InputError "name: LINEDEFS record 12: reason"; an
+/// Coordinates are map units, not recentred. The start view is that of player 1 (the last thing of type 1), 90 degrees
+/// wide; default_view() where there is none. Of maps of one name the last counts. Objects are the sectors, a line being
+/// of that on its right side. The id is "name#MAP". Throws InputError "name: LINEDEFS record 12: reason"; an
 /// unknown map's line lists the known ones.
 Scene<2> read_wad(std::string_view bytes, const std::string& name, const WadOptions& options = {});
 

@@ -98,7 +98,7 @@ std::string Window3OffScreen::setting() {
         if (row.name == "error_bound") value = number_text(random.uniform(0.1, 0.4));
         if (row.name == "jitter") value = "0.02";  // else cells without a volume
         if (row.name == "reference_size") value = one_of(std::array{"64x48", "1x1", "4x200", "300x2"});
-        if (row.name == "two_sided") continue;  // decides how files are read
+        if (row.name == "two_sided" || row.name == "up") continue;  // decides how files are read
         return std::string(row.name) + "=" + value;
     }
 }
