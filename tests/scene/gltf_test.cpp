@@ -72,7 +72,9 @@ Gltf pyramid() {
 }
 
 Scene<3> read_text(const std::string& text) {
-    const TemporaryFile file("x.gltf", text);
+    // Tests run beside each other.
+    const TemporaryFile file(std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + ".gltf",
+                             text);
     return read_mesh(file.path(), "x");
 }
 

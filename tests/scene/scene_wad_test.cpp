@@ -137,7 +137,7 @@ TEST(SceneWad, SectorsAreObjects) {
 
 TEST(SceneLoad, SaysWhatAFileIsThatItCannotRead) {
     const auto expect_end = [](const std::string& bytes, const std::string& end) {
-        const test::TemporaryFile file("x.pk3", bytes);
+        const test::TemporaryFile file("not_read.pk3", bytes);
         expect_input_error([&] { load_scene(file.path()); }, file.path() + ": " + end);
     };
     const std::string no = "byte 0: is not a WAD, GeoJSON or Sightline JSON file (it begins like ";

@@ -25,7 +25,9 @@ void add_box(test::Mesh& mesh, const Vec<3>& low, const Vec<3>& high, bool insid
 }
 
 Scene<3> as_obj(const test::Mesh& mesh, Up up = Up::automatic) {
-    const TemporaryFile file("x.obj", test::obj_of(mesh));
+    // Tests run beside each other.
+    const TemporaryFile file(std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + ".obj",
+                             test::obj_of(mesh));
     return load_scene<3>(file.path(), {.up = up});
 }
 
@@ -119,7 +121,7 @@ TEST(Up, IsWhatAPersonAsksFor) {
         EXPECT_TRUE(scene.warnings.empty());
     }
     // glTF has a rule.
-    const TemporaryFile gltf("x.gltf", test::gltf_of(town(Vec<3>(84000, 447000, 0))));
+    const TemporaryFile gltf("asked.gltf", test::gltf_of(town(Vec<3>(84000, 447000, 0))));
     EXPECT_EQ(load_scene<3>(gltf.path()).up_axis, 1);
     EXPECT_EQ(load_scene<3>(gltf.path(), {.up = Up::z}).up_axis, 2);
 }
@@ -159,7 +161,7 @@ TEST(RayTree, WhatHasNoTrianglesIsNotEntered) {
 }
 
 TEST(StartView, IsNotChosenWhereNobodyNeedsIt) {
-    const TemporaryFile file("x.obj", test::obj_of(test::cube()));
+    const TemporaryFile file("not_chosen.obj", test::obj_of(test::cube()));
     EXPECT_FALSE(load_scene<3>(file.path(), {.choose_view = false}).start_view);
 }
 
