@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/measure/checkpoint.h"
 
+#include <cerrno>
 #include <nlohmann/json.hpp>
+#include <system_error>
 
 #include "core/base/error.h"
 #include "core/base/file.h"
@@ -103,8 +105,11 @@ const std::string* Checkpoint::find(const std::string& key) const {
 }
 
 void Checkpoint::add(const std::string& key, const std::string& piece) {
+    errno = 0;
     out_ << checkpoint_line("{\"key\":" + line_of(key) + ",\"piece\":" + piece + "}") << "\n" << std::flush;
-    if (!out_) throw WorkError(file_.string() + ": cannot be written");
+    if (!out_)
+        throw WorkError(file_.string() + ": cannot be written" +
+                        (errno != 0 ? ": " + std::generic_category().message(errno) : std::string()));
     pieces_[key] = piece;
 }
 

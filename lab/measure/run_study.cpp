@@ -77,12 +77,12 @@ using Opened = std::function<Checkpoint&()>;
 template <int D>
 bool measure(const Unit& unit, LabGraphics& graphics, const StudyRun& run, const Opened& opened, Remaining& remaining,
              Results& results) {
-    std::string what = unit.scene;
+    std::string what = excerpt(unit.scene);
     if (unit.error_bound > 0) what += ", error bound " + short_number(unit.error_bound);
     if (run.say) run.say(what + ": reading and tessellating" + remaining.text());
     const LabScene<D> lab = load_lab_scene<D>(unit.scene, unit.path, unit.study);
     Checkpoint& checkpoint = opened();
-    what += ", path " + lab.path;
+    what += ", path " + excerpt(lab.path);
     const std::size_t frames = lab.frames.size();
     const double share = 1 / static_cast<double>(frames);
     const std::string key = checkpoint_key(lab);
@@ -149,7 +149,7 @@ void check_scenes(const Study& study, const std::function<void(const std::string
         paths[scene].push_back(path);
     }
     for (const std::string& scene : scenes) {
-        if (say) say(scene + ": checking");
+        if (say) say(excerpt(scene) + ": checking");
         if (parse_scene(scene).dimension == 2)
             check_scene<2>(scene, paths[scene], study);
         else

@@ -3,6 +3,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "core/base/excerpt.h"
 #include "core/base/number.h"
 #include "core/base/text.h"
 #include "lab/command.h"
@@ -24,7 +25,7 @@ template <int D>
 std::vector<StabilityRow> measure(const std::string& scene, const std::string& path, const Study& spots,
                                   const StabilityOptions& options, LabGraphics& graphics, Checkpoint& checkpoint,
                                   Remaining& remaining) {
-    say(scene + ": reading and tessellating" + remaining.text());
+    say(excerpt(scene) + ": reading and tessellating" + remaining.text());
     const LabScene<D> lab = load_lab_scene<D>(scene, path, spots);
     const std::string key = checkpoint_key(lab) + ", ";
     StabilityWatch watch;
@@ -39,7 +40,7 @@ std::vector<StabilityRow> measure(const std::string& scene, const std::string& p
             checkpoint.add(key + stage.name, stability_rows_json(stage.rows));
             remaining.done(stage.share);
         }
-        say(scene + ", path " + lab.path + ": " + stage.name + remaining.text());
+        say(excerpt(scene) + ", path " + excerpt(lab.path) + ": " + stage.name + remaining.text());
         return !interrupted();
     };
     return measure_stability<D>(lab, spots, options, graphics.draw_ids(), watch);

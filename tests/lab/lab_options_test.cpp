@@ -24,6 +24,11 @@ protected:
                                     (folder_ / "complained").string();
         const int status = std::system(command.c_str());
         complaint_ = read_file(folder_ / "complained");
+        // Without what was said of the progress before an error.
+        if (const std::size_t at = complaint_.rfind("lab: "); at != std::string::npos && at > 0 &&
+                                                              complaint_[at - 1] == '\n' &&
+                                                              complaint_.find("warning") == std::string::npos)
+            complaint_.erase(0, at);
         return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     }
     std::string complaint_;
