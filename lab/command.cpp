@@ -2,11 +2,15 @@
 #include "lab/command.h"
 
 #include <array>
+#include <cerrno>
+#include <csignal>
 #include <exception>
 #include <iostream>
 #include <string>
+#include <system_error>
 
 #include "core/base/error.h"
+#include "core/base/excerpt.h"
 #include "core/base/text.h"
 
 namespace sightline::lab {
@@ -27,6 +31,8 @@ std::span<const Command> commands() {
                 object_space_command},
         Command{"reduce", "shrinks a scene to the fewest primitives for which an expression still holds",
                 reduce_command},
+        Command{"sets", "writes per frame and per object what is visible, rendered and missed, for other programs",
+                sets_command},
         Command{"merge", "merges the parts of a study that were measured separately", merge_command},
     };
     return table;
@@ -49,19 +55,25 @@ int run(int argc, const char* const* argv, const MethodTables& tables) {
     }
     for (const Command& command : commands())
         if (command.id == id) return command.run(argc - 1, argv + 1, tables);
-    throw InputError("there is no command '" + id + "' (lab --help lists them)");
+    throw InputError("there is no command '" + excerpt(id) + "' (lab --help lists them)");
 }
 
 }  // namespace
 
 int lab_program(int argc, const char* const* argv, const MethodTables& tables) {
+    // Whatever cannot be written is said in words, by whoever writes it.
+    std::signal(SIGXFSZ, SIG_IGN);
     try {
-        return run(argc, argv, tables);
+        const int status = run(argc, argv, tables);
+        errno = 0;
+        if (std::cout.flush()) return status;
+        throw WorkError(std::string("standard output cannot be written") +
+                        (errno != 0 ? ": " + std::generic_category().message(errno) : std::string()));
     } catch (const InputError& error) {
-        std::cerr << "lab: " << one_line(error.what(), 4096) << "\n";
+        std::cerr << "lab: " << error_line(error.what()) << "\n";
         return 2;
     } catch (const std::exception& error) {
-        std::cerr << "lab: " << one_line(error.what(), 4096) << "\n";
+        std::cerr << "lab: " << error_line(error.what()) << "\n";
         return 1;
     }
 }

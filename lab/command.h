@@ -29,6 +29,7 @@ int stability_command(int argc, const char* const* argv, const MethodTables& tab
 int cells_command(int argc, const char* const* argv, const MethodTables& tables);
 int compare_command(int argc, const char* const* argv, const MethodTables& tables);
 int object_space_command(int argc, const char* const* argv, const MethodTables& tables);
+int sets_command(int argc, const char* const* argv, const MethodTables& tables);
 int reduce_command(int argc, const char* const* argv, const MethodTables& tables);
 
 }  // namespace sightline::lab

@@ -8,18 +8,26 @@
 #include <fstream>
 #include <vector>
 
+#include "core/base/excerpt.h"
+
 namespace sightline {
 
 std::string one_line(std::string_view text, std::size_t most) {
     std::string line(text.substr(0, most));
-    for (char& c : line)
-        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
     if (text.size() > most) {
         while (!line.empty() && (static_cast<unsigned char>(line.back()) & 0xc0) == 0x80) line.pop_back();
         if (!line.empty() && static_cast<unsigned char>(line.back()) >= 0xc0) line.pop_back();  // half a character
-        line += "...";
     }
-    return line;
+    for (std::size_t i = 0; i < line.size();) {
+        const std::size_t length = character_length(line, i);
+        const auto byte = static_cast<unsigned char>(line[i]);
+        // U+0080 to U+009F are commands to some terminals, as their single bytes are, which are no UTF-8.
+        const bool control =
+            byte < 0x20 || byte == 0x7f || (byte == 0xc2 && static_cast<unsigned char>(line[i + 1]) < 0xa0);
+        if (length == 0 || control) line.replace(i, std::max<std::size_t>(length, 1), "?");
+        i += length == 0 || control ? 1 : length;
+    }
+    return text.size() > most ? line + "..." : line;
 }
 
 InputError input_error(std::string_view name, std::string_view place, std::string_view reason) {
@@ -118,7 +126,7 @@ std::string_view closest(std::string_view mistyped, std::span<const std::string_
 }
 
 InputError unknown_word(std::string_view kind, std::string_view word, std::span<const std::string_view> words) {
-    std::string text = std::string(kind) + " '" + std::string(word) + "' does not exist; ";
+    std::string text = std::string(kind) + " '" + excerpt(word) + "' does not exist; ";
     if (const std::string_view close = closest(word, words); !close.empty())
         return InputError(text + "did you mean " + std::string(close) + "?");
     text += "there are ";

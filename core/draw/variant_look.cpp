@@ -108,8 +108,11 @@ std::vector<VariantLook> variant_looks(std::span<const std::string> variants) {
     std::vector<std::string> texts;
     std::map<std::string, VariantText> shown;  // by text, so that the order of the list does not matter
     std::map<std::string, std::size_t> numbers;
-    for (const std::string& id : ids_of_tables()) numbers.emplace(id, numbers.size());
-    const std::size_t known = numbers.size();
+    // Numbers 14 and 15 would look like view and published to some eyes: they stay free.
+    constexpr std::size_t free_from = 14, free_count = 2;
+    for (const std::string& id : ids_of_tables())
+        numbers.emplace(id, numbers.size() + (numbers.size() >= free_from ? free_count : 0));
+    const std::size_t known = numbers.size() + (numbers.size() > free_from ? free_count : 0);
     std::set<std::string> others;
     for (const std::string& variant : variants) {
         VariantText text = canonical(variant);

@@ -9,6 +9,7 @@
 #include "core/methods/formula/formula_heuristic.h"
 #include "core/methods/image_space/image_methods.h"
 #include "core/methods/layers/layers.h"
+#include "core/methods/listed/listed.h"
 #include "core/methods/orders/orders.h"
 #include "core/methods/plp/published.h"
 
@@ -46,6 +47,7 @@ std::vector<Method<D>> rows() {
     table.back().compared = false;
     for (Method<D>& method : image_methods<D>(table.front())) table.push_back(std::move(method));
     for (Method<D>& method : object_space_methods<D>()) table.push_back(std::move(method));
+    table.push_back(listed_method<D>());  // last: colours follow the order
     return table;
 }
 

@@ -6,7 +6,9 @@
 #include <limits>
 
 #include "core/base/error.h"
+#include "core/base/excerpt.h"
 #include "core/base/number.h"
+#include "core/base/text.h"
 
 namespace sightline {
 
@@ -22,7 +24,7 @@ Budget parse_budget(std::string_view text) {
     if (text == "unlimited") return {};
     const auto fail = [&](const char* why) {
         return InputError(
-            "budget '" + std::string(text) + "': " + why +
+            "budget '" + excerpt(text) + "': " + why +
             " (write a whole number of primitives, a share such as 5%, a time such as 16ms, or unlimited)");
     };
     Budget::Kind kind = Budget::Kind::primitives;

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "core/base/excerpt.h"
 #include "core/base/text.h"
 
 namespace sightline {
@@ -89,7 +90,7 @@ VariantText read_variant(std::string_view text) {
         }
         const std::size_t equals = part.find('=');
         if (equals == std::string::npos || equals == 0)
-            throw InputError("method '" + std::string(text) + "': '" + part +
+            throw InputError("method '" + excerpt(text) + "': '" + excerpt(part) +
                              "' is not a parameter: write NAME=VALUE, with quotes around a value that has spaces");
         variant.assignments.emplace_back(part.substr(0, equals), without_quotes(part.substr(equals + 1)));
     }
@@ -112,7 +113,7 @@ const Method<D>& find_variant(std::span<const Method<D>> table, const VariantTex
             std::string known;
             for (const ParameterRow* other : method.parameters)
                 known += (known.empty() ? "" : ", ") + std::string(other->name);
-            throw InputError("method '" + std::string(method.id) + "' has no parameter '" + name + "'; " +
+            throw InputError("method '" + std::string(method.id) + "' has no parameter '" + excerpt(name) + "'; " +
                              (known.empty() ? "it has none" : "there are " + known));
         }
         with.set(*row, value);

@@ -6,7 +6,9 @@
 #include <cstdint>
 
 #include "core/base/error.h"
+#include "core/base/excerpt.h"
 #include "core/base/number.h"
+#include "core/base/text.h"
 
 namespace sightline {
 
@@ -15,14 +17,14 @@ namespace {
 std::string read_number(const ParameterRow& row, std::string_view text) {
     const auto number = parse_number(text);
     if (!number || *number < row.low || *number > row.high)
-        throw InputError("'" + std::string(text) + "' is not a number in " + std::string(row.values));
+        throw InputError("'" + excerpt(text) + "' is not a number in " + std::string(row.values));
     return number_text(*number);
 }
 
 std::string read_whole(const ParameterRow& row, std::string_view text) {
     const auto number = parse_number(text);
     if (!number || *number < row.low || *number > row.high || *number != std::floor(*number))
-        throw InputError("'" + std::string(text) + "' is not a whole number in " + std::string(row.values));
+        throw InputError("'" + excerpt(text) + "' is not a whole number in " + std::string(row.values));
     return std::to_string(static_cast<std::uint64_t>(*number));
 }
 
@@ -35,7 +37,7 @@ auto place_of(auto& values, std::string_view name) {
 
 std::string detail::read_choice(const ParameterRow& row, std::string_view text) {
     if (std::find(row.words.begin(), row.words.end(), text) == row.words.end())
-        throw InputError("'" + std::string(text) + "' is not one of " + std::string(row.values));
+        throw InputError("'" + excerpt(text) + "' is not one of " + std::string(row.values));
     return std::string(text);
 }
 

@@ -3,6 +3,7 @@
 #include <iostream>
 
 #include "core/base/error.h"
+#include "core/base/excerpt.h"
 #include "core/base/file.h"
 #include "core/base/number.h"
 #include "core/base/quote.h"
@@ -10,9 +11,10 @@
 #include "lab/cells/cells_report.h"
 #include "lab/cells/sweep.h"
 #include "lab/command.h"
+#include "lab/measure/out_folder.h"
 #include "lab/measure/run_study.h"
 #include "lab/measure/study_options.h"
-#include "lab/report/chart.h"
+#include "lab/report/chart_options.h"
 #include "lab/report/say.h"
 #include "lab/report/study_charts.h"
 
@@ -23,7 +25,8 @@ namespace {
 Measure measure_named(const std::string& id) {
     for (const MeasureRow& row : measure_table())
         if (row.id == id && row.better != Better::neither) return row.measure;
-    throw InputError("--measure '" + id + "': not a measure that can be better or worse, such as wrong or coverage");
+    throw InputError("--measure '" + excerpt(id) +
+                     "': not a measure that can be better or worse, such as wrong or coverage");
 }
 
 /// Writes the settings of a knee and says so.
@@ -47,11 +50,12 @@ std::string on_cells(const Row& row, const MethodTables& tables) {
 }
 
 /// Parameters of methods instead of cells.
-int sweep_parameters(const Study& asked, const std::vector<std::string>& texts, Measure measure,
-                     const std::string& out) {
+int sweep_parameters(const Study& asked, const std::vector<std::string>& texts, Measure measure, std::string out,
+                     const ChartFormat& format) {
     std::vector<Sweep> sweeps;
     for (const std::string& text : texts) sweeps.push_back(parse_sweep(text));
     const Study study = parameter_study(asked, sweeps);
+    if (out.empty()) out = folder_for(folder_named("cells", name_parts(study)), "frames.jsonl", study_json(study));
     LabGraphics graphics;
     note_interrupts();
     const Results results = run_study(study, out, graphics, {.say = say, .stopped = interrupted});
@@ -59,7 +63,7 @@ int sweep_parameters(const Study& asked, const std::vector<std::string>& texts, 
     write_results(results, out);
     const std::vector<SweepCurve> curves = sweep_curves(asked, sweeps, results);
     say("drawing the charts");
-    write_sweep_report(curves, measure, out);
+    write_sweep_report(curves, measure, out, format);
     say("");
     for (const SweepCurve& curve : curves) {
         const std::size_t at = best(curve, measure);
@@ -90,7 +94,7 @@ int cells_command(int argc, const char* const* argv, const MethodTables& tables)
     add_study_options(app, options);
     std::vector<double> bounds = default_error_bounds();
     std::vector<std::string> sweeps;
-    std::string measure_id = "wrong", out = "out/cells";
+    std::string measure_id = "wrong", out;
     double within = 0.01;
     std::optional<double> reach;
     app.add_option("--error-bounds", bounds, "comma-separated, each in (0, 1]")
@@ -108,15 +112,18 @@ int cells_command(int argc, const char* const* argv, const MethodTables& tables)
                    "how much worse than the best the knee may be, in units of the measure (shares: 0.01 is 1 %)")
         ->capture_default_str();
     app.add_option("--reach", reach, "also name the simplest method that reaches this value of the measure");
-    app.add_option("--out", out, "folder of the results")->capture_default_str();
+    app.add_option("--out", out, "folder of the results; default: out/cells-SCENE");
+    ChartFormat format;
+    add_chart_options(app, format);
     if (!parse(app, argc, argv)) return 0;
     if (!sweeps.empty() && measure_option->empty()) measure_id = "total_ms";
     if (!sweeps.empty() && app.get_option("--methods")->empty()) options.methods.clear();  // all that have it
     const Measure measure = measure_named(measure_id);
     const Study asked = study_of(options, tables);
-    if (!sweeps.empty()) return sweep_parameters(asked, sweeps, measure, out);
+    if (!sweeps.empty()) return sweep_parameters(asked, sweeps, measure, out, format);
     const Study study = sweep_study(asked, bounds), cell_free = cell_free_study(asked);
     if (study.methods.empty()) throw InputError("lab cells: none of these methods orders cells");
+    if (out.empty()) out = folder_for(folder_named("cells", name_parts(study)), "frames.jsonl", study_json(study));
     LabGraphics graphics;
     note_interrupts();
     const Results results = run_study(study, out, graphics, {.say = say, .stopped = interrupted});
@@ -131,7 +138,7 @@ int cells_command(int argc, const char* const* argv, const MethodTables& tables)
     const std::vector<CellsCurve> curves = curves_of(results);
     write_results(results, out);
     say("drawing the charts");
-    write_cells_report(curves, measure, within, out);
+    write_cells_report(curves, measure, within, out, format);
     say("");
     for (const CellsCurve& curve : curves) write_knee(curve, measure, within, out);
     if (reach)

@@ -101,7 +101,7 @@ std::vector<std::vector<const CellsCurve*>> grouped(const std::vector<CellsCurve
 }  // namespace
 
 void write_cells_report(const std::vector<CellsCurve>& curves, Measure measure, double within,
-                        const std::filesystem::path& folder) {
+                        const std::filesystem::path& folder, const ChartFormat& format) {
     std::filesystem::create_directories(folder / "charts");
     std::string html =
         "<p>Accuracy and time against the number of cells, mean over the frames of the path. The knee is "
@@ -121,12 +121,12 @@ void write_cells_report(const std::vector<CellsCurve>& curves, Measure measure, 
             const std::filesystem::path stem = folder / "charts" /
                                                file_stem("cells-" + first.scene + "-" + first.path + "-" +
                                                          first.budget + "-" + std::string(measure_row(m).id));
-            write_chart(chart_of(group, m, within, m == measure), stem);
+            write_chart(chart_of(group, m, within, m == measure), stem, format);
             html += picture(stem.string() + ".svg", "");
         }
         const std::filesystem::path stem =
             folder / "charts" / file_stem("cells-" + first.scene + "-" + first.path + "-" + first.budget + "-density");
-        write_chart(density_chart(group, measure, within), stem);
+        write_chart(density_chart(group, measure, within), stem, format);
         html += picture(stem.string() + ".svg", "");
         for (const CellsCurve* curve : group) html += table_of(*curve, measure, within);
     }

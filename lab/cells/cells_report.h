@@ -6,12 +6,13 @@
 #include <vector>
 
 #include "lab/cells/cells.h"
+#include "lab/report/chart.h"
 
 namespace sightline::lab {
 
 /// charts/ and cells.html; `measure` and `within` are those of knee(). Throws WorkError.
 void write_cells_report(const std::vector<CellsCurve>& curves, Measure measure, double within,
-                        const std::filesystem::path& folder);
+                        const std::filesystem::path& folder, const ChartFormat& format = {});
 
 /// The knee as a settings file: method, tessellation, error bound and budget, and why.
 std::string knee_settings(const CellsCurve& curve, Measure measure, double within);

@@ -5,8 +5,10 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/base/excerpt.h"
 #include "core/base/file.h"
 #include "core/base/number.h"
+#include "core/base/text.h"
 #include "core/session/settings_file.h"
 #include "lab/report/method_looks.h"
 #include "lab/report/page.h"
@@ -110,7 +112,8 @@ Sweep parse_sweep(const std::string& text) {
     }
     const bool has_empty = std::find(sweep.values.begin(), sweep.values.end(), "") != sweep.values.end();
     if (sweep.parameter.empty() || sweep.values.size() < 2 || has_empty)
-        throw InputError("--sweep '" + text + "': write PARAMETER=VALUE,VALUE,… such as occluder_count=8,16,32");
+        throw InputError("--sweep '" + excerpt(text) +
+                         "': write PARAMETER=VALUE,VALUE,… such as occluder_count=8,16,32");
     return sweep;
 }
 
@@ -127,7 +130,8 @@ Study parameter_study(Study study, const std::vector<Sweep>& sweeps) {
                     methods.push_back(std::move(made));
             }
         }
-        if (!any) throw InputError("--sweep " + sweep.parameter + ": none of these methods has such a parameter");
+        if (!any)
+            throw InputError("--sweep " + excerpt(sweep.parameter) + ": none of these methods has such a parameter");
     }
     study.methods = std::move(methods);
     return study;
@@ -174,7 +178,8 @@ std::size_t best(const SweepCurve& curve, Measure measure) {
     return found;
 }
 
-void write_sweep_report(const std::vector<SweepCurve>& curves, Measure measure, const std::filesystem::path& folder) {
+void write_sweep_report(const std::vector<SweepCurve>& curves, Measure measure, const std::filesystem::path& folder,
+                        const ChartFormat& format) {
     std::filesystem::create_directories(folder / "charts");
     std::string html =
         "<p>Each method over the values of one parameter, all else as it is, mean over the frames of the path (times: "
@@ -207,7 +212,7 @@ void write_sweep_report(const std::vector<SweepCurve>& curves, Measure measure, 
                 folder / "charts" /
                 file_stem("sweep-" + first.parameter + "-" + first.scene + "-" + first.path + "-" + first.budget + "-" +
                           std::string(measure_row(m).id));
-            write_chart(sweep_chart(group, m, m == measure), stem);
+            write_chart(sweep_chart(group, m, m == measure), stem, format);
             html += picture(stem.string() + ".svg", "");
         }
         for (const SweepCurve* const curve : group) html += sweep_table(*curve, measure);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lab/measure/results.h"
+#include "lab/report/chart.h"
 
 namespace sightline::lab {
 
@@ -36,7 +37,8 @@ std::vector<SweepCurve> sweep_curves(const Study& study, const std::vector<Sweep
 std::size_t best(const SweepCurve& curve, Measure measure);
 
 /// charts/ and sweep.html. Throws WorkError.
-void write_sweep_report(const std::vector<SweepCurve>& curves, Measure measure, const std::filesystem::path& folder);
+void write_sweep_report(const std::vector<SweepCurve>& curves, Measure measure, const std::filesystem::path& folder,
+                        const ChartFormat& format = {});
 
 /// The best value as a settings file that --settings takes.
 std::string sweep_settings(const SweepCurve& curve, Measure measure);

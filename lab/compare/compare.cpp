@@ -6,6 +6,8 @@
 #include <set>
 
 #include "core/base/error.h"
+#include "core/base/excerpt.h"
+#include "core/base/text.h"
 
 namespace sightline::lab {
 
@@ -150,8 +152,8 @@ std::vector<Pair> compare_methods(const Results& results, const MethodChoice& a,
             if (same && x.method == a && y.method == b) pairs.push_back(pair_of(x, y));
         }
     if (pairs.empty())
-        throw InputError("compare: the study does not hold " + method_text(a) + " and " + method_text(b) +
-                         " at the same budget");
+        throw InputError("compare: the study does not hold " + excerpt(method_text(a)) + " and " +
+                         excerpt(method_text(b)) + " at the same budget");
     return pairs;
 }
 

@@ -41,11 +41,6 @@ std::string value_text(Measure measure, double value) {
 
 std::string signed_text(Measure measure, double value) { return (value > 0 ? "+" : "") + value_text(measure, value); }
 
-std::string title_of(const Pair& pair) {
-    const std::string a = method_text(pair.a->method), b = method_text(pair.b->method);
-    return pair.a->scene + ", path " + pair.a->path + ", " + (a == b ? a : a + " and " + b) + " at " + pair.a->budget;
-}
-
 /// The two frames of a pair that changed most, on both sides.
 template <int D>
 void draw(const Pair& pair, const Change& change, const Side& a, const Side& b, const std::filesystem::path& folder,
@@ -58,7 +53,7 @@ void draw(const Pair& pair, const Change& change, const Side& a, const Side& b, 
         const std::size_t frame = lost ? change.lost : change.gained;
         const auto in_b = std::find(pair.b->frames.begin(), pair.b->frames.end(), pair.a->frames[frame]);
         const std::string stem = file_stem(scene + "-" + path + (lost ? "-lost" : "-gained"));
-        drawn.push_back({title_of(pair) + ": the frame that " + (lost ? "lost" : "gained") + " most",
+        drawn.push_back({pair_title(pair) + ": the frame that " + (lost ? "lost" : "gained") + " most",
                          draw_frame<D>(lab_a, study_a, *pair.a, frame, folder / (stem + "-a.png"), graphics),
                          draw_frame<D>(lab_b, study_b, *pair.b, static_cast<std::size_t>(in_b - pair.b->frames.begin()),
                                        folder / (stem + "-b.png"), graphics)});
@@ -72,6 +67,11 @@ bool has_times(const std::vector<Pair>& pairs, const std::string& scene, const s
 }
 
 }  // namespace
+
+std::string pair_title(const Pair& pair) {
+    const std::string a = method_text(pair.a->method), b = method_text(pair.b->method);
+    return pair.a->scene + ", path " + pair.a->path + ", " + (a == b ? a : a + " and " + b) + " at " + pair.a->budget;
+}
 
 std::string change_text(const Change& change) {
     const MeasureRow& row = measure_row(change.measure);
@@ -165,7 +165,7 @@ void write_comparison(const Comparison& comparison, const std::vector<SideBySide
                  {"method_a", method_text(pair.a->method)},
                  {"method_b", method_text(pair.b->method)},
                  {"budget", pair.a->budget}};
-        html += "<h3>" + escaped(title_of(pair)) + "</h3><table><tr><th class=t>measure</th><th>" +
+        html += "<h3>" + escaped(pair_title(pair)) + "</h3><table><tr><th class=t>measure</th><th>" +
                 swatch(looks.look(pair.a->method)) + "A</th><th>" + swatch(looks.look(pair.b->method)) +
                 "B</th><th>B - A</th><th>±</th><th class=t></th><th>lost most in frame</th><th>gained most in "
                 "frame</th></tr>";

@@ -35,6 +35,9 @@ struct SideBySide {
 std::vector<SideBySide> draw_side_by_side(const Comparison& comparison, const std::filesystem::path& folder,
                                           LabGraphics& graphics);
 
+/// "city, path street, published at 5%"; both methods where they are two.
+std::string pair_title(const Pair& pair);
+
 /// Like "coverage 71.2 -> 75.0 (+3.8 ± 1.1)"; better, worse, or within the noise.
 std::string change_text(const Change& change);
 

@@ -5,11 +5,14 @@
 #include <filesystem>
 
 #include "core/base/error.h"
+#include "core/base/excerpt.h"
 #include "core/base/file.h"
 #include "core/base/hash.h"
 #include "core/base/number.h"
 #include "core/base/stopwatch.h"
+#include "core/base/text.h"
 #include "core/base/trig.h"
+#include "core/methods/listed/listed.h"
 #include "core/scene/read/load.h"
 #include "core/scene/scene_view.h"
 #include "core/session/settings_table.h"
@@ -48,6 +51,26 @@ Scene<D> load(const std::string& file, const Settings& settings, const Progress&
     return load_scene<D>(file, read_options(settings, progress));
 }
 
+/// A frame that a listed set lacks would be measured as one in which nothing was rendered.
+template <int D>
+void check_sets(LabScene<D>& lab, const Study& study) {
+    Hash hash;
+    bool any = false;
+    for (const MethodChoice& choice : study.methods) {
+        if (choice.id() != listed_id || !method_of<D>(lab.tables, choice)) continue;
+        const Variant<D> variant = lab.variant_for(choice);
+        for (std::size_t i = 0; i < lab.views.size(); ++i)
+            if (const std::string why = listed_lacks<D>(make_problem(variant.method, variant.parameters, *lab.scene,
+                                                                     lab.on(choice.tessellation), lab.views[i]));
+                !why.empty())
+                throw InputError(excerpt(lab.name) + ", path " + excerpt(lab.path) + ", frame " +
+                                 std::to_string(lab.frames[i]) + ": " + why);
+        hash.add(listed_hash(variant.parameters));
+        any = true;
+    }
+    if (any) lab.listed = hash.value();
+}
+
 }  // namespace
 
 template <int D>
@@ -57,7 +80,8 @@ FlightPath<D> find_path(const Scene<D>& scene, const std::string& name) {
         FlightPath<D> path = find_path<D>(scene, part->path);
         const std::size_t count = path.frames.size();
         if (part->last >= count)
-            throw InputError("path '" + name + "': " + part->path + " has frames 0 to " + std::to_string(count - 1));
+            throw InputError("path '" + excerpt(name) + "': " + excerpt(part->path) + " has frames 0 to " +
+                             std::to_string(count - 1));
         const auto begin = path.frames.begin();
         path.frames = {begin + part->first, begin + part->last + 1};
         return path;
@@ -82,8 +106,9 @@ FlightPath<D> find_path(const Scene<D>& scene, const std::string& name) {
     }
     if (!std::filesystem::exists(name, error)) {
         std::string known = "turn, start";
-        for (const FlightPath<D>& path : scene.paths) known += ", " + path.id;
-        throw InputError("path '" + name + "': neither a file nor a path of " + scene.id + ", which has " + known);
+        for (const FlightPath<D>& path : scene.paths) known += ", " + excerpt(path.id);
+        throw InputError("path '" + excerpt(name) + "': neither a file nor a path of " + excerpt(scene.id) +
+                         ", which has " + known);
     }
     FlightPath<D> path = read_path<D>(read_file(name), name);
     set_origin(path, scene.origin);
@@ -124,6 +149,7 @@ LabScene<D> load_lab_scene(const std::string& name, const std::string& path_name
         cells = build_cells(*lab.scene, lab.settings_for(choice));
         lab.build_seconds[static_cast<std::size_t>(choice.tessellation)] = stopwatch.milliseconds() / 1000;
     }
+    check_sets(lab, study);
     return lab;
 }
 
@@ -139,6 +165,7 @@ std::string checkpoint_key(const LabScene<D>& lab) {
         }
         hash.add(view.fov);
     }
+    if (lab.listed != 0) hash.add(lab.listed);
     return lab.name + ", path " + lab.path + ", error bound " + number_text(lab.settings.error_bound) + ", " +
            hash_text(hash.value());
 }

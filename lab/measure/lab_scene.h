@@ -25,10 +25,11 @@ struct LabScene {
     std::array<std::optional<CellComplex<D>>, tessellation_count> cells;  ///< by Tessellation
     std::array<double, tessellation_count> build_seconds{};               ///< of cells, with the primitives assigned
     std::string path;
-    std::vector<std::uint32_t> frames;  ///< of the path, those that are measured
-    std::vector<View<D>> views;         ///< one per measured frame
+    std::vector<std::uint32_t> frames;           ///< of the path, those that are measured
+    std::vector<View<D>> views;                  ///< one per measured frame
     std::vector<std::optional<View<D>>> before;  ///< the one before each of these on the path; none: it is the first
-    std::vector<ViewSpec<D>> specs;     ///< the same as they are written down
+    std::vector<ViewSpec<D>> specs;              ///< the same as they are written down
+    std::uint64_t listed = 0;                    ///< hash of the files that methods render from; 0: there are none
 
     const CellComplex<D>& on(Tessellation tessellation) const { return *cells[static_cast<std::size_t>(tessellation)]; }
     Settings settings_for(const MethodChoice& choice) const {

@@ -10,9 +10,11 @@
 #include "core/base/quote.h"
 #include "core/base/text.h"
 #include "lab/command.h"
+#include "lab/measure/out_folder.h"
 #include "lab/measure/run_study.h"
 #include "lab/measure/study_options.h"
 #include "lab/measure/time_budget.h"
+#include "lab/report/chart_options.h"
 #include "lab/report/markdown.h"
 #include "lab/report/page.h"
 #include "lab/report/report.h"
@@ -35,6 +37,30 @@ std::string typed(int argc, const char* const* argv) {
     std::string text = "./run lab";
     for (int i = 0; i < argc; ++i) text += " " + shell_quoted(argv[i]);
     return text;
+}
+
+/// "published 5% (0.3 % wrong, 12.1 ms)"
+std::string in_short(const Row& row) {
+    return one_line(method_text(row.method)) + (row.budget == "unlimited" ? "" : " " + one_line(row.budget)) + " (" +
+           per_cent(summary(row, Measure::wrong)) + " % wrong, " + number(summary(row, Measure::total_ms)) + " ms)";
+}
+
+/// What comes out of it, a line or two for each scene and path, before the table.
+void print_summary(const Results& results) {
+    for (const Group& group : groups(results)) {
+        const Row *safe = nullptr, *right = nullptr;
+        for (const Row* row : group.rows) {
+            const double ms = summary(*row, Measure::total_ms), wrong = summary(*row, Measure::wrong);
+            if (row->method.variant == exactly_v) continue;
+            if (!row->approximate && ms >= 0 && (!safe || ms < summary(*safe, Measure::total_ms))) safe = row;
+            if (row->approximate && wrong >= 0 && (!right || wrong < summary(*right, Measure::wrong))) right = row;
+        }
+        std::cout << one_line(group.scene + ", path " + group.path) << ":\n";
+        if (const Row* const best = best_within(group, 16)) std::cout << "  within 16 ms: " << in_short(*best) << "\n";
+        if (safe) std::cout << "  fastest that never misses: " << in_short(*safe) << "\n";
+        if (right) std::cout << "  fewest wrong pixels of those that may miss: " << in_short(*right) << "\n";
+    }
+    std::cout << "\n";
 }
 
 /// What a person wants to see at once.
@@ -83,7 +109,7 @@ std::uintmax_t size_of(const std::filesystem::path& file) {
 
 /// The report with its pictures; without them where a scene is not here, as on the machine that merges, or OpenGL.
 void write_report_of(const Results& results, const Study& study, const std::filesystem::path& folder,
-                     LabGraphics& graphics) {
+                     LabGraphics& graphics, const ChartFormat& format) {
     say("drawing the worst frames and the charts");
     const std::vector<Claim> claims = judge_claims(results);
     ReportPictures pictures;
@@ -94,7 +120,7 @@ void write_report_of(const Results& results, const Study& study, const std::file
         say("");
         std::cerr << "lab: warning: the report has no pictures: " << one_line(error.what(), 1000) << "\n";
     }
-    write_report(results, claims, pictures, folder);
+    write_report(results, claims, pictures, folder, format);
 }
 
 }  // namespace
@@ -103,24 +129,29 @@ int measure_command(int argc, const char* const* argv, const MethodTables& table
     CLI::App app{"Measures methods on scenes along paths: accuracy, stability and time.", "lab measure"};
     StudyOptions options;
     add_study_options(app, options);
-    std::string out = "out/lab", shard, markdown;
-    const CLI::Option* out_option =
-        app.add_option("--out", out, "folder of the results; an interrupted study continues there")
-            ->capture_default_str();
+    std::string out, shard, markdown;
+    app.add_option("--out", out,
+                   "folder of the results, where an interrupted study continues; default: out/lab-SCENE-PATH, a folder "
+                   "for each study");
     app.add_option("--shard", shard,
-                   "I/N: only every N-th pair of scene and path, from the I-th on; in out/lab-I-of-N");
+                   "I/N: only every N-th pair of scene and path, from the I-th on; in out/lab-SCENE-I-of-N");
     app.add_option("--markdown", markdown,
                    "also write a documentation page, FILE.md, with its charts in images/ beside it");
+    ChartFormat format;
+    add_chart_options(app, format);
     if (!parse(app, argc, argv)) return 0;
+    const bool of_the_papers = options.scenes.empty() && options.paths.empty();
     ask_for_claims(options);
     Study study = study_of(options, tables);
     add_baselines(study);
     StudyRun run;
-    if (!shard.empty()) {
-        run.shard = parse_shard(shard);
+    if (!shard.empty()) run.shard = parse_shard(shard);
+    if (out.empty()) {
+        std::vector<std::string> parts = of_the_papers ? std::vector<std::string>{"papers"} : name_parts(study);
         // Parts that run at once must not write to one folder.
-        if (out_option->empty())
-            out += "-" + std::to_string(run.shard.index + 1) + "-of-" + std::to_string(run.shard.count);
+        if (!shard.empty())
+            parts.push_back(std::to_string(run.shard.index + 1) + "-of-" + std::to_string(run.shard.count));
+        out = folder_for(folder_named("lab", parts), "frames.jsonl", study_json(study));
     }
     run.say = say;
     note_interrupts();
@@ -132,10 +163,11 @@ int measure_command(int argc, const char* const* argv, const MethodTables& table
     write_results(results, out, claims_json(judge_claims(results)));
     if (interrupted()) return stopped();
     if (!results.rows.empty()) {
-        write_report_of(results, study, out, graphics);
+        write_report_of(results, study, out, graphics, format);
         if (!markdown.empty()) write_markdown(results, typed(argc, argv), markdown);
     }
     say("");
+    print_summary(results);
     print_table(results);
     if (all_kept) std::cout << "All frames were measured before; to measure them again choose another --out.\n";
     say_written(out);
@@ -145,9 +177,11 @@ int measure_command(int argc, const char* const* argv, const MethodTables& table
 int merge_command(int argc, const char* const* argv, const MethodTables& tables) {
     CLI::App app{"Merges the parts of a study that were measured separately.", "lab merge"};
     std::vector<std::string> parts;
-    std::string out = "out/lab";
+    std::string out = "out/lab-merged";
     app.add_option("RESULTS", parts, "folder or results.json of each part")->required();
     app.add_option("--out", out, "folder of the results")->capture_default_str();
+    ChartFormat format;
+    add_chart_options(app, format);
     if (!parse(app, argc, argv)) return 0;
     std::vector<Results> read;
     for (const std::string& part : parts) read.push_back(load_results(part));
@@ -155,8 +189,9 @@ int merge_command(int argc, const char* const* argv, const MethodTables& tables)
     const Results all = merge(read);
     write_results(all, out, claims_json(judge_claims(all)));
     LabGraphics graphics;
-    write_report_of(all, read_study(all.conditions.study, tables), out, graphics);
+    write_report_of(all, read_study(all.conditions.study, tables), out, graphics, format);
     say("");
+    print_summary(all);
     print_table(all);
     say_written(out);
     return 0;

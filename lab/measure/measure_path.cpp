@@ -107,15 +107,6 @@ private:
         return make_problem(c.variant.method, c.variant.parameters, *lab_.scene, lab_.on(c.choice.tessellation),
                             lab_.views[i], none, services);
     }
-    /// What the path's frame before leaves, which had no history itself.
-    std::shared_ptr<const FrameHistory> history_of(std::size_t method, std::uint32_t i, Problem<D> problem) const {
-        const Method<D>& of = methods_[method].variant.method;
-        if (!of.needs.history || !lab_.before[i]) return nullptr;
-        problem.view = *lab_.before[i];
-        const std::unique_ptr<Run<D>> run = of.start(problem);
-        run->run(none);
-        return run->next_history();
-    }
     /// What a run keeps of the frame before saves time in the next one: it has to see that frame before each repeat, or
     /// it would be asked for what it knows already.
     void show_frame_before(Choice& c, std::uint32_t i, Problem<D> problem) const {
@@ -153,7 +144,8 @@ private:
         tbb::parallel_for(std::size_t{0}, methods_.size(), [&](std::size_t m) {
             const Truth& truth = truths[truth_of[static_cast<std::size_t>(methods_[m].choice.tessellation)]];
             Problem<D> problem = problem_of(m, i, services);
-            problem.history = frame.methods[m].history = history_of(m, i, problem);
+            problem.history = frame.methods[m].history =
+                frame_history(methods_[m].variant.method, problem, lab_.before[i]);
             const Method<D>& method = methods_[m].variant.method;
             WholeRun run;
             if (method.prefixes) run = whole_run<D>(method, problem, truth.reference);
@@ -284,6 +276,20 @@ private:
 };
 
 }  // namespace
+
+template <int D>
+std::shared_ptr<const FrameHistory> frame_history(const Method<D>& method, Problem<D> problem,
+                                                  const std::optional<View<D>>& before) {
+    if (!method.needs.history || !before) return nullptr;
+    problem.view = *before;
+    const std::unique_ptr<Run<D>> run = method.start(problem);
+    run->run(none);
+    return run->next_history();
+}
+template std::shared_ptr<const FrameHistory> frame_history<2>(const Method<2>&, Problem<2>,
+                                                              const std::optional<View<2>>&);
+template std::shared_ptr<const FrameHistory> frame_history<3>(const Method<3>&, Problem<3>,
+                                                              const std::optional<View<3>>&);
 
 template <int D>
 std::vector<Row> measure_path(const LabScene<D>& lab, const Study& study, const Instruments& instruments) {

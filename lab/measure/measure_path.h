@@ -29,6 +29,12 @@ struct Instruments {
     std::function<bool(const FrameResult& frame)> frame_done{};
 };
 
+/// What a frame is left by that before it on the path, `before`, which had no history itself; nullptr where there is
+/// none or the method asks for none. `problem` is that of the frame.
+template <int D>
+std::shared_ptr<const FrameHistory> frame_history(const Method<D>& method, Problem<D> problem,
+                                                  const std::optional<View<D>>& before);
+
 /// A row per method and budget, methods outermost; fewer frames where frame_done stopped it. Numbers that need no clock
 /// are made on all cores; then times are taken, one after the other. Methods that the dimension does not have are left
 /// out. Throws as the instruments do.

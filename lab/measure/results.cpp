@@ -8,9 +8,11 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/excerpt.h"
 #include "core/base/file.h"
 #include "core/base/number.h"
 #include "core/base/quote.h"
+#include "core/base/text.h"
 #include "core/measure/distance.h"
 #include "core/measure/summary.h"
 
@@ -253,7 +255,7 @@ Results read_results(std::string_view text, const std::string& name) {
         if (const auto flights = json.find("time_budgets"); flights != json.end())
             results.flights = read_flights(flights->dump());
     } catch (const Json::exception& error) {
-        throw InputError(name + ": not the results of a study: " + error.what());
+        throw InputError(name + ": not the results of a study: " + one_line(error.what()));
     }
     return results;
 }
@@ -307,16 +309,16 @@ Results merge(const std::vector<Results>& parts) {
     for (const Results& part : parts) {
         if (all.conditions.study.empty()) all.conditions = part.conditions;
         if (part.conditions.study != all.conditions.study)
-            throw InputError("merge: two parts belong to different studies: " + all.conditions.study + " and " +
-                             part.conditions.study);
+            throw InputError("merge: two parts belong to different studies: " + excerpt(all.conditions.study) +
+                             " and " + excerpt(part.conditions.study));
         if (part.conditions.program != all.conditions.program)
             throw InputError("merge: two parts were measured by different builds of the program");
         if (std::find(machines.begin(), machines.end(), part.conditions.machine) == machines.end())
             machines.push_back(part.conditions.machine);
         for (const Row& row : part.rows) {
             if (std::any_of(all.rows.begin(), all.rows.end(), [&](const Row& r) { return same_row(r, row); }))
-                throw InputError("merge: two parts both contain " + row.scene + ", " + row.path + ", " +
-                                 method_text(row.method) + ", " + row.budget);
+                throw InputError("merge: two parts both contain " + excerpt(row.scene) + ", " + excerpt(row.path) +
+                                 ", " + excerpt(method_text(row.method)) + ", " + excerpt(row.budget));
             all.rows.push_back(row);
         }
         all.flights.insert(all.flights.end(), part.flights.begin(), part.flights.end());

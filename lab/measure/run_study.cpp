@@ -7,11 +7,14 @@
 #include <optional>
 
 #include "core/base/error.h"
+#include "core/base/excerpt.h"
 #include "core/base/number.h"
+#include "core/base/text.h"
 #include "lab/measure/checkpoint.h"
 #include "lab/measure/measure_path.h"
 #include "lab/measure/time_budget.h"
 #include "lab/report/remaining.h"
+#include "lab/report/say.h"
 
 namespace sightline::lab {
 
@@ -67,15 +70,19 @@ std::vector<Unit> units_of(const Study& study, const Shard& shard) {
     return units;
 }
 
+/// Opened once something that exists is to be measured.
+using Opened = std::function<Checkpoint&()>;
+
 /// False when it was stopped: then no rows were added.
 template <int D>
-bool measure(const Unit& unit, LabGraphics& graphics, const StudyRun& run, Checkpoint& checkpoint, Remaining& remaining,
+bool measure(const Unit& unit, LabGraphics& graphics, const StudyRun& run, const Opened& opened, Remaining& remaining,
              Results& results) {
-    std::string what = unit.scene;
+    std::string what = excerpt(unit.scene);
     if (unit.error_bound > 0) what += ", error bound " + short_number(unit.error_bound);
     if (run.say) run.say(what + ": reading and tessellating" + remaining.text());
     const LabScene<D> lab = load_lab_scene<D>(unit.scene, unit.path, unit.study);
-    what += ", path " + lab.path;
+    Checkpoint& checkpoint = opened();
+    what += ", path " + excerpt(lab.path);
     const std::size_t frames = lab.frames.size();
     const double share = 1 / static_cast<double>(frames);
     const std::string key = checkpoint_key(lab);
@@ -130,7 +137,7 @@ Shard parse_shard(const std::string& text) {
     const auto count =
         slash == std::string::npos ? std::nullopt : parse_whole(std::string_view(text).substr(slash + 1));
     if (!index || !count || *index < 1 || *index > *count)
-        throw InputError("--shard '" + text + "': write I/N with I from 1 to N, such as 2/5");
+        throw InputError("--shard '" + excerpt(text) + "': write I/N with I from 1 to N, such as 2/5");
     return {*index - 1, *count};
 }
 
@@ -142,7 +149,7 @@ void check_scenes(const Study& study, const std::function<void(const std::string
         paths[scene].push_back(path);
     }
     for (const std::string& scene : scenes) {
-        if (say) say(scene + ": checking");
+        if (say) say(excerpt(scene) + ": checking");
         if (parse_scene(scene).dimension == 2)
             check_scene<2>(scene, paths[scene], study);
         else
@@ -152,22 +159,30 @@ void check_scenes(const Study& study, const std::function<void(const std::string
 
 Results run_study(const Study& study, const std::filesystem::path& folder, LabGraphics& graphics, const StudyRun& run) {
     if (scenes_on_paths(study).size() > 1) check_scenes(study, run.say);
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error) throw WorkError(folder.string() + ": " + error.message());
     Results results{conditions_here(study_json(study), has_3d(study) ? graphics.description() : ""), {}};
-    Checkpoint checkpoint(folder / "frames.jsonl", results.conditions);
-    if (run.say && checkpoint.began_anew())
-        run.say(
-            "frames of another build, machine or renderer are measured again; the old ones are in frames.jsonl.old");
+    std::optional<Checkpoint> checkpoint;
+    const Opened opened = [&]() -> Checkpoint& {
+        if (checkpoint) return *checkpoint;
+        std::error_code error;
+        std::filesystem::create_directories(folder, error);
+        if (error) throw WorkError(folder.string() + ": " + error.message());
+        checkpoint.emplace(folder / "frames.jsonl", results.conditions);
+        for (const std::string& damage : checkpoint->damages()) warn(damage);
+        if (run.say && checkpoint->began_anew() && checkpoint->damages().empty())
+            run.say(
+                "frames of another build, machine or renderer are measured again; the old ones are in "
+                "frames.jsonl.old");
+        return *checkpoint;
+    };
     const std::vector<Unit> units = units_of(study, run.shard);
     Remaining remaining(static_cast<double>(units.size()));
     for (const Unit& unit : units) {
         const bool go_on = parse_scene(unit.scene).dimension == 2
-                               ? measure<2>(unit, graphics, run, checkpoint, remaining, results)
-                               : measure<3>(unit, graphics, run, checkpoint, remaining, results);
+                               ? measure<2>(unit, graphics, run, opened, remaining, results)
+                               : measure<3>(unit, graphics, run, opened, remaining, results);
         if (!go_on) break;
     }
+    if (units.empty()) opened();  // a part with nothing to do has a folder too
     return results;
 }
 

@@ -6,7 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
+#include "core/base/excerpt.h"
 #include "core/base/number.h"
+#include "core/base/text.h"
 #include "core/methods/method_table.h"
 #include "core/scene/make/catalogue.h"
 #include "core/scene/read/load.h"
@@ -63,7 +65,7 @@ std::string tessellation_word(const MethodChoice& choice) { return std::string(w
 Tessellation read_tessellation(std::string_view text) {
     for (std::size_t i = 0; i < words<Tessellation>.size(); ++i)
         if (words<Tessellation>[i] == text) return static_cast<Tessellation>(i);
-    throw InputError("'" + std::string(text) + "' is no tessellation: " + std::string(word_list<Tessellation>()));
+    throw InputError("'" + excerpt(text) + "' is no tessellation: " + std::string(word_list<Tessellation>()));
 }
 
 std::vector<MethodChoice> all_methods(const MethodTables& tables) {
@@ -171,7 +173,7 @@ Study read_study(std::string_view text, const MethodTables& tables) {
             study.methods.push_back(parse_method(method.get<std::string>(), tables));
         for (const auto& budget : json.at("budgets")) study.budgets.push_back(parse_budget(budget.get<std::string>()));
     } catch (const nlohmann::json::exception& error) {
-        throw InputError(std::string("not a study: ") + error.what());
+        throw InputError(std::string("not a study: ") + one_line(error.what()));
     }
     return study;
 }

@@ -18,7 +18,8 @@ struct StudyOptions {
 };
 
 /// Adds SCENE…, --path, --frames, --methods, --budgets, --size, --set, --settings and --repeats to a command line.
-void add_study_options(CLI::App& app, StudyOptions& options);
+/// `timed`: false leaves out --repeats.
+void add_study_options(CLI::App& app, StudyOptions& options, bool timed = true);
 
 /// Where neither scenes nor paths are asked for: what the papers' claims are judged on (lab/report/claims.h). CITY from
 /// the street and from the air at two sizes, ROOM from inside and outside, and neighbouring frames for what changes

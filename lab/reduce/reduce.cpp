@@ -7,30 +7,43 @@
 #include "core/base/error.h"
 #include "core/base/formula.h"
 #include "core/session/condition.h"
-#include "core/space/builders.h"
+#include "core/session/session.h"
+#include "lab/reduce/probe.h"
 
 namespace sightline::lab {
 
-std::vector<std::uint32_t> reduce(std::uint32_t count, const Holds& holds,
-                                  const std::function<bool(std::size_t left)>& progress) {
+std::vector<std::uint32_t> reduce(std::uint32_t count, const Holds& holds, const ReduceWatch& watch) {
     std::vector<std::uint32_t> kept(count);
     std::iota(kept.begin(), kept.end(), 0u);
-    if (!holds(kept)) throw InputError("reduce: the condition does not hold in the whole scene");
-    std::size_t parts = 2;
+    std::size_t parts = 2, probes = 0;
+    bool go_on = true;
+    const auto probe = [&](std::span<const std::uint32_t> set) {
+        const bool found = holds(set);
+        ++probes;
+        // If nothing more can be taken: the rest of this round, and rounds of twice as many parts down to single ones.
+        const std::size_t left = found ? set.size() : kept.size();
+        std::size_t most = 0;
+        for (std::size_t round = std::min(parts, left); left >= 2; round = std::min(2 * round, left)) {
+            most += round;
+            if (round == left) break;
+        }
+        if (watch) go_on = watch({left, probes, most});
+        return found;
+    };
+    if (!probe(kept)) throw InputError("reduce: the condition does not hold in the whole scene");
     std::vector<std::uint32_t> rest;
-    while (kept.size() >= 2) {
+    while (kept.size() >= 2 && go_on) {
         parts = std::min(parts, kept.size());
         bool smaller = false;
-        for (std::size_t part = 0; part < parts && !smaller; ++part) {
+        for (std::size_t part = 0; part < parts && !smaller && go_on; ++part) {
             const std::size_t begin = kept.size() * part / parts, end = kept.size() * (part + 1) / parts;
             rest.assign(kept.begin(), kept.begin() + static_cast<std::ptrdiff_t>(begin));
             rest.insert(rest.end(), kept.begin() + static_cast<std::ptrdiff_t>(end), kept.end());
-            smaller = holds(rest);
+            smaller = probe(rest);
         }
         if (smaller) {
             kept = rest;
             parts = std::max<std::size_t>(parts - 1, 2);
-            if (progress && !progress(kept.size())) return kept;
         } else if (parts == kept.size()) {
             break;
         } else {
@@ -74,23 +87,13 @@ Holds holds_in(const LabScene<D>& lab, const MethodChoice& method, const Budget&
     for (const std::size_t used : formula.used())
         if (measure_table()[used].is_time)
             throw InputError("reduce: " + std::string(measure_table()[used].id) + " differs from run to run");
-    return [=](std::span<const std::uint32_t> kept) {
-        LabScene<D> part = lab;
-        part.scene = std::make_shared<const Scene<D>>(subset(*lab.scene, kept));
-        const std::size_t first = lab.views.size() > 1 ? lab.views.size() - 2 : 0;
-        part.views.erase(part.views.begin(), part.views.begin() + static_cast<std::ptrdiff_t>(first));
-        part.specs.erase(part.specs.begin(), part.specs.begin() + static_cast<std::ptrdiff_t>(first));
-        part.frames.erase(part.frames.begin(), part.frames.begin() + static_cast<std::ptrdiff_t>(first));
-        part.cells = {};
-        part.cells[static_cast<std::size_t>(method.tessellation)] = build_cells(*part.scene, settings);
-        Study study;
-        study.methods = {method};
-        study.budgets = {budget};
-        study.repeats = 0;
-        Instruments instruments;
-        instruments.draw_ids = draw_ids;
-        const std::vector<Row> rows = measure_path<D>(part, study, instruments);
-        return !rows.empty() && formula.holds(rows.front().values.back().all);
+    std::vector<Measure> used;
+    for (const std::size_t index : formula.used()) used.push_back(measure_table()[index].measure);
+    const auto measures = std::make_shared<PartMeasures<D>>(lab, method, budget, std::move(used), draw_ids);
+    return [=, scene = lab.scene](std::span<const std::uint32_t> kept) {
+        const bool holds = formula.holds(measures->measure(kept, subset(*scene, kept)).all);
+        if (holds) measures->take();
+        return holds;
     };
 }
 

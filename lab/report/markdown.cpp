@@ -16,7 +16,7 @@ namespace sightline::lab {
 
 namespace {
 
-std::string rows_of(const Group& group) {
+std::string table_rows_of(const Group& group) {
     std::string text =
         "| method | cells | budget | coverage % | worst | oracle % | wrong pixels % | worst | largest region % | "
         "popping % | ms |\n|---|---|---|---|---|---|---|---|---|---|---|\n";
@@ -74,12 +74,11 @@ void write_markdown(const Results& results, const std::string& command, const st
             const std::string stem =
                 file_stem("results-" + group.scene + "-" + group.path + "-" + std::string(measure_row(measure).id));
             write_chart(trade_off(group, measure), images / stem);
-            std::filesystem::remove(images / (stem + ".gp"));
-            std::filesystem::remove(images / (stem + ".png"));
+            for (const char* const other : {".gp", ".png", ".pdf"}) std::filesystem::remove(images / (stem + other));
             text += "![Time per frame and " + std::string(measure_row(measure).title) +
                     " of each method and budget](images/" + stem + ".svg)\n";
         }
-        text += "\n" + rows_of(group) + "\n" + time_caption + "\n\n" + markdown(time_table(group));
+        text += "\n" + table_rows_of(group) + "\n" + time_caption + "\n\n" + markdown(time_table(group));
     }
     write_file(file, text);
 }

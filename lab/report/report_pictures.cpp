@@ -10,13 +10,14 @@ namespace sightline::lab {
 
 namespace {
 
-/// The row in the middle of a method's budgets.
+/// The row in the middle of a method's budgets, where anything is wrong.
 std::vector<const Row*> middle_rows(const Group& group) {
     std::vector<const Row*> chosen;
     for (std::size_t i = 0; i < group.rows.size();) {
         std::size_t end = i;
         while (end < group.rows.size() && group.rows[end]->method == group.rows[i]->method) ++end;
-        if (group.rows[i]->approximate) chosen.push_back(group.rows[i + (end - i) / 2]);
+        const Row* const row = group.rows[i + (end - i) / 2];
+        if (row->approximate && worst(*row, Measure::wrong) != 0) chosen.push_back(row);
         i = end;
     }
     return chosen;

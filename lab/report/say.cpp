@@ -24,6 +24,11 @@ void say(const std::string& text) {
         std::cerr << line << "\n";
 }
 
+void warn(const std::string& text) {
+    if (isatty(STDERR_FILENO)) say("");
+    std::cerr << "lab: warning: " << one_line(text, 1000) << "\n";
+}
+
 void note_interrupts() {
     std::signal(SIGINT, [](int) { seen = 1; });
     std::signal(SIGTERM, [](int) { seen = 1; });

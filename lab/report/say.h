@@ -9,6 +9,9 @@ namespace sightline::lab {
 /// On standard error: over one line at a terminal, else a line each. An empty one ends the progress.
 void say(const std::string& text);
 
+/// "lab: warning: text", a line of its own on standard error.
+void warn(const std::string& text);
+
 /// From now on an interrupt (Ctrl+C, SIGTERM) is only noted; interrupted() tells.
 void note_interrupts();
 bool interrupted();

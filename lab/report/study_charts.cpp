@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "core/base/number.h"
@@ -33,6 +34,7 @@ std::vector<std::vector<const Row*>> by_method(const Group& group) {
     return methods;
 }
 
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 constexpr Colour black{0, 0, 0}, dark_grey{68, 68, 68}, light_grey{200, 200, 200};
 
 /// A line to compare methods with.
@@ -48,19 +50,36 @@ const Row* largest_budget(const std::vector<const Row*>& rows) {
     });
 }
 
+/// Whether frames of the path were left out between these.
+bool are_sampled(const std::vector<std::uint32_t>& frames) {
+    return frames.size() > 1 && frames.back() - frames.front() + 1 > frames.size();
+}
+
+/// How well the repeats tell the time per frame: the standard error of its mean over frames.
+double time_error(const Row& row) {
+    double squares = 0;
+    for (const Values& v : row.values) squares += v[Measure::total_error] * v[Measure::total_error];
+    return std::sqrt(squares) / static_cast<double>(row.values.size());
+}
+
 /// One curve per method at its largest budget.
 Chart per_frame(const Group& group, Measure measure) {
     Chart chart;
     chart.title = heading(group) + ": " + std::string(measure_row(measure).title);
     chart.x = "frame of the path";
     chart.y = axis(measure);
+    chart.is_share = in_per_cent(measure);
     const MethodLooks looks = MethodLooks::of(group.rows);
+    const auto error = error_of(measure);
     for (const auto& rows : by_method(group)) {
         const Row* row = largest_budget(rows);
         Series s = looks.series(row->method);
         if (row->budget != "unlimited") s.name += " " + row->budget;
-        for (std::size_t i = 0; i < row->frames.size(); ++i)
+        s.sampled = are_sampled(row->frames);
+        for (std::size_t i = 0; i < row->frames.size(); ++i) {
             s.points.push_back({static_cast<double>(row->frames[i]), scaled(measure, row->values[i][measure])});
+            if (error) s.errors.push_back({nothing, row->values[i][*error]});
+        }
         chart.series.push_back(std::move(s));
     }
     return chart;
@@ -73,6 +92,7 @@ Chart wrong_by_distance(const Group& group) {
     chart.x = "distance, up to this share of the scene's longest side (the last dot: beyond it)";
     chart.y = "wrong pixels, % of the pixels at that distance";
     chart.log_x = true;
+    chart.is_share = true;
     const MethodLooks looks = MethodLooks::of(group.rows);
     for (const auto& rows : by_method(group)) {
         const Row* row = largest_budget(rows);
@@ -82,8 +102,7 @@ Chart wrong_by_distance(const Group& group) {
         for (std::size_t bin = 0; bin < distance_bins; ++bin) {
             const bool last = bin + 1 == distance_bins;
             const double end = last ? 2 * distance_bin_end(bin - 1) : distance_bin_end(bin);
-            s.points.push_back(
-                {end, pixels[bin] > 0 ? 100 * wrong[bin] / pixels[bin] : std::numeric_limits<double>::quiet_NaN()});
+            s.points.push_back({end, pixels[bin] > 0 ? 100 * wrong[bin] / pixels[bin] : nothing});
         }
         chart.series.push_back(std::move(s));
     }
@@ -99,10 +118,13 @@ Chart found_per_frame(const Group& group, const std::vector<const Row*>& rows) {
     Series exact = guide("exact", black);
     exact.width = 3;
     const Row& first = *rows.front();
+    exact.sampled = are_sampled(first.frames);
+    if (exact.sampled) exact.shown = Series::Shown::line_and_markers;
     for (std::size_t i = 0; i < first.frames.size(); ++i)
         exact.points.push_back({static_cast<double>(first.frames[i]), first.values[i][Measure::visible]});
     chart.series.push_back(std::move(exact));
     const auto add = [&](const Row& row, Series s) {
+        s.sampled = are_sampled(row.frames);
         for (std::size_t i = 0; i < row.frames.size(); ++i)
             s.points.push_back({static_cast<double>(row.frames[i]),
                                 row.values[i][Measure::coverage] * row.values[i][Measure::visible]});
@@ -161,7 +183,7 @@ Chart trade_off(const Group& group, Measure measure, Measure cost) {
                       : axis(cost) + " (mean over frames)";
     chart.y = axis(measure) + " (mean over frames)";
     chart.log_x = true;
-    if (measure_row(measure).better == Better::higher) chart.most_y = 105;
+    chart.is_share = in_per_cent(measure);
 
     Series front = guide("Pareto points", light_grey);
     front.width = 7;
@@ -171,16 +193,6 @@ Chart trade_off(const Group& group, Measure measure, Measure cost) {
         front.points.push_back({point.cost, scaled(measure, point.value)});
     chart.series.push_back(std::move(front));
 
-    // A budget's label is left out where one stands already: the dots of a line are in the order of the budgets.
-    std::vector<std::array<double, 2>> labelled;
-    double most = 0;
-    for (const Row* row : group.rows) most = std::max(most, scaled(measure, summary(*row, measure)));
-    const auto near_label = [&](const std::array<double, 2>& point) {
-        return std::any_of(labelled.begin(), labelled.end(), [&](const std::array<double, 2>& other) {
-            return std::abs(std::log10(point[0] / other[0])) < 0.1 && std::abs(point[1] - other[1]) < 0.05 * most;
-        });
-    };
-
     const MethodLooks looks = MethodLooks::of(group.rows);
     Series oracle = guide("oracle (drawing alone)", dark_grey, guide_dash);
     std::map<double, std::array<double, 2>> best;  ///< by budget
@@ -188,8 +200,8 @@ Chart trade_off(const Group& group, Measure measure, Measure cost) {
         Series s = looks.series(rows.front()->method);
         for (const Row* row : rows) {
             s.points.push_back({summary(*row, cost), scaled(measure, summary(*row, measure))});
-            s.labels.push_back(row->budget == "unlimited" || near_label(s.points.back()) ? "" : row->budget);
-            if (!s.labels.back().empty()) labelled.push_back(s.points.back());
+            s.labels.push_back(row->budget == "unlimited" ? "" : row->budget);
+            if (by_time) s.errors.push_back({time_error(*row), nothing});
             if (row->budget == "unlimited") continue;
             double drawing = summary(*row, Measure::upload_ms) + summary(*row, Measure::draw_ms);
             if (std::isnan(drawing)) continue;
@@ -252,6 +264,7 @@ std::vector<NamedChart> study_charts(const Results& results) {
         if (timed) {
             Chart times = per_frame(group, Measure::total_ms);
             times.log_y = true;
+            times.is_share = false;
             add(stem + "-frames-time", "Time follows what the frame renders.", std::move(times));
         }
     }

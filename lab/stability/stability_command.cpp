@@ -3,12 +3,15 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "core/base/excerpt.h"
 #include "core/base/number.h"
 #include "core/base/text.h"
 #include "lab/command.h"
 #include "lab/measure/checkpoint.h"
+#include "lab/measure/out_folder.h"
 #include "lab/measure/run_study.h"
 #include "lab/measure/study_options.h"
+#include "lab/report/chart_options.h"
 #include "lab/report/remaining.h"
 #include "lab/report/say.h"
 #include "lab/stability/stability_report.h"
@@ -22,7 +25,7 @@ template <int D>
 std::vector<StabilityRow> measure(const std::string& scene, const std::string& path, const Study& spots,
                                   const StabilityOptions& options, LabGraphics& graphics, Checkpoint& checkpoint,
                                   Remaining& remaining) {
-    say(scene + ": reading and tessellating" + remaining.text());
+    say(excerpt(scene) + ": reading and tessellating" + remaining.text());
     const LabScene<D> lab = load_lab_scene<D>(scene, path, spots);
     const std::string key = checkpoint_key(lab) + ", ";
     StabilityWatch watch;
@@ -37,7 +40,7 @@ std::vector<StabilityRow> measure(const std::string& scene, const std::string& p
             checkpoint.add(key + stage.name, stability_rows_json(stage.rows));
             remaining.done(stage.share);
         }
-        say(scene + ", path " + lab.path + ": " + stage.name + remaining.text());
+        say(excerpt(scene) + ", path " + excerpt(lab.path) + ": " + stage.name + remaining.text());
         return !interrupted();
     };
     return measure_stability<D>(lab, spots, options, graphics.draw_ids(), watch);
@@ -59,9 +62,9 @@ int stability_command(int argc, const char* const* argv, const MethodTables& tab
                  "lab stability"};
     StudyOptions options;
     options.budgets = {"5%"};
-    add_study_options(app, options);
+    add_study_options(app, options, false);
     StabilityOptions stability;
-    std::string out = "out/stability";
+    std::string out;
     app.add_option("--samples", stability.repeats, "number of random directions, of orders and of seeds")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
@@ -69,17 +72,21 @@ int stability_command(int argc, const char* const* argv, const MethodTables& tab
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
     app.add_option("--seed", stability.seed, "seed of the random directions and orders")->capture_default_str();
-    app.add_option("--out", out, "folder of the results")->capture_default_str();
+    app.add_option("--out", out, "folder of the results; default: out/stability-SCENE");
+    ChartFormat format;
+    add_chart_options(app, format);
     if (!parse(app, argc, argv)) return 0;
     Study study = study_of(options, tables);
     study.repeats = 0;
     const std::vector<SceneOnPath> on_paths = scenes_on_paths(study);
-    if (on_paths.size() > 1) check_scenes(study, say);
+    check_scenes(study, say);
     LabGraphics graphics;
     const Conditions conditions =
         conditions_here(study_text(study, stability), has_3d(study) ? graphics.description() : std::string());
+    if (out.empty()) out = folder_for(folder_named("stability", name_parts(study)), "stages.jsonl", conditions.study);
     std::filesystem::create_directories(out);
     Checkpoint checkpoint(std::filesystem::path(out) / "stages.jsonl", conditions);
+    for (const std::string& damage : checkpoint.damages()) warn(damage);
     Study spots = study;
     spots.frames = stability.frames;
     Remaining remaining(static_cast<double>(on_paths.size()));
@@ -95,7 +102,7 @@ int stability_command(int argc, const char* const* argv, const MethodTables& tab
     const Results along_path = run_study(study, out, graphics, {.say = say, .stopped = interrupted});
     if (interrupted()) return stopped();
     say("drawing the charts");
-    write_stability(conditions, rows, along_path, out);
+    write_stability(conditions, rows, along_path, out, format);
     say("");
     for (const StabilityRow& row : rows)
         std::cout << one_line(row.scene + "  " + method_text(row.method) + " " + row.budget, 1000) << "  "

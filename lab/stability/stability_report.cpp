@@ -151,7 +151,7 @@ std::string stability_json(const Conditions& c, const std::vector<StabilityRow>&
 }
 
 void write_stability(const Conditions& conditions, const std::vector<StabilityRow>& rows, const Results& along_path,
-                     const std::filesystem::path& folder) {
+                     const std::filesystem::path& folder, const ChartFormat& format) {
     std::filesystem::create_directories(folder / "charts");
     write_file(folder / "stability.json", stability_json(conditions, rows));
     write_file(folder / "stability.csv", stability_csv(rows));
@@ -163,7 +163,7 @@ void write_stability(const Conditions& conditions, const std::vector<StabilityRo
     for (const StabilityGroup& group : stability_groups(rows)) {
         html += "<h2>" + escaped(group.scene + ", path " + group.path + ", budget " + group.budget) + "</h2>";
         for (const NamedChart& chart : stability_charts(group, along_path)) {
-            write_chart(chart.chart, folder / "charts" / chart.id);
+            write_chart(chart.chart, folder / "charts" / chart.id, format);
             html += picture(folder / "charts" / (chart.id + ".svg"), escaped(chart.text));
         }
         html += table(group.rows);

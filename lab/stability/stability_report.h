@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lab/measure/results.h"
+#include "lab/report/chart.h"
 #include "lab/stability/stability.h"
 
 namespace sightline::lab {
@@ -24,6 +25,6 @@ std::string stability_json(const Conditions& conditions, const std::vector<Stabi
 /// stability.json, stability.csv, charts/ and stability.html. `along_path`: the rows of a study of the same scenes, for
 /// popping against what the exact set itself changes. Throws WorkError.
 void write_stability(const Conditions& conditions, const std::vector<StabilityRow>& rows, const Results& along_path,
-                     const std::filesystem::path& folder);
+                     const std::filesystem::path& folder, const ChartFormat& format = {});
 
 }  // namespace sightline::lab

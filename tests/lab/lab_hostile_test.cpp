@@ -12,6 +12,7 @@
 
 #include "core/base/file.h"
 #include "core/scene/flight_path.h"
+#include "lab/measure/checkpoint.h"
 
 namespace sightline::lab {
 namespace {
@@ -183,6 +184,7 @@ TEST_F(LabHostile, ResultsWithOtherFrames) {
         for (auto& [id, values] : more["rows"][i]["per_frame"].items())
             for (int n = 0; n < 9; ++n) values.push_back(id == "frame" ? Json(n) : Json(1000 * n));
         for (Json& value : endless["rows"][i]["per_frame"]["budget"]) value = 1e99;
+        for (Json& value : endless["rows"][i]["per_frame"]["wrong"]) value = 0.5;  // or no picture is drawn
     }
     for (const Json& theirs : {none, more, endless})
         EXPECT_NE(merge(theirs).find("the report has no pictures"), std::string::npos) << complained_;
@@ -207,7 +209,8 @@ TEST_F(LabHostile, Stages) {
         for (Json& row : json["piece"])
             for (const char* member : {"scene", "path", "method", "budget"})
                 row[member] = row[member].get<std::string>() + hostile;
-        theirs += json.dump() + "\n";
+        json.erase("hash");
+        theirs += checkpoint_line(json.dump()) + "\n";
     }
     write_file(stages, theirs);
     lab("stability", words, name);

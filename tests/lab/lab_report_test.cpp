@@ -14,6 +14,7 @@
 #include "core/base/random.h"
 #include "core/process/run_program.h"
 #include "lab/measure/run_study.h"
+#include "lab/report/chart_labels.h"
 #include "lab/report/claims.h"
 #include "lab/report/markdown.h"
 #include "lab/report/time_table.h"
@@ -125,8 +126,126 @@ TEST_F(LabFiles, ChartsAreDrawnByGnuplot) {
     fs::copy(folder_ / "chart.gp", elsewhere);
     run_program({"gnuplot", "chart.gp"}, "gnuplot-nox", elsewhere);
     EXPECT_EQ(read_file(elsewhere / "chart.svg"), svg) << "the script needs its folder only";
+    EXPECT_EQ(read_file(folder_ / "chart.pdf").substr(0, 5), "%PDF-");
+    // Nothing but the four files: gnuplot works elsewhere and its files are moved.
+    std::size_t files = 0;
+    for (const auto& entry : fs::directory_iterator(folder_)) files += entry.is_regular_file();
+    EXPECT_EQ(files, 4u);
     write_chart({}, folder_ / "empty");
     EXPECT_NE(read_file(folder_ / "empty.svg").find("nothing to show"), std::string::npos);
+}
+
+TEST_F(LabFiles, ChartsHaveTheSizeThatIsAskedFor) {
+    Chart chart;
+    chart.title = "the title";
+    chart.x = "time per frame, ms (traversal + upload + drawing; median over frames)";
+    chart.y = "y";
+    for (const char* const name : {"one", "a variant with=a long name and=another"})
+        chart.series.push_back({name, {}, {}, 2, {{1, 2}, {2, 4}, {3, 3}}, {"1%", "2%", "5%"}});
+    ChartFormat format = read_chart_size("84mm");
+    format.titles = false;
+    write_chart(chart, folder_ / "small", format);
+    const std::string svg = read_file(folder_ / "small.svg");
+    EXPECT_NE(svg.find("width=\"317"), std::string::npos) << svg.substr(0, 300);
+    EXPECT_EQ(svg.find("the title"), std::string::npos);
+    for (const std::string text : {"one", "a variant with=a long name and=another", "5%", "median", "frames)"})
+        EXPECT_NE(svg.find(text), std::string::npos) << text << " has vanished";
+    const std::string png = read_file(folder_ / "small.png");
+    const auto width = static_cast<unsigned char>(png[18]) * 256 + static_cast<unsigned char>(png[19]);
+    EXPECT_EQ(width, 992) << "84 mm at 300 dpi";
+    format = read_chart_size("1200x600");
+    EXPECT_EQ(format.width, 1200);
+    EXPECT_EQ(format.height, 600);
+    EXPECT_NEAR(read_chart_size("120x80mm").height, 80 / 25.4 * 96, 1e-9);
+    for (const char* wrong : {"", "84", "mm", "84 cm", "3mm", "1200x", "1x1", "1200x600x3", "nanmm", "1e9mm"})
+        EXPECT_THROW(read_chart_size(wrong), InputError) << wrong;
+    // A folder for temporary files of any name.
+    const fs::path odd = folder_ / "-%d %s", before = fs::temp_directory_path();
+    fs::create_directories(odd);
+    setenv("TMPDIR", odd.c_str(), 1);
+    write_chart(chart, folder_ / "odd", format);
+    setenv("TMPDIR", before.c_str(), 1);
+    EXPECT_TRUE(fs::exists(folder_ / "odd.pdf"));
+    EXPECT_TRUE(fs::is_empty(odd));
+}
+
+TEST(LabCharts, AxesFitWhatTheyShow) {
+    const auto range = [](std::vector<double> values, bool share = false) { return axis_range(values, false, share); };
+    EXPECT_GT(range({76, 100}, true).from, 70) << "0 is far";
+    EXPECT_LT(range({76, 100}, true).from, 76) << "no point on the axis";
+    EXPECT_GT(range({76, 100}, true).to, 100);
+    EXPECT_LT(range({76, 100}, true).to, 102);
+    EXPECT_LT(range({0, 10}).from, 0);
+    EXPECT_GT(range({0, 10}).from, -1);
+    EXPECT_LT(range({4, 10}).from, 0) << "0 is near enough to be shown";
+    EXPECT_LT(range({5, 5}).from, 5);
+    EXPECT_GT(range({5, 5}).to, 5);
+    EXPECT_LT(range({0, 0}).from, range({0, 0}).to);
+    const AxisRange log = axis_range({0.1, 10}, true);
+    EXPECT_LT(log.from, 0.1);
+    EXPECT_GT(log.from, 0);
+    EXPECT_GT(log.to, 10);
+}
+
+TEST(LabCharts, TellSeriesApartInGrey) {
+    std::vector<std::string> methods;
+    for (const Method<3>& method : method_table<3>()) methods.emplace_back(method.id);
+    std::vector<Series> series;
+    const std::vector<VariantLook> looks = variant_looks(methods);
+    for (std::size_t i = 0; i < methods.size(); ++i) series.push_back({methods[i], looks[i]});
+    const std::vector<Series> apart = told_apart_in_grey(series);
+    for (std::size_t i = 0; i < apart.size(); ++i) {
+        EXPECT_EQ(apart[i].look.colour, series[i].look.colour) << "the colour is that of the window";
+        for (std::size_t j = 0; j < i; ++j) {
+            VariantLook a = apart[i].look, b = apart[j].look;
+            a.colour = b.colour = {};
+            EXPECT_FALSE(a == b) << methods[i] << " and " << methods[j] << " look alike in grey";
+        }
+    }
+    EXPECT_TRUE(apart[0].look.dash.empty()) << "the first one keeps its line";
+}
+
+TEST(LabCharts, LabelsNeverVanish) {
+    std::vector<ChartLabel> labels;
+    std::vector<std::array<double, 2>> points;
+    Random random(3);
+    for (int i = 0; i < 40; ++i) {
+        points.push_back({random.uniform(0, 300), random.uniform(0, 200)});
+        labels.push_back({std::to_string(i) + "%", points.back()[0], points.back()[1]});
+    }
+    const std::vector<LabelPlace> places = place_labels(labels, points, {}, 8);
+    ASSERT_EQ(places.size(), labels.size());
+    std::size_t covered = 0;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        EXPECT_FALSE(places[i].shared);
+        EXPECT_LT(std::hypot(places[i].x - labels[i].x, places[i].y - labels[i].y), 25) << "beside its point";
+        for (std::size_t j = 0; j < i; ++j)
+            covered += places[i].side == places[j].side && std::abs(places[i].x - places[j].x) < 8 &&
+                       std::abs(places[i].y - places[j].y) < 8;
+    }
+    EXPECT_LE(covered, 2u);
+    const std::vector<LabelPlace> same = place_labels({{"5%", 10, 10}, {"5%", 12, 10}, {"6%", 12, 10}}, {}, {}, 8);
+    EXPECT_TRUE(same[1].shared) << "the same words stand there";
+    EXPECT_FALSE(same[2].shared);
+}
+
+TEST(LabTradeOff, HasBarsAndMarkersWhereThingsWereMeasured) {
+    std::vector<Row> rows{report_row("city", "published", "1%", 4, 0.3, 0.5, 4),
+                          report_row("city", "view", "unlimited", 6, 0, 1, 4)};
+    for (Row& row : rows)
+        for (std::size_t i = 0; i < 4; ++i) {
+            row.frames[i] = static_cast<std::uint32_t>(40 * i);
+            row.values[i][M::total_error] = 0.5;
+        }
+    const Group group{"city", "test", pointers(rows)};
+    const Series published = trade_off(group, M::wrong).series[1];
+    EXPECT_DOUBLE_EQ(published.errors.front()[0], std::sqrt(4 * 0.25) / 4);
+    EXPECT_EQ(published.labels.front(), "1%");
+    const Results results = results_of(rows);
+    for (const NamedChart& chart : study_charts(results))
+        if (chart.id.find("frames") != std::string::npos)
+            for (const Series& s : chart.chart.series) EXPECT_TRUE(s.sampled) << chart.id;
+    EXPECT_NE(gnuplot_script(trade_off(group, M::wrong)).find("xerrorbars"), std::string::npos);
 }
 
 TEST(StudyWords, ATessellationIsReadAsItIsWrittenAndNoOtherWordIs) {

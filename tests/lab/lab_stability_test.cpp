@@ -16,7 +16,7 @@
 namespace sightline::lab {
 namespace {
 
-std::vector<StabilityRow> rows_of(const std::string& scene) {
+std::vector<StabilityRow> rows_from(const std::string& scene) {
     Study study;
     study.scenes = {scene};
     study.size = {160, 120};
@@ -87,13 +87,13 @@ void expect_stable(const std::vector<StabilityRow>& rows) {
 }
 
 TEST(LabStability, IsMeasuredInBothDimensions) {
-    expect_stable(rows_of("2d:rooms"));
-    expect_stable(rows_of("city:10k"));
+    expect_stable(rows_from("2d:rooms"));
+    expect_stable(rows_from("city:10k"));
 }
 
 TEST(LabStability, ComparesEachPrimitiveWithItself) {
     // Sorted by distance the order does not depend on ids but for ties: the same triangles in any order of the file.
-    for (const StabilityRow& row : rows_of("jungle:10k"))
+    for (const StabilityRow& row : rows_from("jungle:10k"))
         if (row.disturbance == Disturbance::shuffle && row.method.id() == "centroid") {
             EXPECT_DOUBLE_EQ(row.jaccard, 1);
             EXPECT_DOUBLE_EQ(row.coverage_change, 0);
@@ -101,8 +101,8 @@ TEST(LabStability, ComparesEachPrimitiveWithItself) {
 }
 
 TEST(LabStability, IsTheSameTwiceAndWritten) {
-    const std::vector<StabilityRow> rows = rows_of("2d:bottleneck");
-    EXPECT_EQ(stability_csv(rows), stability_csv(rows_of("2d:bottleneck")));
+    const std::vector<StabilityRow> rows = rows_from("2d:bottleneck");
+    EXPECT_EQ(stability_csv(rows), stability_csv(rows_from("2d:bottleneck")));
     const std::string csv = stability_csv(rows);
     EXPECT_EQ(static_cast<std::size_t>(std::count(csv.begin(), csv.end(), '\n')), rows.size() + 1);
     const auto json = nlohmann::json::parse(stability_json(conditions_here("{}", ""), rows));

@@ -16,6 +16,7 @@
 #include "lab/cells/cells_report.h"
 #include "lab/command.h"
 #include "lab/compare/compare_report.h"
+#include "lab/compare/fail_if.h"
 #include "lab/measure/run_study.h"
 #include "lab/reduce/reduce.h"
 
@@ -204,6 +205,40 @@ TEST(LabCompare, TimesOfTwoRunsAreHeldAgainstWhatNoHeuristicTouches) {
     EXPECT_NE(notes(before, other).find("a slow one"), std::string::npos);
 }
 
+TEST(LabCompare, FailsWhereAskedTo) {
+    const auto lines = [](const std::string& condition, const Row& a, const Row& b) {
+        const Results x{{}, {a}}, y{{}, {b}};
+        return failures(parse_fail_if(condition), compare_results(x, y));
+    };
+    const Row a = row_of("layers", 1, {0.10, 0.20}), b = row_of("layers", 1, {0.11, 0.20});  // 0.5 points worse
+    EXPECT_TRUE(lines("wrong worse than 0.5 %", a, a).empty());
+    EXPECT_TRUE(lines("wrong worse than 0.51 %", a, b).empty());
+    EXPECT_TRUE(lines("wrong worse than 0 %", b, a).empty()) << "it got better";
+    ASSERT_EQ(lines("wrong worse than 0.49 %", a, b).size(), 1u);
+    EXPECT_EQ(lines("wrong worse than 0.49 %", a, b).front(),
+              "city, path test, layers at 5%: wrong pixels 15 -> 15.5 % (+0.5 ± 6.35): within the noise")
+        << "but the frames are the same, so it is no chance";
+    EXPECT_EQ(lines("wrong  worse than .0049", a, b).size(), 1u) << "without a unit it is a share of 1";
+    EXPECT_EQ(lines("coverage worse than 0.49%", a, b).size(), 1u);
+    EXPECT_TRUE(lines("coverage worse than 0 %", b, a).empty());
+
+    Row slow = row_of("layers", 1, {0.1, 0.1}, 11), fast = row_of("layers", 1, {0.1, 0.1}, 10);
+    EXPECT_EQ(lines("time worse than 9 %", fast, slow).size(), 1u) << "of A's";
+    EXPECT_TRUE(lines("time worse than 11 %", fast, slow).empty());
+    EXPECT_EQ(lines("total_ms worse than 0.9 ms", fast, slow).size(), 1u);
+    EXPECT_TRUE(lines("total_ms worse than 1.1", fast, slow).empty());
+    for (Values& v : slow.values) v[M::total_error] = v[M::total_ms];
+    for (Values& v : fast.values) v[M::total_error] = v[M::total_ms];
+    EXPECT_TRUE(lines("time worse than 0 %", fast, slow).empty()) << "less than the repeats differ by";
+
+    for (const char* wrong :
+         {"", "wrong", "wrong worse 0.5", "wrong worse than", "wrong worse than x %", "wrong worse than -1 %",
+          "wrong worse than nan", "wrong worse than 1 ms", "time worse than 1 s", "rendered worse than 1 %",
+          "nosuch worse than 1 %", "wrong worse than 1 % or so", "wrong better than 1 %"})
+        EXPECT_THROW(parse_fail_if(wrong), InputError) << wrong;
+    EXPECT_THROW(lines("pop worse than 1 %", a, b), InputError) << "neither has it: nothing was compared";
+}
+
 TEST(LabCells, TheKneeIsTheCoarsestThatWillDo) {
     CellsCurve curve{"city", "test", parse_method("layers"), "5%", {}};
     const double wrong[] = {0.30, 0.115, 0.13, 0.105, 0.1};
@@ -285,7 +320,7 @@ TEST(LabReduce, FindsWhatCannotBeTakenAway) {
     EXPECT_EQ(reduce(50, [](std::span<const std::uint32_t> set) { return set.size() >= 3; }).size(), 3u);
     // Stopped, it keeps what it has.
     EXPECT_EQ(reduce(
-                  64, [](auto set) { return !set.empty(); }, [](std::size_t left) { return left > 16; })
+                  64, [](auto set) { return !set.empty(); }, [](const ReduceProgress& at) { return at.left > 16; })
                   .size(),
               16u);
 }
@@ -361,6 +396,16 @@ TEST(LabCommands, Run) {
         0);
     run("compare published layers 3d:bottleneck --budgets 5% --repeats 0" + small + "/d", 0);
     run("compare " + folder.string() + "/m " + folder.string() + "/m/results.json --out " + folder.string() + "/d2", 0);
+    const std::string same =
+        "compare " + folder.string() + "/m2 " + folder.string() + "/m2 --out " + folder.string() + "/d3";
+    run(same + " --fail-if 'wrong worse than 0 %' --fail-if 'coverage worse than 0 %'", 0);
+    run("compare published centroid 3d:bottleneck --budgets 5% --repeats 0 --fail-if 'flip worse than 0.1 %'" + small +
+            "/d4",
+        1);
+    EXPECT_NE(read_file(folder / "said.txt").find("Failed: flip worse than 0.1 % (1 of 1 comparison)"),
+              std::string::npos)
+        << read_file(folder / "said.txt");
+    run(same + " --fail-if 'time worse than 5 %'", 2);  // not timed
     run("reduce 3d:bottleneck --until 'inversion == 1' --out " + folder.string() + "/r", 0);
     for (const char* file : {"m/report.html", "m/results.csv", "merged/report.html", "s/stability.html", "c/cells.html",
                              "d/compare.html", "d2/compare.json", "r/reduced.json", "r/reduced.obj"})
@@ -376,12 +421,12 @@ TEST(LabCommands, Run) {
     run("--help", 0);
     for (const Command& command : commands()) run(std::string(command.id) + " --help", 0);
     for (const char* wrong :
-         {"measure nosuchscene", "measure city --methods nosuch", "measure city --budgets 16ms --frames 1",
-          "measure city --size 0x0", "measure city --path nosuch", "measure city --set nosuch=1", "mesure city",
-          "compare published", "compare published nosuch city", "compare a.json b.json", "merge nosuch.json",
-          "cells city --measure nosuch", "cells city --error-bounds 7", "reduce city",
-          "reduce city --until 'nosuch > 1'", "measure city --settings nosuch.json", "measure city --shard 3/2",
-          "stability nosuchscene"})
+         {"measure nosuchscene", "measure city --methods nosuch", "measure city --size 0x0",
+          "measure city --path nosuch", "measure city --set nosuch=1", "mesure city", "compare published",
+          "compare published layers city --fail-if 'wrong worse'", "compare published nosuch city",
+          "compare a.json b.json", "merge nosuch.json", "cells city --measure nosuch", "cells city --error-bounds 7",
+          "reduce city", "reduce city --until 'nosuch > 1'", "measure city --settings nosuch.json",
+          "measure city --shard 3/2", "stability nosuchscene"})
         run(wrong + std::string(" --out ") + folder.string() + "/wrong", 2);
     fs::remove_all(folder);
 }

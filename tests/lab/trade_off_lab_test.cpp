@@ -35,7 +35,8 @@ void expect_numbers_of_the_lab(const std::string& name, const ImageSize& size) {
     study.repeats = 0;
     study.methods.clear();
     for (const Method<D>& method : method_table<D>())
-        if (method.compared && !method.needs.history) study.methods.push_back(lab::parse_method(std::string(method.id)));
+        if (method.compared && !method.needs.history)
+            study.methods.push_back(lab::parse_method(std::string(method.id)));
     const lab::LabScene<D> scene = lab::load_lab_scene<D>(name, "", study);
     lab::Instruments instruments;
     instruments.draw_ids = opengl.draw_ids();

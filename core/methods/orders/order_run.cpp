@@ -88,7 +88,9 @@ std::vector<CodeLine> OrderRun<D>::code(const CodePlace& at) const {
     const bool in_step = at.in_step(), popping = in_step && *at.substep == 0, rendering = in_step && !popping;
     std::vector<CodeLine> lines;
     lines.push_back({std::string(order_.code), 0, false, {}, std::string(order_.source)});
-    lines.back().values = std::to_string(primitives_.size()) + " primitives";
+    lines.back().values = primitives_.empty() && !order_.when_empty.empty()
+                              ? std::string(order_.when_empty)
+                              : std::to_string(primitives_.size()) + " primitives";
     lines.push_back({"while some are left:", 0, !in_step && counters.spent < this->problem_.budget, {}, {}});
     if (!in_step) lines.back().values = std::to_string(primitives_.size() - counters.offset) + " left";
     lines.push_back({order_.batch == 1 ? "take the next one" : "take the next " + std::to_string(order_.batch),

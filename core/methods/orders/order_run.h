@@ -12,12 +12,13 @@ inline constexpr std::uint32_t primitive_batch = 32;
 /// An order of primitives as data.
 template <int D>
 struct PrimitiveOrder {
-    std::vector<std::uint32_t> (*primitives)(const Problem<D>&);
+    std::function<std::vector<std::uint32_t>(const Problem<D>&)> primitives;
     bool culls = true;                      ///< leaves out what lies outside the view
     Misses promise = Misses::may;           ///< of the whole order
     std::string_view code;                  ///< "order the primitives, nearest centroid first"
     std::string_view source;                ///< of that line
     std::uint32_t batch = primitive_batch;  ///< primitives of a step; 1: a step pops its primitive
+    std::string_view when_empty{};          ///< how an order without a primitive is spoken of
 };
 
 template <int D>
