@@ -181,14 +181,20 @@ void write_pictures(Workbench<D>& bench, const Film& film, const FigureSize& siz
     draw_pictures(bench, film, size, folder.path());
     std::vector<fs::path> written;
     std::error_code error;
-    for (std::size_t number = 1; number <= count; ++number) {
-        const fs::path path = numbered(file, number);
-        if (!fs::exists(path, error)) written.push_back(path);
-        fs::rename(numbered(folder.path() / "frame.png", number), path, error);
-        if (!error) continue;
-        const std::string why = error.message();
+    try {
+        for (std::size_t number = 1; number <= count; ++number) {
+            const fs::path path = numbered(file, number), drawn = numbered(folder.path() / "frame.png", number);
+            if (!fs::exists(path, error)) written.push_back(path);
+            if (fs::is_symlink(path, error)) {  // is followed, which a new name does not do
+                write_file(path, read_file(drawn));
+                continue;
+            }
+            fs::rename(drawn, path, error);
+            if (error) throw WorkError("cannot write " + path.string() + ": " + error.message());
+        }
+    } catch (...) {
         for (const fs::path& made : written) fs::remove(made, error);
-        throw WorkError("cannot write " + path.string() + ": " + why);
+        throw;
     }
 }
 
