@@ -36,7 +36,7 @@ std::vector<std::string> includes_of(const std::vector<std::string>& lines) {
 std::vector<Source> read_sources() {
     std::vector<Source> all;
     const fs::path root = SIGHTLINE_SOURCE_DIR;
-    for (const char* folder : {"core", "shell", "viewer2d", "viewer3d", "lab", "tests", "examples"}) {
+    for (const char* folder : {"core", "shell", "viewer2d", "viewer3d", "lab", "python", "tests", "examples"}) {
         if (!fs::exists(root / folder)) continue;
         for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / folder)) {
             const std::string ending = entry.path().extension().string();

@@ -2,6 +2,8 @@
 #include "core/base/output_file.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -20,6 +22,30 @@ namespace {
 
 std::string words_of(int error) { return std::generic_category().message(error); }
 
+constexpr std::string_view temporary_begin = ".sightline-", temporary_end = ".tmp";
+
+/// Removes what killed processes left in the folder. Whoever writes holds a lock, which ends with the process: numbers
+/// of processes are used again, and are others on another machine.
+void remove_abandoned(const std::filesystem::path& folder) {
+    std::error_code error;
+    for (std::filesystem::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+        const std::string name = at->path().filename().string();
+        if (!name.starts_with(temporary_begin) || !name.ends_with(temporary_end)) continue;
+        const int descriptor = open(at->path().c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+        if (descriptor < 0) continue;
+        if (flock(descriptor, LOCK_EX | LOCK_NB) == 0) unlink(at->path().c_str());
+        close(descriptor);
+    }
+}
+
+/// Whether the new file is ours: somebody who looks for abandoned ones may have come before the lock. Where there are
+/// no locks nobody removes anything.
+bool take(int descriptor) {
+    struct stat status {};
+    if (flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) return false;
+    return fstat(descriptor, &status) == 0 && status.st_nlink > 0;
+}
+
 }  // namespace
 
 OutputFile::OutputFile(std::filesystem::path target) : target_(std::move(target)) {
@@ -32,7 +58,9 @@ OutputFile::OutputFile(std::filesystem::path target) : target_(std::move(target)
         fcntl(descriptor_, F_SETFL, fcntl(descriptor_, F_GETFL) & ~O_NONBLOCK);
         return;
     }
-    if (std::filesystem::is_symlink(target_, error)) {
+    const bool is_link = std::filesystem::is_symlink(target_, error);
+    if (error == std::errc::filename_too_long) fail(target_, words_of(error.value()));  // before anything is written
+    if (is_link) {
         const std::filesystem::path behind = std::filesystem::canonical(target_, error);
         if (error) fail(target_, "the link leads nowhere");
         target_ = behind;
@@ -43,11 +71,16 @@ OutputFile::OutputFile(std::filesystem::path target) : target_(std::move(target)
     if (std::filesystem::is_directory(target_, error)) fail(target_, "it is a folder");
     // A rename would replace a file that its owner has protected.
     if (std::filesystem::exists(target_, error) && access(target_.c_str(), W_OK) != 0) fail(target_, words_of(errno));
+    remove_abandoned(folder);
     // Short, whatever the target's own name: file systems limit a name's length.
     for (int attempt = 0; descriptor_ < 0; ++attempt) {
-        temporary_ = folder / (".sightline-" + std::to_string(getpid()) + "-" + std::to_string(attempt) + ".tmp");
+        temporary_ = folder / (std::string(temporary_begin) + std::to_string(getpid()) + "-" + std::to_string(attempt) +
+                               std::string(temporary_end));
         descriptor_ = open(temporary_.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
         if (descriptor_ < 0 && errno != EEXIST) fail(target_, words_of(errno));
+        if (descriptor_ < 0 || take(descriptor_)) continue;
+        unlink(temporary_.c_str());
+        close(std::exchange(descriptor_, -1));
     }
 }
 
@@ -66,10 +99,11 @@ void OutputFile::write(std::string_view data) {
 }
 
 void OutputFile::commit() {
-    if (close(std::exchange(descriptor_, -1)) != 0) fail(target_, words_of(errno));
-    if (temporary_.empty()) return;
-    if (rename(temporary_.c_str(), target_.c_str()) != 0) fail(target_, words_of(errno));
+    // A disk that is written to later says at a close that it is full; the lock lasts until the last one.
+    if (const int other = dup(descriptor_); other < 0 || close(other) != 0) fail(target_, words_of(errno));
+    if (!temporary_.empty() && rename(temporary_.c_str(), target_.c_str()) != 0) fail(target_, words_of(errno));
     temporary_.clear();
+    if (close(std::exchange(descriptor_, -1)) != 0) fail(target_, words_of(errno));
 }
 
 }  // namespace sightline

@@ -2,7 +2,6 @@
 #include "core/session/state_file.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
@@ -13,6 +12,7 @@
 #include "core/scene/read/read_json.h"
 #include "core/session/condition.h"
 #include "core/session/start_settings.h"
+#include "core/session/state_scene.h"
 
 namespace sightline {
 
@@ -147,28 +147,18 @@ Scene<2> embedded_scene(const Json& json, const std::string& name) {
 
 template <int D>
 Scene<D> read_scene(const Json& json, const std::string& name, LoadOptions options) {
-    Scene<D> scene;
-    bool embedded = false;
-    if constexpr (D == 2) embedded = json.contains("embedded");
-    if (embedded) {
-        if constexpr (D == 2) scene = embedded_scene(json, name);
-        if (!json.contains("hash")) return scene;  // written by hand
-    } else {
-        // A file that is not where it was may lie beside the state file.
-        std::string file = json.value("name", json.at("id").get<std::string>());
-        if (json.contains("name_bytes")) file = percent_decoded(json.at("name_bytes").get<std::string>());
-        const auto exists = [](const std::string& path) {
-            std::error_code error;
-            return std::filesystem::exists(path.substr(0, path.rfind('#')), error);
-        };
-        const std::string beside = (std::filesystem::path(name).parent_path() / file).string();
-        if (!exists(file) && exists(beside)) file = beside;
-        options.choose_view = false;  // the state has its own
-        scene = load_scene<D>(file, options);
-    }
-    if (hash_text(scene_hash(scene)) != json.at("hash").get<std::string>())
-        throw InputError("scene '" + scene.id + "' is not the one the state was made with (its hash differs)");
-    return scene;
+    if constexpr (D == 2)
+        if (json.contains("embedded")) {
+            Scene<2> scene = embedded_scene(json, name);
+            if (json.contains("hash") &&  // else written by hand
+                hash_text(scene_hash(scene)) != json.at("hash").get<std::string>())
+                throw InputError("scene '" + scene.id + "' is not the one the state was made with (its hash differs)");
+            return scene;
+        }
+    std::string file = json.value("name", json.at("id").get<std::string>());
+    if (json.contains("name_bytes")) file = percent_decoded(json.at("name_bytes").get<std::string>());
+    options.choose_view = false;  // the state has its own
+    return find_state_scene<D>(file, json.at("hash").get<std::string>(), name, options);
 }
 
 /// An index into something of that size; none when it is missing.
@@ -192,11 +182,27 @@ Settings settings_of_state(const Json& json) {
     return settings;
 }
 
-/// `shared`: the scene of a state that has none of its own.
+FigureSpec figure_of_state(const Json& json) {
+    FigureSpec figure;
+    figure.size = json.at("size").get<std::string>();
+    figure.font_pt = json.at("font_pt").get<double>();
+    figure.panels = json.at("panels").get<std::vector<std::string>>();
+    figure.dpi = json.value("dpi", FigureSpec{}.dpi);
+    figure.columns = read_count(json, "columns", 0);
+    return figure;
+}
+
+/// The scene of a state that has none of its own, or another one in place of it.
+template <int D>
+struct GivenScene {
+    std::shared_ptr<const Scene<D>> scene{};
+    bool replaces = false;  ///< also that of a state that has one
+    bool differs = false;   ///< from the one that the state was made with
+};
+
 template <int D>
 OpenedState<D> read_state(const Json& json, const std::string& name, std::span<const Method<D>> methods,
-                          const DrawIds& draw_ids, const Progress& progress,
-                          std::shared_ptr<const Scene<D>> shared = nullptr) {
+                          const DrawIds& draw_ids, const Progress& progress, GivenScene<D>& given) {
     if (json.at("format") != "sightline-state") throw InputError("\"format\" is not \"sightline-state\"");
     if (json.at("version") != 1) throw InputError("\"version\" is not 1, the only one known");
     if (const int dimension = json.value("dimension", 2); dimension != D)
@@ -205,18 +211,25 @@ OpenedState<D> read_state(const Json& json, const std::string& name, std::span<c
     Settings settings = settings_of_state(json.at("settings"));
     // Files from before the setting say nothing, and meant this.
     if (D == 3 && !json.at("settings").contains("up")) settings.up = Up::format;
-    if (!shared || json.contains("scene"))
-        shared =
-            std::make_shared<const Scene<D>>(read_scene<D>(json.at("scene"), name, read_options(settings, progress)));
+    if (given.replaces)
+        given.differs = json.at("scene").value("hash", "") != hash_text(scene_hash(*given.scene));
+    else if (!given.scene || json.contains("scene"))
+        given = {
+            std::make_shared<const Scene<D>>(read_scene<D>(json.at("scene"), name, read_options(settings, progress)))};
     OpenedState<D> opened{
-        Session<D>(std::move(shared), at_member(json, "view", read_view<D>), settings, methods, draw_ids, progress),
-        {},
-        {}};
+        Session<D>(given.scene, at_member(json, "view", read_view<D>), settings, methods, draw_ids, progress), {}, {}};
     Session<D>& session = opened.session;
     if (json.contains("lane")) {
         std::vector<ViewSpec<D>> lane;
         for (const Json& view : list(json, "lane")) lane.push_back(read_view<D>(view));
         session.set_lane(std::move(lane));
+    }
+    if (json.contains("figure")) opened.figure = figure_of_state(json.at("figure"));
+    read_breakpoints(json, session);
+    if (given.differs) {  // the rest is about steps, cells and primitives of another scene
+        opened.warnings.push_back(
+            name + ": opened with another scene than it was made with: its view and settings, at " + "step 0");
+        return opened;
     }
     if (json.contains("time_stop")) session.set_time_stop(read_count(json.at("time_stop")));
     const std::uint32_t step = read_count(json.at("step"));
@@ -241,33 +254,24 @@ OpenedState<D> read_state(const Json& json, const std::string& name, std::span<c
             (read.anchor == Note<D>::Anchor::primitive && read.index >= session.scene().primitives.size()))
             throw InputError("a note is anchored to something that does not exist");
     }
-    if (json.contains("figure")) {
-        const Json& figure = json.at("figure");
-        opened.figure.size = figure.at("size").get<std::string>();
-        opened.figure.font_pt = figure.at("font_pt").get<double>();
-        opened.figure.panels = figure.at("panels").get<std::vector<std::string>>();
-        opened.figure.dpi = figure.value("dpi", FigureSpec{}.dpi);
-        opened.figure.columns = read_count(figure, "columns", 0);
-    }
     session.selected_cell = read_selected(json, "selected_cell", session.cells().cell_count());
     session.selected_primitive = read_selected(json, "selected_primitive", session.scene().primitives.size());
     const BoxTree<D>* const tree = session.traversal().boxes();
     session.selected_node = read_selected(json, "selected_node", tree ? tree->nodes.size() : 0);
     session.selected_plane = read_count(json, "selected_plane", none);
-    read_breakpoints(json, session);
     return opened;
 }
 
 /// The state that stands beside the first one, if there is one.
 template <int D>
 void read_other(const Json& json, const std::string& name, std::span<const Method<D>> methods, const DrawIds& draw_ids,
-                const Progress& progress, OpenedState<D>& opened) {
+                const Progress& progress, bool scene_differs, OpenedState<D>& opened) {
     if (json.contains("align")) opened.align = read_word<Align>(json.at("align"), align_words);
     if (!json.contains("other")) return;
     const std::string place = name + ": other";
     try {
-        OpenedState<D> other =
-            read_state<D>(json.at("other"), place, methods, draw_ids, progress, opened.session.shared_scene());
+        GivenScene<D> shared{opened.session.shared_scene(), false, scene_differs};
+        OpenedState<D> other = read_state<D>(json.at("other"), place, methods, draw_ids, progress, shared);
         opened.other = std::move(other.session);
         opened.warnings.insert(opened.warnings.end(), other.warnings.begin(), other.warnings.end());
     } catch (const Json::exception& error) {
@@ -369,11 +373,18 @@ std::string state_json(const Session<D>& session, const FigureSpec& figure, cons
 
 template <int D>
 OpenedState<D> open_state(std::string_view text, const std::string& name, std::span<const Method<D>> methods,
-                          const DrawIds& draw_ids, const Progress& progress) {
+                          const DrawIds& draw_ids, const Progress& progress, const std::string& scene) {
+    GivenScene<D> given;
     try {
         const Json json = parse_json(text, name);
-        OpenedState<D> opened = read_state<D>(json, name, methods, draw_ids, progress);
-        read_other<D>(json, name, methods, draw_ids, progress, opened);
+        if (!scene.empty()) {
+            const Settings settings = settings_of_state(json.at("settings"));
+            given = {std::make_shared<const Scene<D>>(
+                         load_scene<D>(scene, {.two_sided = settings.two_sided == Switch::on, .progress = progress})),
+                     true};
+        }
+        OpenedState<D> opened = read_state<D>(json, name, methods, draw_ids, progress, given);
+        read_other<D>(json, name, methods, draw_ids, progress, given.differs, opened);
         return opened;
     } catch (const Json::exception& error) {
         throw input_error(name, "", why_not(error));
@@ -387,7 +398,7 @@ OpenedState<D> open_state(std::string_view text, const std::string& name, std::s
 #define SIGHTLINE_INSTANTIATE(D)                                                                            \
     template std::string state_json<D>(const Session<D>&, const FigureSpec&, const Session<D>*, Align);     \
     template OpenedState<D> open_state<D>(std::string_view, const std::string&, std::span<const Method<D>>, \
-                                          const DrawIds&, const Progress&);
+                                          const DrawIds&, const Progress&, const std::string&);
 SIGHTLINE_INSTANTIATE(2)
 SIGHTLINE_INSTANTIATE(3)
 #undef SIGHTLINE_INSTANTIATE

@@ -33,12 +33,14 @@ struct OpenedState {
     Align align = Align::step;
 };
 
-/// `name` begins every error line. Throws InputError when the text is no state file, when the scene it names cannot be
-/// found or is another one (by hash), when a setting does not exist, when it is of the other dimension, or when a
-/// breakpoint is no condition.
+/// `name` begins every error line. The scene is looked for as it is written, then beside the file `name`, then among
+/// the files there of the same ending, by its hash. `scene`: another one in its place, by any name that load_scene
+/// takes; where it has another hash, what refers to steps, cells and primitives is left out with a warning. Throws
+/// InputError when the text is no state file, when the scene it names cannot be found or is another one (by hash),
+/// when a setting does not exist, when it is of the other dimension, or when a breakpoint is no condition.
 template <int D = 2>
 OpenedState<D> open_state(std::string_view text, const std::string& name,
                           std::span<const Method<D>> methods = method_table<D>(), const DrawIds& draw_ids = {},
-                          const Progress& progress = {});
+                          const Progress& progress = {}, const std::string& scene = "");
 
 }  // namespace sightline

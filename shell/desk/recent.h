@@ -15,4 +15,9 @@ inline constexpr std::size_t most_recent = 10;
 template <int D>
 void note_opened(std::vector<std::string>& recent, const std::string& name);
 
+/// The list of a window and the one that another window wrote meanwhile, when both knew `known`: what was opened here
+/// comes first, then what was opened there; what was dropped here stays dropped.
+std::vector<std::string> merge_recent(const std::vector<std::string>& ours, const std::vector<std::string>& theirs,
+                                      const std::vector<std::string>& known);
+
 }  // namespace sightline

@@ -8,11 +8,12 @@
 
 namespace sightline {
 
-/// A folder of its own that is removed with all that lies in it.
+/// A folder of its own that is removed with all that lies in it; those that killed processes left where it is made are
+/// removed, too.
 class TemporaryFolder {
 public:
-    /// Throws WorkError.
-    TemporaryFolder();
+    /// In the folder `where`; empty: among the system's temporary files. Throws WorkError.
+    explicit TemporaryFolder(const std::filesystem::path& where = {});
     ~TemporaryFolder();
     TemporaryFolder(const TemporaryFolder&) = delete;
     TemporaryFolder& operator=(const TemporaryFolder&) = delete;
@@ -20,6 +21,7 @@ public:
 
 private:
     std::filesystem::path path_;
+    int lock_ = -1;  ///< held on the folder while this process lives
 };
 
 /// `pictures` is a pattern in `folder` such as "frame-%04d.png", counted from 1; `file` is made there, and its ending,

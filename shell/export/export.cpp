@@ -143,9 +143,12 @@ void write_shot(Workbench<D>& bench, const std::string& file) {
     const Figure figure = shot_figure(bench);
     const FigureSize size = figure_size(bench.figure);
     const std::vector<std::string> missing = left_out(figure, size);
-    OutputFile sidecar(file + ".json");
-    sidecar.write(with_left_out(bench_state(bench), missing));  // a disk without room for it keeps the old figure
-    write_figure(figure, size, file, bench.graphics.draw_solid);
+    const std::string bytes = figure_bytes(figure, size, file, bench.graphics.draw_solid);
+    // Both or neither: a disk without room for them, or a name too long for one, keeps what was there.
+    OutputFile sidecar(file + ".json"), picture(file);
+    sidecar.write(with_left_out(bench_state(bench), missing));
+    picture.write(bytes);
+    picture.commit();
     sidecar.commit();
     bench.session.times().draw += drawing.milliseconds();
     std::string said = "wrote " + file + " and " + file + ".json";

@@ -161,23 +161,39 @@ FigureSize size_of_video(FigureSize size) {
     return size;
 }
 
-/// FILE-0001.png and so on; takes back those that were not there before when one fails.
+/// Folder/frame-0001.png and so on.
 template <int D>
-void write_pictures(Workbench<D>& bench, const Film& film, const FigureSize& size, const fs::path& file) {
-    std::vector<fs::path> written;
+void draw_pictures(Workbench<D>& bench, const Film& film, const FigureSize& size, const fs::path& folder) {
     const auto name = [&](std::size_t i) {
         if (i > 0 && i % frames_per_word == 0)
             bench.say(std::to_string(i) + " of " + std::to_string(film.plan.size()) + " pictures are drawn");
-        const fs::path path = numbered(file, i + 1);
-        std::error_code error;
-        if (!fs::exists(path, error)) written.push_back(path);
-        return path;
+        return fs::path(numbered(folder / "frame.png", i + 1));
     };
+    write_figure_frames(film.plan, film.page, size, name, bench.graphics.draw_solid);
+}
+
+/// FILE-0001.png and so on, when all are drawn; takes back those that were not there before when one fails.
+template <int D>
+void write_pictures(Workbench<D>& bench, const Film& film, const FigureSize& size, const fs::path& file) {
+    const std::size_t count = film.plan.size();
+    for (const std::size_t number : {std::size_t{1}, count}) const OutputFile can_be_written(numbered(file, number));
+    const TemporaryFolder folder(file.has_parent_path() ? file.parent_path() : ".");
+    draw_pictures(bench, film, size, folder.path());
+    std::vector<fs::path> written;
+    std::error_code error;
     try {
-        write_figure_frames(film.plan, film.page, size, name, bench.graphics.draw_solid);
+        for (std::size_t number = 1; number <= count; ++number) {
+            const fs::path path = numbered(file, number), drawn = numbered(folder.path() / "frame.png", number);
+            if (!fs::exists(path, error)) written.push_back(path);
+            if (fs::is_symlink(path, error)) {  // is followed, which a new name does not do
+                write_file(path, read_file(drawn));
+                continue;
+            }
+            fs::rename(drawn, path, error);
+            if (error) throw WorkError("cannot write " + path.string() + ": " + error.message());
+        }
     } catch (...) {
-        std::error_code error;
-        for (const fs::path& path : written) fs::remove(path, error);
+        for (const fs::path& made : written) fs::remove(made, error);
         throw;
     }
 }
@@ -199,7 +215,7 @@ void write_film(Workbench<D>& bench, const FilmSpec& asked) {
         write_pictures(bench, made, figure_size(bench.figure), film.file);
     } else {
         const TemporaryFolder folder;
-        write_pictures(bench, made, size_of_video(figure_size(bench.figure)), folder.path() / "frame.png");
+        draw_pictures(bench, made, size_of_video(figure_size(bench.figure)), folder.path());
         const std::string whole = "film" + ending;
         encode_film(folder.path(), "frame-%04d.png", film.frames_per_second, made.plan.front().background, whole);
         write_file(film.file, read_file(folder.path() / whole));

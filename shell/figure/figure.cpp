@@ -109,20 +109,22 @@ void save(const std::filesystem::path& path, std::string_view data) {
 
 }  // namespace
 
-void write_figure(const Figure& figure, const FigureSize& size, const std::filesystem::path& path,
-                  const DrawSolid& draw_solid) {
+void check_figure_name(const std::filesystem::path& path) { format_of(path); }
+
+std::string figure_bytes(const Figure& figure, const FigureSize& size, const std::filesystem::path& path,
+                         const DrawSolid& draw_solid) {
     const Format format = format_of(path);
     check_size(size);
     const Font font = find_font();
     const std::vector<Layout> layouts = lay_out({&figure, 1}, size, font);
-    switch (format) {
-        case Format::png:
-            return save(path, png_of(figure, size, layouts[0], font, draw_solid));
-        case Format::svg:
-            return save(path, svg_of(figure, size, layouts[0], font, draw_solid));
-        case Format::pdf:
-            return save(path, pdf_of([&](std::size_t) { return figure; }, layouts, size.dpi, font, draw_solid));
-    }
+    if (format == Format::png) return png_of(figure, size, layouts[0], font, draw_solid);
+    if (format == Format::svg) return svg_of(figure, size, layouts[0], font, draw_solid);
+    return pdf_of([&](std::size_t) { return figure; }, layouts, size.dpi, font, draw_solid);
+}
+
+void write_figure(const Figure& figure, const FigureSize& size, const std::filesystem::path& path,
+                  const DrawSolid& draw_solid) {
+    save(path, figure_bytes(figure, size, path, draw_solid));
 }
 
 std::vector<std::string> left_out(const Figure& figure, const FigureSize& size) {

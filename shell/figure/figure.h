@@ -24,6 +24,13 @@ namespace sightline {
 void write_figure(const Figure& figure, const FigureSize& size, const std::filesystem::path& path,
                   const DrawSolid& draw_solid = {});
 
+/// Throws InputError for a name whose ending is none of those.
+void check_figure_name(const std::filesystem::path& path);
+
+/// What that writes into a file of this name. Throws as it does.
+std::string figure_bytes(const Figure& figure, const FigureSize& size, const std::filesystem::path& path,
+                         const DrawSolid& draw_solid = {});
+
 /// What the figure does not show as it was asked for: labels without room, notes that lie outside, smaller text.
 /// Throws as write_figure does.
 std::vector<std::string> left_out(const Figure& figure, const FigureSize& size);

@@ -10,6 +10,7 @@
 #include "core/session/settings_table.h"
 #include "shell/commands/command_table.h"
 #include "shell/desk/desk.h"
+#include "shell/figure/figure.h"
 #include "shell/window/placement.h"
 
 namespace sightline {
@@ -116,7 +117,9 @@ void add_file_options(CLI::App& app, Options& o, Typed& typed) {
     app.add_option("--font", typed.font, "size of the figure's text, such as 8pt");
     app.add_option("--dpi", typed.dpi, "resolution of a PNG whose width is in millimetres, such as 600; default 300");
     app.add_option("--columns", typed.columns, "columns of the figure's panels: 3 puts three beside each other");
-    app.add_option("--state", o.state, "open a state file or sidecar: same scene, settings, view, step");
+    app.add_option(
+        "--state", o.state,
+        "open a state file or sidecar: same scene, settings, view, step; SCENE, if given, in place of its scene");
     app.add_option("--trace", o.trace, "write the records of all steps as JSON (- for standard output)");
     app.add_option("--stats", o.stats, "write the statistics as JSON (- for standard output)");
 }
@@ -172,8 +175,18 @@ void read_window(const Typed& typed, Options& o) {
     if (o.headless && (o.scale || o.window)) throw InputError("--scale and --window need a window; remove --headless");
 }
 
+/// What is given and empty would be ignored without a word.
+void check_given(const CLI::App& app) {
+    for (const CLI::Option* option : app.get_options()) {
+        if (option->get_name() == "--do") continue;  // a script may have nothing to do
+        for (const std::string& value : option->results())
+            if (value.empty()) throw InputError(option->get_name() + " '': is empty");
+    }
+}
+
 void check_scene(const Options& o) {
-    if (!o.state.empty() && !o.scene.empty()) throw InputError("--state names its own scene: leave out " + o.scene);
+    for (const std::string& shot : o.shots) check_figure_name(shot);  // not after a long run
+    if (!o.state.empty() && !o.cells.empty()) throw InputError("--cells needs a scene of its own: leave out --state");
     if (!o.cells.empty() && o.scene.empty()) throw InputError("--cells needs a scene: name the scene, too");
 }
 
@@ -201,6 +214,7 @@ std::optional<Options> parse_options(int argc, const char* const* argv, std::spa
     } catch (const CLI::ParseError& error) {
         throw InputError(std::string(error.what()) + " (--help lists the options)");
     }
+    check_given(app);
     read_numbers(typed, o);
     check_path(o);
     read_window(typed, o);

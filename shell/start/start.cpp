@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <new>
 #include <optional>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/base/file.h"
@@ -56,6 +58,18 @@ ViewSpec<D> apply_options(ViewSpec<D> view, const Options& o, const Scene<D>& sc
 
 void warn(const std::string& line) { std::cerr << "warning: " << line << "\n"; }
 
+/// What the file says that --state names: perhaps a figure, which people have and look at.
+std::string text_of_state(const std::string& name) {
+    std::string text = read_file(name);
+    const std::size_t first = text.starts_with("\xef\xbb\xbf") ? 3 : 0;
+    if (const std::size_t at = text.find_first_not_of(" \t\r\n", first); at != std::string::npos && text[at] == '{')
+        return text;
+    std::error_code error;
+    const std::string sidecar = name + ".json";
+    throw InputError(name + ": is not a state file" +
+                     (std::filesystem::exists(sidecar, error) ? ": its sidecar is " + sidecar : ""));
+}
+
 /// What is to be opened.
 struct Asked {
     std::string name;                  ///< of a scene, or of the state file
@@ -64,7 +78,7 @@ struct Asked {
 
 template <int D>
 Asked asked_for(const Options& o) {
-    if (!o.state.empty()) return {o.state, read_file(o.state)};
+    if (!o.state.empty()) return {o.state, text_of_state(o.state)};
     const std::string name = o.scene.empty() ? first_scene : o.scene;
     const Asked asked{name, state_text<D>(name)};
     if (asked.state && !o.cells.empty()) throw InputError("--cells needs a scene: " + name + " is a state file");
@@ -98,7 +112,8 @@ Workbench<D> open_bench(const Options& o, const Asked& asked, bool in_window, st
             write_cells(bench, o.cells);
         return bench;
     }
-    OpenedState<D> opened = open_state<D>(*asked.state, asked.name, methods, graphics.draw_ids, graphics.progress);
+    OpenedState<D> opened = open_state<D>(*asked.state, asked.name, methods, graphics.draw_ids, graphics.progress,
+                                          o.state.empty() ? "" : o.scene);
     for (const std::string& warning : opened.warnings) warn(warning);
     for (const std::string& warning : opened.session.scene().warnings) warn(warning);
     Settings settings = opened.session.settings();
@@ -244,18 +259,57 @@ std::vector<std::string> split_panels(const std::string& text) {
     return panels;
 }
 
+/// What is left to do where a library ends the program, as Xlib does when its server is lost.
+class LastWill {
+public:
+    explicit LastWill(std::function<void()> will) {
+        the_will() = std::move(will);  // made before the next line, so destroyed after what that registers
+        [[maybe_unused]] static const int registered = std::atexit([] {
+            if (const std::function<void()> last = std::exchange(the_will(), nullptr)) last();
+        });
+    }
+    ~LastWill() { the_will() = nullptr; }
+    LastWill(const LastWill&) = delete;
+    LastWill& operator=(const LastWill&) = delete;
+
+private:
+    // Functions that are called at the end get no argument.
+    static std::function<void()>& the_will() {
+        static std::function<void()> will;
+        return will;
+    }
+};
+
+/// A terminal that is closed ends the window as SIGTERM does, which SDL turns into an event; unless nohup said no.
+void end_by_hang_up() {
+    const auto before = std::signal(SIGHUP, [](int) { std::raise(SIGTERM); });
+    if (before == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
+}
+
 /// The window with what it remembers from one time to the next.
 template <int D>
 struct KeptWindow {
     Workbench<D>& bench;
     std::filesystem::path memory;
+    std::vector<std::string> known;  ///< the recent names that are in the file, as far as this window knows
     Window<D> window;
 
-    KeptWindow(Workbench<D>& on, const WindowOptions& options, const std::filesystem::path& file)
-        : bench(on), memory(file), window(on, options) {}
+    KeptWindow(Workbench<D>& on, const WindowOptions& options, const std::filesystem::path& file,
+               std::vector<std::string> in_file)
+        : bench(on), memory(file), known(std::move(in_file)), window(on, options) {}
 
-    void remember() { keep(memory, {window.placement(), lasting(bench.desk), bench.recent}); }
+    void remember() {
+        known = keep<D>(memory, {window.placement(), lasting(bench.desk), bench.recent}, known);
+        bench.recent = known;
+    }
     void run() {
+        const LastWill will([this] {
+            try {
+                remember();
+            } catch (const std::exception&) {  // nobody is left to be told
+            }
+        });
+        end_by_hang_up();
         window.opened = [this] {
             try {
                 remember();
@@ -281,6 +335,7 @@ void obey(const Options& o, std::span<const Method<D>> methods, const Viewer<D>&
     Recalled recalled;
     const std::filesystem::path memory = memory_file(viewer.name);
     if (in_window) recalled = recall<D>(memory);
+    const std::vector<std::string> in_file = recalled.memory.recent;
     Graphics graphics = viewer.graphics;
     graphics.progress = terminal_progress();
     Asked asked;
@@ -291,7 +346,7 @@ void obey(const Options& o, std::span<const Method<D>> methods, const Viewer<D>&
     if (in_window) {
         // An asked scale stands for what the screen's density would ask, and is not remembered.
         const WindowOptions options{.placement = recalled.memory.placement, .scale = o.scale.value_or(0)};
-        window.emplace(bench, options, memory);
+        window.emplace(bench, options, memory, in_file);
         window->window.stage = viewer.stage(bench);
         if (!recalled.word.empty()) window->window.tell({recalled.word, true});
     }

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shell/window/memory.h"
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <cstdlib>
 
@@ -111,6 +115,23 @@ std::vector<std::string> read_recent(const Member& list) {
     return recent;
 }
 
+/// One window at a time reads the file and writes it. Where there are no locks, the last one wins.
+class FolderLock {
+public:
+    explicit FolderLock(const std::filesystem::path& folder)
+        : descriptor_(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+        if (descriptor_ >= 0) flock(descriptor_, LOCK_EX);
+    }
+    ~FolderLock() {
+        if (descriptor_ >= 0) close(descriptor_);
+    }
+    FolderLock(const FolderLock&) = delete;
+    FolderLock& operator=(const FolderLock&) = delete;
+
+private:
+    int descriptor_;
+};
+
 /// Renames to the first free name. False when that fails.
 bool set_aside(const std::filesystem::path& file, std::filesystem::path& aside) {
     std::error_code error;
@@ -206,13 +227,25 @@ Recalled recall(const std::filesystem::path& file) {
     }
 }
 
-void keep(const std::filesystem::path& file, const Memory& memory) {
-    if (file.empty()) return;
+template <int D>
+std::vector<std::string> keep(const std::filesystem::path& file, Memory memory, const std::vector<std::string>& known) {
+    if (file.empty()) return memory.recent;
     std::error_code error;
     std::filesystem::create_directories(file.parent_path(), error);
     if (error) throw WorkError("cannot make the folder " + file.parent_path().string() + ": " + error.message());
+    const FolderLock lock(file.parent_path());
+    try {
+        if (std::filesystem::exists(file, error))
+            memory.recent =
+                merge_recent(memory.recent, read_memory<D>(read_file(file, most_bytes), file.string()).recent, known);
+    } catch (const InputError&) {  // damaged since: nothing to take over
+    }
     write_file(file, memory_json(memory));
+    return memory.recent;
 }
+
+template std::vector<std::string> keep<2>(const std::filesystem::path&, Memory, const std::vector<std::string>&);
+template std::vector<std::string> keep<3>(const std::filesystem::path&, Memory, const std::vector<std::string>&);
 
 template Memory read_memory<2>(const std::string&, const std::string&);
 template Memory read_memory<3>(const std::string&, const std::string&);

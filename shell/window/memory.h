@@ -38,7 +38,9 @@ struct Recalled {
 template <int D>
 Recalled recall(const std::filesystem::path& file);
 
-/// Writes the file, and makes its folder. Throws WorkError.
-void keep(const std::filesystem::path& file, const Memory& memory);
+/// Writes the file, and makes its folder. `known`: the names that were in the file when it was read or written last;
+/// those that other windows have put there since stay. Returns the names that are in it now. Throws WorkError.
+template <int D>
+std::vector<std::string> keep(const std::filesystem::path& file, Memory memory, const std::vector<std::string>& known);
 
 }  // namespace sightline

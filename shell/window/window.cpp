@@ -2,6 +2,7 @@
 #include "shell/window/window.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -30,6 +31,8 @@ namespace {
 constexpr std::size_t most_messages = 500;
 /// Pixels at scale 1.
 constexpr float least_side = 32;
+/// Longer a person sees nothing of what happens.
+constexpr double most_undrawn_ms = 250;
 /// Of a frame, for the trade-off.
 constexpr double measuring_ms = 8;
 constexpr float text_pixels = 15, label_pixels = 12;
@@ -231,6 +234,19 @@ bool Window<D>::expects_text() const {
     return bench_.desk.console || bench_.desk.chooser || ui_.awaits_text;
 }
 
+/// Whether the end waits somewhere among the events: it does not wait for what came before.
+template <int D>
+bool Window<D>::asked_to_end() const {
+    SDL_PumpEvents();  // signals become events here
+    if (SDL_HasEvent(SDL_QUIT)) return true;
+    std::array<SDL_Event, 64> events;
+    const int count = SDL_PeepEvents(events.data(), events.size(), SDL_PEEKEVENT, SDL_WINDOWEVENT, SDL_WINDOWEVENT);
+    const Uint32 window = SDL_GetWindowID(context_.window());
+    return std::any_of(events.begin(), events.begin() + std::max(0, count), [&](const SDL_Event& event) {
+        return event.window.event == SDL_WINDOWEVENT_CLOSE && event.window.windowID == window;
+    });
+}
+
 /// Dear ImGui sees the state of keys and mouse once a frame: a press and its release, or a release and the next press,
 /// need two. And what is typed around the key that opens or closes a text field waits until the keyboard has gone over.
 template <int D>
@@ -351,7 +367,12 @@ void Window<D>::measure() {
 template <int D>
 void Window<D>::frame(double seconds) {
     was_touched_ = false;
+    if (asked_to_end()) {
+        bench_.quit = true;
+        return;
+    }
     take_events();
+    if (bench_.quit) return;
     const std::optional<std::string> slow = after_frame_;
     if (bench_.transport.playing) {
         const std::uint32_t before = bench_.session.position();
@@ -385,8 +406,12 @@ void Window<D>::frame(double seconds) {
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     if (size.x >= least_side && size.y >= least_side) lay_out();
     ImGui::Render();
-    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
-    SDL_GL_SwapWindow(context_.window());
+    // While keys wait, frames only take them: one that draws may take longer than the next key needs to come.
+    if (!later_ || slow || since_drawn_.milliseconds() > most_undrawn_ms) {
+        ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+        SDL_GL_SwapWindow(context_.window());
+        since_drawn_ = {};
+    }
     update_speaker();
     if (!slow) return;
     act(*slow);

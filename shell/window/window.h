@@ -5,6 +5,7 @@
 
 #include <optional>
 
+#include "core/base/stopwatch.h"
 #include "shell/desk/workbench.h"
 #include "shell/gl/context.h"
 #include "shell/window/mouse_state.h"
@@ -54,6 +55,7 @@ private:
     };
 
     void act(const std::string& commands);
+    bool asked_to_end() const;
     void take_events();
     bool expects_text() const;
     void handle(const SDL_Event& event);
@@ -87,7 +89,8 @@ private:
     /// A key has opened a text field: the letter that it sends as well is not for the field.
     bool opening_letter_ = false;
     bool was_touched_ = false;  ///< by keys or mouse, in this frame
-    int lively_frames_ = 0;     ///< ImGui needs a few frames after an event
+    Stopwatch since_drawn_;
+    int lively_frames_ = 0;  ///< ImGui needs a few frames after an event
 };
 
 }  // namespace sightline

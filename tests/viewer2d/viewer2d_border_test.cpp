@@ -52,7 +52,7 @@ TEST_F(Viewer2dBorder, WrongUsageIsOneLineAndExitTwo) {
     bad({"bottleneck", "--shot", "a.svg", "--panels", "step x"}, "step x");
     bad({"bottleneck", "--shot", "a.svg", "--panels", "until rho >"}, "rho >");
     bad({"--state", "missing.json"}, "missing.json");
-    bad({"bottleneck", "--state", "s.json"}, "bottleneck");
+    bad({"bottleneck", "--state", "s.json"}, "s.json: no such file");
 }
 
 TEST_F(Viewer2dBorder, UnreadableInputIsOneLineAndExitTwo) {

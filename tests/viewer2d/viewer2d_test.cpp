@@ -63,8 +63,34 @@ TEST_F(Viewer2d, SceneTakesAStateFileToo) {
     EXPECT_EQ(bare["steps"], 7) << "it stays where the file says";
     EXPECT_EQ(read("bare-again.json"), read("named-again.json"));
     bad({"kept.json", "--cells", "c.cells", "--stats", "s.json"}, "kept.json is a state file");
-    bad({"kept.json", "--state", "kept.json"}, "--state names its own scene");
+    bad({"kept.json", "--state", "kept.json"}, "kept.json: ");
     bad({"kept.json", "--eye", "1,x", "--stats", "s.json"}, "1,x");
+}
+
+TEST_F(Viewer2d, AStateOpensAnotherSceneWhereOneIsNamed) {
+    good({"rooms", "--do", "step 7; select 3", "--eye", "1,1", "--shot", "kept.svg"});
+    const Json same = stats({"rooms", "--state", "kept.svg.json"});
+    EXPECT_EQ(same["steps"], 7) << "the scene that it was made with";
+    const Result other = run({"--headless", "bottleneck", "--state", "kept.svg.json", "--stats", "other.json"});
+    EXPECT_EQ(other.status, 0) << other.err;
+    EXPECT_NE(other.err.find("another scene"), std::string::npos) << other.err;
+    const Json stats = Json::parse(read("other.json"));
+    EXPECT_EQ(stats["scene"], "bottleneck");
+    EXPECT_EQ(stats["steps"], 0);
+}
+
+TEST_F(Viewer2d, WhatCannotBeIsRefusedBeforeTheRun) {
+    bad({"--state", ""}, "--state '': is empty");
+    bad({""}, "SCENE '': is empty");
+    bad({"rooms", "--method", ""}, "--method '': is empty");
+    good({"rooms", "--do", ""});
+    // Nothing of the run is done: it would write the statistics of the flight.
+    bad({"rooms", "--shot", "a.bmp", "--stats", "s.json"}, "unknown extension .bmp; use .png, .svg or .pdf");
+    bad({"rooms", "--shot", "a", "--trace", "s.json"}, "no extension");
+    EXPECT_FALSE(fs::exists(folder / "s.json"));
+    good({"rooms", "--shot", "fig.png"});
+    bad({"--state", "fig.png"}, "fig.png: is not a state file: its sidecar is fig.png.json");
+    good({"--state", "fig.png.json"});
 }
 
 TEST_F(Viewer2d, StatsHaveEveryFieldOfTheContract) {

@@ -50,15 +50,24 @@ template <int D, typename Heuristic>
 class CellRun final : public CellBase<D> {
 public:
     explicit CellRun(const Problem<D>& problem) : CellBase<D>(problem), heuristic_(made_from(problem)) {
-        this->begin_cells(Heuristic::seed_key);
+        this->begin_cells(heuristic_.seed_key);
+    }
+    /// With a heuristic that holds something of its own, such as a function of a script, and so has
+    ///     void begin(const Problem<D>&);   // of the problem that it is asked about from now on
+    CellRun(const Problem<D>& problem, Heuristic heuristic) : CellBase<D>(problem), heuristic_(std::move(heuristic)) {
+        heuristic_.begin(problem);
+        this->begin_cells(heuristic_.seed_key);
     }
 
     bool restart(const Problem<D>& problem) override {
         if (this->rounds_) return false;  // another first method may be wanted
         this->begin(problem);
         this->parameters_ = CellParameters(problem.parameters);
-        heuristic_ = made_from(problem);
-        this->begin_cells(Heuristic::seed_key);
+        if constexpr (requires { heuristic_.begin(problem); })
+            heuristic_.begin(problem);
+        else
+            heuristic_ = made_from(problem);
+        this->begin_cells(heuristic_.seed_key);
         return true;
     }
 

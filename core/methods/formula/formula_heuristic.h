@@ -4,29 +4,9 @@
 
 #include "core/base/formula.h"
 #include "core/methods/cells/cell_run.h"
-#include "core/methods/plp/plp_parameters.h"
+#include "core/methods/formula/formula_terms.h"
 
 namespace sightline {
-
-/// The terms of a formula. A is the cell just projected, B the cell that gets the key; sizes are shares of the longest
-/// side of the tessellation.
-enum class FormulaTerm : std::uint8_t {
-    content,      ///< |A| / ρ_max, cut at 1
-    angle,        ///< v · n of the facet after transfer_sign
-    handed_on,    ///< the key of A
-    star,         ///< 1 where the ray from the eye to the centre of B passes through the facet, else 0
-    own_content,  ///< |B| / ρ_max, cut at 1
-    facing,       ///< the same of the primitives in B that turn a seen side to the eye
-    depth,        ///< from the eye to the centre of B along the view direction
-    distance,     ///< from the eye to the centre of B
-    hops,         ///< facets between B and the nearest seed
-    area,         ///< of the facet; 2D: its length
-    count,
-};
-inline constexpr auto formula_term_words = std::to_array<std::string_view>(
-    {"content", "angle", "handed_on", "star", "own_content", "facing", "depth", "distance", "hops", "area"});
-/// A line each, in that order.
-std::span<const std::string_view> formula_term_help();
 
 /// The expression.
 const ParameterRow& formula_key_row();
@@ -52,19 +32,16 @@ public:
 private:
     using Values = std::array<double, static_cast<std::size_t>(FormulaTerm::count)>;
 
-    bool uses(FormulaTerm term) const { return uses_ >> static_cast<unsigned>(term) & 1; }
     /// Those that the expression uses.
     void set_terms(const Problem<D>& problem, std::uint32_t a, double key_a, const HalfFacet& half,
-                   Values& values) const;
+                   Values& values) const {
+        for (const std::size_t term : formula_.used())
+            values[term] = terms_.value(static_cast<FormulaTerm>(term), problem, a, key_a, half);
+    }
     double key_of(const Values& values) const;
 
     Formula formula_;
-    std::uint32_t uses_ = 0;  ///< a bit per term
-    PlpParameters parameters_;
-    double scale_;  ///< what |A| is divided by
-    double size_;   ///< the longest side of the tessellation
-    Vec<D> forward_;
-    std::vector<std::uint32_t> hops_;  ///< per cell; empty where they are not used
+    FormulaTerms<D> terms_;
 };
 
 extern template class FormulaHeuristic<2>;

@@ -2,6 +2,8 @@
 #include "shell/export/film.h"
 
 #include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cstdlib>
@@ -13,6 +15,8 @@
 #include "shell/desk/compare.h"
 #include "shell/desk/moves.h"
 #include "shell/desk/open.h"
+#include "shell/export/encode.h"
+#include "shell/export/export.h"
 #include "tests/shell/desk/bench_support.h"
 
 namespace sightline {
@@ -202,6 +206,44 @@ TEST_F(FilmTest, RefusesStepsThatAreNot) {
     refuses({0, 3, file("f")});
     refuses({0, 3, file("f.gif"), 0});
     refuses({0, 3, file("f.gif"), 1000});
+}
+
+TEST_F(FilmTest, ANameThatIsTooLongForOneFileLeavesNeither) {
+    const std::string longest = std::string(250, 'n') + ".png";  // its sidecar's name, and its pictures', are longer
+    EXPECT_THROW(write_shot(bench, file(longest)), WorkError);
+    EXPECT_TRUE(files().empty());
+    EXPECT_THROW(write_film(bench, {0, 2, file(longest)}), WorkError);
+    EXPECT_TRUE(files().empty());
+    const std::string fits = std::string(245, 'n') + ".png";
+    write_shot(bench, file(fits));
+    EXPECT_EQ(files(), (std::set<std::string>{fits, fits + ".json"}));
+}
+
+/// A film that has as many pictures as steps takes a while: what is killed in it shows none of them.
+TEST_F(FilmTest, NothingIsLeftOfOneThatIsKilled) {
+    int ready[2];
+    ASSERT_EQ(pipe(ready), 0);
+    const pid_t child = fork();
+    if (child == 0) {
+        bench.say = [&](const std::string&) {  // 25 pictures are drawn
+            const ssize_t told = write(ready[1], "x", 1);
+            ::pause();
+            _exit(told == 1);
+        };
+        write_film(bench, {0, 60, file("f.png")});
+        _exit(0);
+    }
+    char c = 0;
+    ASSERT_EQ(read(ready[0], &c, 1), 1);
+    close(ready[0]);
+    close(ready[1]);
+    { const TemporaryFolder other(folder); }
+    EXPECT_EQ(files().size(), 2u) << "what a living process makes stays: its folder and its sidecar";
+    kill(child, SIGKILL);
+    waitpid(child, nullptr, 0);
+    for (const std::string& name : files()) EXPECT_TRUE(name.starts_with(".sightline-")) << name;
+    write_film(bench, {0, 1, file("f.png")});
+    EXPECT_EQ(files(), (std::set<std::string>{"f-0001.png", "f-0002.png", "f.png.json"}));
 }
 
 TEST_F(FilmTest, TellsHowFarItIs) {

@@ -1,6 +1,7 @@
 // What the window remembers: written and read again, damaged, gone, unwritable.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <filesystem>
@@ -74,7 +75,7 @@ TEST_F(WindowMemory, ComesBackAsItWas) {
     Random random(1);
     for (int i = 0; i < 200; ++i) {
         const Memory memory = random_memory(random);
-        keep(file, memory);
+        keep<2>(file, memory, recall<2>(file).memory.recent);
         const Recalled recalled = recall<2>(file);
         EXPECT_EQ(recalled.word, "");
         expect_equal(recalled.memory, memory);
@@ -102,7 +103,7 @@ TEST_F(WindowMemory, TheFirstTimeThereIsNothingToSay) {
         EXPECT_EQ(recalled.word, "");
         expect_equal(recalled.memory, {});
     }
-    EXPECT_NO_THROW(keep({}, {}));
+    EXPECT_NO_THROW(keep<2>({}, {}, {}));
 }
 
 TEST_F(WindowMemory, WrongTypesAndAbsurdNumbersAreDamage) {
@@ -198,12 +199,12 @@ TEST_F(WindowMemory, AFolderInItsPlaceIsAWordAndAnError) {
     fs::create_directories(file);
     EXPECT_NE(recall<2>(file).word, "");
     EXPECT_TRUE(fs::is_directory(file));
-    EXPECT_THROW(keep(file, {}), WorkError);
+    EXPECT_THROW(keep<2>(file, {}, {}), WorkError);
 }
 
 TEST_F(WindowMemory, WhereNoFolderCanBeIsAnError) {
     std::ofstream(folder / "config") << "a file";
-    EXPECT_THROW(keep(file, {}), WorkError);
+    EXPECT_THROW(keep<2>(file, {}, {}), WorkError);
     EXPECT_EQ(recall<2>(file).word, "");
 }
 
@@ -221,6 +222,46 @@ TEST_F(WindowMemory, IsPerUser) {
     EXPECT_EQ(with("", ""), "");
     unsetenv("XDG_CONFIG_HOME");
     setenv("HOME", kept.c_str(), 1);
+}
+
+TEST_F(WindowMemory, TwoWindowsKeepEachOthersNames) {
+    using Names = std::vector<std::string>;
+    Memory one, two;
+    one.recent = two.recent = {"a", "b"};
+    Names known_one = keep<2>(file, one, {}), known_two = known_one;
+    one.recent = {"c", "a", "b"};
+    known_one = keep<2>(file, one, known_one);
+    two.recent = {"d", "a", "b"};
+    known_two = keep<2>(file, two, known_two);
+    EXPECT_EQ(known_two, (Names{"d", "c", "a", "b"}));
+    EXPECT_EQ(recall<2>(file).memory.recent, known_two);
+    // One that only ends brings nothing new, and one that opens again what it had does.
+    one.recent = known_one;
+    EXPECT_EQ(keep<2>(file, one, known_one), (Names{"d", "c", "a", "b"}));
+    EXPECT_EQ(merge_recent({"b", "a"}, {"c", "a", "b"}, {"a", "b"}), (Names{"b", "c", "a"}));
+    EXPECT_EQ(merge_recent({"a"}, {"c", "a", "b"}, {"a", "b"}), (Names{"c", "a"})) << "b was dropped here";
+    EXPECT_EQ(merge_recent({}, {"c"}, {}), Names{"c"});
+    Names many;
+    for (std::size_t i = 0; i < most_recent; ++i) many.push_back(std::to_string(i));
+    EXPECT_EQ(merge_recent(many, {"x"}, many).size(), most_recent);
+}
+
+/// As many processes as there are windows, each with a scene of its own.
+TEST_F(WindowMemory, NoNameIsLostWhereManyWindowsWriteAtOnce) {
+    for (int round = 0; round < 20; ++round) {
+        fs::remove(file);
+        std::vector<pid_t> windows;
+        for (int i = 0; i < 6; ++i) {
+            windows.push_back(fork());
+            if (windows.back() != 0) continue;
+            Memory mine;
+            mine.recent = {"scene " + std::to_string(i)};
+            keep<2>(file, mine, {});
+            _exit(0);
+        }
+        for (const pid_t window : windows) waitpid(window, nullptr, 0);
+        ASSERT_EQ(recall<2>(file).memory.recent.size(), 6u) << "round " << round;
+    }
 }
 
 TEST_F(WindowMemory, TheNewestNameIsFirstAndOnlyOnce) {

@@ -96,6 +96,9 @@ public:
         if (waitpid(pid_, &status, WNOHANG) == pid_) end(status);
         return pid_ >= 0;
     }
+    void send(int signal) {
+        if (running()) kill(pid_, signal);
+    }
     /// The exit status; 1000 + signal for a crash, -1 when it never started.
     int wait() {
         int status = 0;
