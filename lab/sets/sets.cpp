@@ -97,7 +97,7 @@ std::string primitives_csv(const PathSets& sets) {
 }
 
 std::string objects_csv(const PathSets& sets) {
-    const ObjectRows rows = rows_of(sets.objects);
+    const ObjectRows rows = primitives_of_objects(sets.objects);
     std::string text = "frame,object,primitives,visible,rendered,missed,extra,pixels,wrong_pixels\n";
     for (const FrameSets& frame : sets.frames)
         for (const ObjectSet& sum : by_object(frame, sets.objects))

@@ -313,18 +313,18 @@ const std::vector<Golden>& goldens() {
     static const std::vector<Golden> table{
         {"bottleneck", {"c38c1dc4944d0b95", "2ae18757557125be", "3c94a3bf70aef439"}},
         {"field", {"afade6770b3f6e9a", "45150bd778ac74e8", "771fb0dcb763e1a1"}},
-        {"streets", {"b875c8294f08c57b", "9d4fdadaf463c367", "ead4ce216ff4b150"}},
-        {"rooms", {"ef411fd1c2f9c2ab", "a7417dc43e4aae59", "6f9eb38729b516e0"}},
+        {"streets", {"47ef962932caa6bf", "64efdcf40004430a", "3f89881d91085ab1"}},
+        {"rooms", {"a545e53e009ac757", "9826ca825b20bb51", "2b8bba39f54839bd"}},
         {"cars", {"47b6dc783bee6435", "e9fc1ca93a3ea21d", "cbb8e702c0115137"}},
-        {"jungle", {"18bbcf3dc4f8ce10", "f99cb224cc9a4a4f", "dfcb79149872d891"}},
+        {"jungle", {"47113205cec194e1", "a82056c8e4dd7993", "2a950d31bbc03215"}},
         {"terrain", {"e099a0b75eab897f", "4d077e29d2dee063", "b2ab54edd559e6b3"}},
         {"wallholes", {"6d7f02aeb53bf1b1", "e96c547fe7a86efe", "dd5a6c553e46891d"}},
         {"wall2", {"c001e5b34146f8a0", "9d6a90609fa58034", "6d2069bd4b1b094e"}},
         {"statue", {"e845247ff14df033", "1b34694f565b550d", "c3a085796ad724a2"}},
         {"forget", {"89cab5430b17bab8", "c030b7804849ce50", "2ecb3b7f21b7e1c9"}},
-        {"soda", {"917dbdc425210f9d", "ff8297300070171c", "e13874ee08146715"}},
-        {"blocks", {"07a32bbc790d32bc", "48c127dead7ef44f", "8e5f3b2978eb13d5"}},
-        {"tetra", {"7f47fa4bd1c9d4ca", "5214b9c39f035898", "412a9df2b181da24"}},
+        {"soda", {"29c6a75cbc62619f", "d34b6ee6c25fcda7", "ebdc50d234a6e335"}},
+        {"blocks", {"b67e9885bf606872", "d5d344e6a5a56bbd", "a706f56b853a6885"}},
+        {"tetra", {"692a372cc10b881d", "b3ddce2ea6def704", "cf52ee6a26114d95"}},
     };
     return table;
 }

@@ -220,7 +220,9 @@ TEST_F(LabStudy, TakesNoFramesOfAnotherBuildMachineOrScene) {
         EXPECT_EQ(read_file(file.string() + ".old"), other) << field;
         const std::string anew = read_file(file);
         EXPECT_EQ(std::count(anew.begin(), anew.end(), '\n'), 4) << field;
-        EXPECT_NE(said.front().find("measured again"), std::string::npos) << field;
+        EXPECT_TRUE(std::any_of(said.begin(), said.end(), [](const std::string& line) {
+            return line.find("measured again") != line.npos;
+        })) << field;
     }
 }
 

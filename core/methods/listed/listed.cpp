@@ -114,7 +114,7 @@ std::vector<std::uint32_t> listed_ids(const MadeOnce& cache, const Problem<D>& p
     if (found->objects.empty()) return ids;
     const Objects parts = scene.objects.empty() ? connected_parts<D>(scene.primitives) : Objects{};
     const Objects& objects = scene.objects.empty() ? parts : scene.objects;
-    const ObjectRows rows = rows_of(objects);
+    const ObjectRows rows = primitives_of_objects(objects);
     for (const std::string& name : found->objects) {
         const std::uint32_t object = object_named(objects, name);
         if (object != none)
