@@ -38,6 +38,9 @@ public:
     void draw(Ui& ui, std::span<const MousePane> panes, const Area& area);
     /// Ends a drag without effect, or drops a note that is being written; false when there is neither.
     bool cancel();
+    bool dragging() const { return drag_.has_value(); }
+    /// The mouse is on something that lies over the picture.
+    void leave() { hovered_ = false; }
     /// What the picture must go on showing while a handle is dragged.
     std::optional<Box<2>> held_world() const;
 

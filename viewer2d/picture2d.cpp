@@ -100,7 +100,7 @@ void Picture2d::draw_over(Ui& ui, const std::vector<MousePane>& panes, const Are
         panes_[i].draw_texts(list, ui);
         list.PopClipRect();
     }
-    draw_frozen_badge(list, ui, bench_, panes.front().camera.area, bench_.other ? 2 * ImGui::GetFontSize() : 0);
+    draw_frozen_badge(list, ui, bench_, panes.front().camera.area, badge_down());
     if (bench_.other)
         for (std::size_t i = 0; i < 2; ++i) draw_head(ui, panes[i].camera.area, i);
     list.PopClipRect();
@@ -127,7 +127,10 @@ void Picture2d::draw_head(const Ui& ui, const Area& area, std::size_t side) {
 void Picture2d::interact(Ui& ui, const Area& area) {
     ImGui::InvisibleButton("scene", {area.w, area.h},
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle);
-    mouse_.frame(ui, mouse_panes(area));
+    if (!mouse_.dragging() && frozen_badge_takes_mouse(ui, bench_, mouse_panes(area).front().camera.area, badge_down()))
+        mouse_.leave();
+    else
+        mouse_.frame(ui, mouse_panes(area));
     update(ui, area);
     draw_over(ui, mouse_panes(area), area);
     note_cells();

@@ -36,6 +36,8 @@ private:
     void draw_head(const Ui& ui, const Area& area, std::size_t side);
     void outline(const Ui& ui, const MousePane& pane, std::uint32_t cell) const;
     void note_cells();
+    /// Below the head of a comparison.
+    float badge_down() const { return bench_.other ? 2 * ImGui::GetFontSize() : 0; }
 
     Workbench<2>& bench_;
     SideBySide<2> sessions_;

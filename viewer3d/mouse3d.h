@@ -25,6 +25,8 @@ public:
     void draw(Ui& ui, std::span<const Pane3d> panes, const Area& area);
     /// Ends a drag without effect, or drops a note that is being written; false when there is neither.
     bool cancel();
+    /// The mouse is on something that lies over the picture.
+    void leave() { hovered_ = false; }
     bool dragging() const { return drag_ != Drag::none; }
 
 private:

@@ -219,7 +219,10 @@ void Picture3d::interact(Ui& ui, const Area& area) {
     ImGui::InvisibleButton(
         "scene", {area.w, area.h},
         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
-    mouse_.frame(ui, std::span<const Pane3d>(panes_).first(sessions_.count()), pixel_under_mouse(ui));
+    if (!mouse_.dragging() && frozen_badge_takes_mouse(ui, bench_, parts_[0].picture))
+        mouse_.leave();
+    else
+        mouse_.frame(ui, std::span<const Pane3d>(panes_).first(sessions_.count()), pixel_under_mouse(ui));
     fly(ui, ImGui::GetIO().DeltaTime);
     measure(ui);
     for (std::size_t i = 0; i < sessions_.count(); ++i) parts_[i] = lay_out(ui, area, i);

@@ -2,6 +2,7 @@
 #include "core/session/headline.h"
 
 #include "core/base/number.h"
+#include "core/base/text.h"
 #include "core/measure/metrics.h"
 
 namespace sightline {
@@ -9,7 +10,7 @@ namespace sightline {
 namespace {
 
 template <int D>
-constexpr const char* primitives_word = D == 2 ? " segments" : " triangles";
+constexpr const char* primitive_word = D == 2 ? "segment" : "triangle";
 
 /// A frame of a flight does not wait for the reference.
 template <int D>
@@ -26,7 +27,7 @@ std::string headline(const Session<D>& session) {
     text += ": " + std::string(session.method().title);
     if (session.method().orders_cells()) text += ", " + std::to_string(session.cells().cell_count()) + " cells";
     text += ", ";
-    const std::string all = std::to_string(scene.primitives.size()) + primitives_word<D>;
+    const std::string all = counted(scene.primitives.size(), primitive_word<D>);
     if (!knows_truth(session)) return text + all;
     return text + std::to_string(session.reference().count) + " of " + all + " visible";
 }

@@ -185,13 +185,12 @@ std::string trace_json(const Session<D>& session) {
 
 template <int D>
 std::string conditions(const Session<D>& session) {
-    constexpr const char* primitives = D == 2 ? " segments" : " triangles";
     const Settings& settings = session.settings();
     const Scene<D>& scene = session.scene();
     std::string text = scene.title.empty() ? scene.id : scene.title;
     if (scene.source == "generated") text += " (" + scene.id + ", seed " + std::to_string(scene.seed) + ")";
-    text += ", " + std::to_string(scene.primitives.size()) + primitives + ". Method " + settings.method + " (" +
-            session.guarantee() + "), ";
+    text += ", " + counted(scene.primitives.size(), D == 2 ? "segment" : "triangle") + ". Method " + settings.method +
+            " (" + session.guarantee() + "), ";
     if (session.method().pops == Kind::node)
         text += counted(session.traversal().boxes()->nodes.size(), "node") + " of a box tree";
     else
@@ -203,7 +202,7 @@ std::string conditions(const Session<D>& session) {
                 " cells";
     text += ", budget " + budget_text(settings.budget);
     if (settings.budget.kind == Budget::Kind::share)
-        text += " = " + std::to_string(budget_in_primitives(session)) + primitives;
+        text += " = " + counted(budget_in_primitives(session), D == 2 ? "segment" : "triangle");
     return text + ".";
 }
 

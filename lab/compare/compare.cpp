@@ -144,10 +144,11 @@ std::vector<Pair> compare_results(const Results& a, const Results& b) {
 
 std::vector<Pair> compare_methods(const Results& results, const MethodChoice& a, const MethodChoice& b) {
     std::vector<Pair> pairs;
+    // A method that is conservative, or takes no budget, stands beside each budget of the other.
+    const auto takes_budgets = [&](const Row& row) { return row.approximate && row.budget != "unlimited"; };
     for (const Row& x : results.rows)
         for (const Row& y : results.rows) {
-            // A conservative method has no budget: it stands beside each of the other's.
-            const bool budgets = x.budget == y.budget || !x.approximate || !y.approximate;
+            const bool budgets = x.budget == y.budget || !takes_budgets(x) || !takes_budgets(y);
             const bool same = x.scene == y.scene && x.path == y.path && x.error_bound == y.error_bound && budgets;
             if (same && x.method == a && y.method == b) pairs.push_back(pair_of(x, y));
         }

@@ -24,7 +24,8 @@ Side side(const std::string& name, const Results& results, const MethodTables& t
 void check_side(const std::string& name) {
     if (has_results(name)) return;
     if (std::filesystem::is_directory(name)) throw InputError(name + ": holds no results.json of a study");
-    if (name.ends_with(".json") || name.ends_with('/')) throw InputError(name + ": no such file");
+    const bool is_variant = name.find(' ') != name.npos;  // "listed file=sets.json"
+    if (!is_variant && (name.ends_with(".json") || name.ends_with('/'))) throw InputError(name + ": no such file");
 }
 
 /// The study's folder.

@@ -3,6 +3,8 @@
 #include <array>
 #include <filesystem>
 #include <iostream>
+#include <set>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/base/file.h"
@@ -107,6 +109,20 @@ std::uintmax_t size_of(const std::filesystem::path& file) {
     return error ? 0 : size;
 }
 
+/// Numbers of a path that sees nothing look perfect.
+void warn_of_empty_paths(const Results& results) {
+    std::set<std::pair<std::string, std::string>> sees, all;
+    for (const Row& row : results.rows) {
+        all.emplace(row.scene, row.path);
+        for (const Values& values : row.values)
+            if (values[Measure::visible] > 0) sees.emplace(row.scene, row.path);
+    }
+    for (const auto& [scene, path] : all)
+        if (!sees.contains({scene, path}))
+            std::cerr << "lab: warning: nothing of " << one_line(scene) << " is visible in any frame of "
+                      << one_line(path) << ": does the path belong to this scene?\n";
+}
+
 /// The report with its pictures; without them where a scene is not here, as on the machine that merges, or OpenGL.
 void write_report_of(const Results& results, const Study& study, const std::filesystem::path& folder,
                      LabGraphics& graphics, const ChartFormat& format) {
@@ -169,6 +185,7 @@ int measure_command(int argc, const char* const* argv, const MethodTables& table
     say("");
     print_summary(results);
     print_table(results);
+    warn_of_empty_paths(results);
     if (all_kept) std::cout << "All frames were measured before; to measure them again choose another --out.\n";
     say_written(out);
     return 0;

@@ -125,14 +125,40 @@ void fit_selection<2>(Workbench<2>& bench) {
     hold(bench, with_room(box_of_selection(bench)));
 }
 
+namespace {
+
+/// As the culling eye sees it, but turned where that eye sees a triangle at less than 30 degrees.
+Vec<3> direction_to(const Session<3>& session, const Vec<3>& middle) {
+    const Vec<3> there = middle - session.culling_view().eye;
+    const double length = glm::length(there);
+    if (!(length > 0)) return session.culling_view().look_at - session.culling_view().eye;
+    Vec<3> along = there / length;
+    if (session.selected_primitive == none) return along;
+    const auto& [a, b, c] = session.scene().primitives[session.selected_primitive];
+    Vec<3> normal = glm::cross(b - a, c - a);
+    normal /= glm::length(normal);  // triangles of scenes have an area
+    if (glm::dot(normal, along) > 0) normal = -normal;
+    return glm::dot(normal, along) > -0.5 ? along - normal : along;
+}
+
+}  // namespace
+
 template <>
 void fit_selection<3>(Workbench<3>& bench) {
     const Box<3> box = with_room(box_of_selection(bench));
     remember(bench);
-    if (!bench.session.frozen()) bench.session.freeze();
-    const ImageSize size = image_size<3>(bench.session.settings().reference_size);
-    bench.session.set_view(outside(bench.session.display_view(), box, bench.session.scene().up_axis,
-                                   static_cast<double>(size.width) / size.height));
+    Session<3>& session = bench.session;
+    if (!session.frozen()) session.freeze();
+    if (session.settings().projected_as == DrawnAs::solid) {  // they would fill the picture
+        Settings settings = session.settings();
+        settings.projected_as = DrawnAs::off;
+        session.change(settings);
+        bench.say("projected cells are hidden here: set projected_as=solid shows them");
+    }
+    const ImageSize size = image_size<3>(session.settings().reference_size);
+    const Vec<3> middle = box.centre();
+    session.set_view(outside({middle - direction_to(session, middle), middle, session.culling_view().fov}, box,
+                             session.scene().up_axis, static_cast<double>(size.width) / size.height));
     moved(bench);
 }
 

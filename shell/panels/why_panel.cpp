@@ -369,6 +369,10 @@ std::vector<Row> why_rows(const Workbench<D>& bench) {
         write_cells_of(to, s, e);
         write_object(to, bench, s.selected_primitive);
     }
+    // What a person has clicked comes before the step; the cell of the step itself belongs behind it.
+    const bool after = s.selected_cell != none && (s.selected_primitive != none || s.selected_cell == last_cell(s));
+    if (s.selected_cell != none && !after) write_cell(to, explain_cell(s, s.selected_cell), key_title(s));
+    if (s.selected_primitive == none) write_what_if(to, bench);
     if (s.position() == 0) {
         to.heading("Step 0");
         if (seed_cell(s) != none) to.cell("the seed " + name(seed_cell(s)) + " is in the front", seed_cell(s));
@@ -381,8 +385,7 @@ std::vector<Row> why_rows(const Workbench<D>& bench) {
     if (const std::uint32_t node = box_at_hand(s);
         node != none && (s.traversal().tests_planes() || node == s.selected_node))
         write_box(to, s, node);
-    if (s.selected_cell != none) write_cell(to, explain_cell(s, s.selected_cell), key_title(s));
-    if (s.selected_primitive == none) write_what_if(to, bench);
+    if (after) write_cell(to, explain_cell(s, s.selected_cell), key_title(s));
     if (nothing)
         to.add("Why not another? Click a cell or a primitive to see why it is rendered, waiting or hidden.", 0,
                Tone::faint);

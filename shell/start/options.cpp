@@ -101,7 +101,6 @@ void add_step_options(CLI::App& app, Options& o, Typed& typed) {
         "--until", o.until,
         "start at step 0 and stop at step:N, cell:ID, primitive:ID, object:NAME or where an expression holds");
     app.add_option("--do", o.commands, "\"COMMAND; COMMAND\": start at step 0 and run commands, see below");
-    if (D == 2) return;
     app.add_option("--path", o.path, "a flight path of the scene (--list) or from a file; opens at its first frame");
     app.add_option("--frame", typed.frame, "frame of the path to open at, from 0");
     app.add_option(

@@ -82,24 +82,29 @@ std::string read_panel(const Member& member, Column side) {
     return panel->column == side ? id : "";  // it stood on this side in an earlier version
 }
 
+/// What an older version did not write keeps its default.
 template <int D>
 Desk read_desk(const Member& part) {
-    const auto at = [&](const char* key) { return member(part.value, part.place, key, part.name); };
     Desk desk;
-    desk.left = read_panel<D>(at("left"), Column::left);
-    desk.right = read_panel<D>(at("right"), Column::right);
-    desk.left_width = at("left_width").number(narrowest, widest);
-    desk.right_width = at("right_width").number(narrowest, widest);
-    desk.timeline = at("timeline").flag();
-    desk.timeline_height = at("timeline_height").number(narrowest, widest);
-    desk.legend = at("legend").flag();
-    desk.animate = at("animate").flag();
-    desk.scale = at("scale").number(smallest_scale, largest_scale);
-    const std::string axis = at("axis").text();
-    if (axis == timeline_axis_words[1])
-        desk.axis = TimelineAxis::primitives;
-    else if (axis != timeline_axis_words[0])
-        at("axis").fail("no axis of the timeline");
+    const auto read = [&](const char* key, const auto& use) {
+        if (!part.value.is_object() || part.value.contains(key)) use(member(part.value, part.place, key, part.name));
+    };
+    read("left", [&](const Member& m) { desk.left = read_panel<D>(m, Column::left); });
+    read("right", [&](const Member& m) { desk.right = read_panel<D>(m, Column::right); });
+    read("left_width", [&](const Member& m) { desk.left_width = m.number(narrowest, widest); });
+    read("right_width", [&](const Member& m) { desk.right_width = m.number(narrowest, widest); });
+    read("timeline", [&](const Member& m) { desk.timeline = m.flag(); });
+    read("timeline_height", [&](const Member& m) { desk.timeline_height = m.number(narrowest, widest); });
+    read("legend", [&](const Member& m) { desk.legend = m.flag(); });
+    read("animate", [&](const Member& m) { desk.animate = m.flag(); });
+    read("scale", [&](const Member& m) { desk.scale = m.number(smallest_scale, largest_scale); });
+    read("axis", [&](const Member& m) {
+        const std::string axis = m.text();
+        if (axis == timeline_axis_words[1])
+            desk.axis = TimelineAxis::primitives;
+        else if (axis != timeline_axis_words[0])
+            m.fail("no axis of the timeline");
+    });
     return desk;
 }
 

@@ -149,6 +149,9 @@ TEST(LabCompare, MatchesRows) {
     whole.rows.back().approximate = false;
     EXPECT_EQ(compare_methods(whole, parse_method("layers"), parse_method("view")).size(), 1u)
         << "no budget stands beside every budget";
+    whole.rows.push_back(row_of("centroid", 1, {0}, 5, "unlimited"));
+    EXPECT_EQ(compare_methods(whole, parse_method("layers"), parse_method("centroid")).size(), 1u)
+        << "nor does it where the method may miss, as an engine's own set";
 }
 
 TEST(LabCompare, TimesOfTwoRunsAreHeldAgainstWhatNoHeuristicTouches) {

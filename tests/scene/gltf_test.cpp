@@ -145,6 +145,8 @@ TEST(Gltf, SaysWhatItLeavesOut) {
     scene = read_text(gltf.text(one_mesh));
     EXPECT_EQ(scene.primitives.size(), 6u);
     EXPECT_EQ(scene.warnings, std::vector<std::string>{"1 other scene of the file left out"});
+    gltf.scenes = R"("scenes": [{"nodes": []}],)";
+    EXPECT_EQ(read_text(gltf.text(one_mesh)).warnings.front(), "1 node with a mesh left out: no scene has them");
 }
 
 TEST(Gltf, FindsBuffersByNamesWithPercentSigns) {

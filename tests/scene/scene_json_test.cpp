@@ -156,9 +156,8 @@ TEST(SceneGeoJson, ReadsEveryKindOfLine) {
     EXPECT_EQ(scene.primitives[0][1], Vec<2>(4, 0));
     EXPECT_EQ(scene.source, "geojson");
     EXPECT_EQ(scene.dropped.total(), 0u);
-    EXPECT_EQ(scene.warnings,
-              (std::vector<std::string>{"2 point geometries were ignored", "1 features have no geometry",
-                                        "1 open polygon rings were closed"}));
+    EXPECT_EQ(scene.warnings, (std::vector<std::string>{"2 points left out", "1 feature without geometry: left out",
+                                                        "1 open polygon ring closed"}));
     EXPECT_TRUE(scene.start_view);
 }
 
@@ -187,7 +186,8 @@ TEST(SceneGeoJson, OneBadFeatureAmongManyIsAWord) {
     const Scene<2> scene =
         read_geojson(R"({"type": "FeatureCollection", "features": [null, {"type": "Feature"}, )" + square + "]}", "g");
     EXPECT_EQ(scene.primitives.size(), 4u);
-    EXPECT_EQ(scene.warnings, (std::vector<std::string>{"1 features have no geometry", "1 features are null"}));
+    EXPECT_EQ(scene.warnings,
+              (std::vector<std::string>{"1 feature without geometry: left out", "1 feature null: left out"}));
 }
 
 TEST(SceneGeoJson, FeaturesAreObjectsByNameIdAndNumber) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
+#include <utility>
 
 #include "core/base/index.h"
 #include "core/scene/read/gltf_document.h"
@@ -97,6 +98,17 @@ GltfNodes gltf_nodes(const GltfDocument& file) {
         nodes.shown.push_back(static_cast<std::uint32_t>(i));
         visits.insert(visits.end(), children[i].rbegin(), children[i].rend());
     }
+    std::vector<std::uint8_t> placed(count, 0);  // hidden ones too, and those of other scenes
+    for (std::size_t k = 0; k < nodes.scenes; ++k) {
+        const auto roots = file.indices(file.element("scenes", k, at), "nodes", "/scenes/" + std::to_string(k));
+        visits.insert(visits.end(), roots.begin(), roots.end());
+    }
+    while (!visits.empty()) {
+        const std::size_t i = visits.back();
+        visits.pop_back();
+        if (std::exchange(placed[i], 1) == 0) visits.insert(visits.end(), children[i].begin(), children[i].end());
+    }
+    for (std::size_t i = 0; i < count; ++i) nodes.unplaced += !placed[i] && file.list("nodes")[i].contains("mesh");
     return nodes;
 }
 

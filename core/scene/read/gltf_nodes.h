@@ -29,6 +29,7 @@ struct GltfNodes {
     std::vector<glm::dmat4> to_scene;    ///< in double precision
     std::vector<std::uint32_t> shown;    ///< of the scene, each before its children
     std::size_t scenes = 0;              ///< that the file has; 0: nothing is shown
+    std::size_t unplaced = 0;            ///< nodes with a mesh that are in no scene
 };
 
 /// Of the file's scene (the first one, where it names none). Throws where nodes do not form trees.

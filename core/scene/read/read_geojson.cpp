@@ -128,8 +128,8 @@ struct Reader {
         std::replace(objects.of.begin(), objects.of.end(), none, outside);
         if (objects.names == std::vector<std::string>{"feature 0"}) objects = {};
     }
-    void warn(std::size_t count, const char* what) {
-        if (count > 0) scene.warnings.push_back(std::to_string(count) + what);
+    void warn(std::size_t count, const char* what, const char* done) {
+        if (count > 0) scene.warnings.push_back(counted(count, what) + " " + done);
     }
 };
 
@@ -203,10 +203,10 @@ Scene<2> scene_from_geojson(const Json& root, const std::string& name, Degrees d
     Scene<2>& scene = reader.scene;
     scene.id = scene.title = name;
     scene.source = "geojson";
-    reader.warn(reader.points, " point geometries were ignored");
-    reader.warn(reader.no_geometry, " features have no geometry");
-    reader.warn(reader.null_features, " features are null");
-    reader.warn(reader.open_rings, " open polygon rings were closed");
+    reader.warn(reader.points, "point", "left out");
+    reader.warn(reader.no_geometry, "feature", "without geometry: left out");
+    reader.warn(reader.null_features, "feature", "null: left out");
+    reader.warn(reader.open_rings, "open polygon ring", "closed");
     reader.finish_objects();
     treat_degrees(scene, degrees);
     clean(scene, Recentre::yes, name);

@@ -251,6 +251,8 @@ private:
         warn(no_positions_, counted(no_positions_, "primitive") + " without positions left out");
         warn(instanced_,
              "EXT_mesh_gpu_instancing is not supported: the mesh of " + counted(instanced_, "node") + " is shown once");
+        if (nodes_.scenes > 0)
+            warn(nodes_.unplaced, counted(nodes_.unplaced, "node") + " with a mesh left out: no scene has them");
         if (nodes_.scenes > 1) warnings_.push_back(counted(nodes_.scenes - 1, "other scene") + " of the file left out");
         if (nodes_.scenes == 0 && !file_.list("meshes").empty())
             warnings_.push_back("the file names no scene, so nothing of its " +

@@ -198,6 +198,11 @@ TEST_F(EachCommand3, fit) {
     Box<3> box;
     for (const Vec<3>& corner : session().scene().primitives[4]) box.add(corner);
     EXPECT_NEAR(glm::length(display().look_at - box.centre()), 0, 1e-9) << "what circling goes about";
+    EXPECT_EQ(session().settings().projected_as, DrawnAs::off) << "they would fill the picture";
+    const auto& [a, b, c] = session().scene().primitives[4];
+    const Vec<3> normal = glm::normalize(glm::cross(b - a, c - a)),
+                 along = glm::normalize(display().look_at - display().eye);
+    EXPECT_GT(std::abs(glm::dot(normal, along)), 0.45) << "not edge-on";
     const View<3> near = make_view(display(), 4.0 / 3, session().scene().up_axis);
     for (const Vec<3>& corner : session().scene().primitives[4])
         EXPECT_TRUE(in_view(near, std::span<const Vec<3>>(&corner, 1)));

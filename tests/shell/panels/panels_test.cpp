@@ -66,6 +66,7 @@ TEST(Panels, WhySaysTheKeyOfTheSelectedCellAndItsWayThere) {
         EXPECT_NE(text.find("Selected: cell " + std::to_string(cell) + ", " +
                             std::string(cell_state_words[static_cast<std::size_t>(mark.state)])),
                   std::string::npos);
+        if (cell != last_cell(bench.session)) EXPECT_LT(text.find("Selected: cell"), text.find("Step 6 took"));
         const bool keyed = mark.state == CellState::enqueued || mark.state == CellState::projected;
         EXPECT_EQ(text.find(" (key) ") != std::string::npos, keyed);
         const CellExplanation e = explain_cell(bench.session, cell);

@@ -97,6 +97,17 @@ TEST_F(WindowMemory, OnlyWhatLastsIsKept) {
     expect_equal(read_memory<2>(memory_json({{}, kept, {}}), "m"), {{}, kept, {}});
 }
 
+TEST_F(WindowMemory, WhatAnOlderVersionDidNotWriteKeepsItsDefault) {
+    Memory memory;
+    memory.desk.left_width = 500;
+    memory.desk.animate = false;
+    auto older = nlohmann::json::parse(memory_json(memory));
+    older["desk"].erase("animate");
+    Memory expected = memory;
+    expected.desk.animate = Desk{}.animate;
+    expect_equal(read_memory<2>(older.dump(), "m"), expected);
+}
+
 TEST_F(WindowMemory, TheFirstTimeThereIsNothingToSay) {
     for (const fs::path& nothing : {file, fs::path()}) {
         const Recalled recalled = recall<2>(nothing);
