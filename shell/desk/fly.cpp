@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/excerpt.h"
 #include "shell/desk/change.h"
 #include "shell/desk/complete.h"
 #include "shell/desk/moved.h"
@@ -62,6 +63,8 @@ void choose_path(Workbench<D>& bench, const std::string& id) {
 template <int D>
 void take_path(Workbench<D>& bench, FlightPath<D> path) {
     Flight<D>& flight = bench.flight;
+    if (const std::string& here = bench.session.scene().id; !path.scene.empty() && path.scene != here)
+        bench.say("this path was made for " + excerpt(path.scene) + ", not for " + excerpt(here));
     set_origin(path, bench.session.scene().origin);
     flight.path = std::move(path);
     flight.recording = false;

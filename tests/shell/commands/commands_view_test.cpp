@@ -64,6 +64,12 @@ TEST_F(EachCommand, path) {
     const std::string file = (std::filesystem::temp_directory_path() / "sightline-path-2d.json").string();
     run("path save " + file + "; path record; path record; path open " + file);
     EXPECT_EQ(bench->flight.path, path);
+    EXPECT_EQ(said.back().find("made for"), std::string::npos) << "nothing is said of a path of this scene";
+    FlightPath<2> elsewhere = path;
+    elsewhere.scene = "rooms";
+    write_file(file, write_path(elsewhere));
+    run("path open " + file);
+    EXPECT_EQ(said.front(), "this path was made for rooms, not for bottleneck");
     std::filesystem::remove(file);
     run("path start; path play");
     while (advance_flight(*bench, 1)) {
