@@ -46,6 +46,13 @@ bool is_presenter_key(const std::string& key) { return key == "B" || key == "." 
 /// A letter, a digit or a sign, with or without Shift: what acts on a picture that has to be seen for it.
 bool is_character(const std::string& key) { return key.size() == 1 || (key.size() == 7 && key.starts_with("Shift+")); }
 
+bool is_modifier(SDL_Keycode key) {
+    for (const SDL_Keycode one :
+         {SDLK_LCTRL, SDLK_RCTRL, SDLK_LSHIFT, SDLK_RSHIFT, SDLK_LALT, SDLK_RALT, SDLK_LGUI, SDLK_RGUI})
+        if (key == one) return true;
+    return false;
+}
+
 bool is_no_letter(SDL_Keycode key) { return key < SDLK_SPACE || (key & SDLK_SCANCODE_MASK) != 0; }
 
 bool is_mouse_over(const SDL_Event& event, Uint32 window) {
@@ -266,8 +273,11 @@ void Window<D>::take_events() {
         const auto is_in = [&](const std::vector<SDL_Keycode>& keys) {
             return std::find(keys.begin(), keys.end(), event.key.keysym.sym) != keys.end();
         };
-        const bool early_key =
-            (event.type == SDL_KEYUP && is_in(pressed)) || (event.type == SDL_KEYDOWN && is_in(released));
+        const bool is_key = event.type == SDL_KEYDOWN || event.type == SDL_KEYUP;
+        // One state of the modifiers holds for all that is pressed in a frame.
+        const bool early_key = (event.type == SDL_KEYUP && is_in(pressed)) ||
+                               (event.type == SDL_KEYDOWN && is_in(released)) ||
+                               (is_key && is_modifier(event.key.keysym.sym) && !pressed.empty());
         // What Tab and Enter do depends on all that was typed before.
         const bool after_text = event.type == SDL_KEYDOWN && is_no_letter(event.key.keysym.sym) && !pressed.empty() &&
                                 ImGui::GetIO().WantTextInput;

@@ -87,18 +87,12 @@ public:
         frames(2);
     }
     void key(SDL_Keycode code, int modifiers = KMOD_NONE) {
-        SDL_Event event{};
-        event.key.windowID = id_;
-        event.key.keysym.sym = code;
-        event.key.keysym.scancode = SDL_GetScancodeFromKey(code);
-        event.key.keysym.mod = static_cast<Uint16>(modifiers);
-        event.type = SDL_KEYDOWN;
-        event.key.state = SDL_PRESSED;
-        push(event);
-        event.type = SDL_KEYUP;
-        event.key.state = SDL_RELEASED;
-        push(event);
+        press(code, modifiers);
+        release(code, modifiers);
     }
+    /// `modifiers`: those that are held when the event is over.
+    void press(SDL_Keycode code, int modifiers = KMOD_NONE) { key_event(SDL_KEYDOWN, SDL_PRESSED, code, modifiers); }
+    void release(SDL_Keycode code, int modifiers = KMOD_NONE) { key_event(SDL_KEYUP, SDL_RELEASED, code, modifiers); }
     /// As a keyboard sends them: one event a character.
     void type(const std::string& text) {
         for (const char c : text) {
@@ -119,6 +113,16 @@ public:
     }
 
 private:
+    void key_event(Uint32 type, Uint8 state, SDL_Keycode code, int modifiers) {
+        SDL_Event event{};
+        event.type = type;
+        event.key.windowID = id_;
+        event.key.state = state;
+        event.key.keysym.sym = code;
+        event.key.keysym.scancode = SDL_GetScancodeFromKey(code);
+        event.key.keysym.mod = static_cast<Uint16>(modifiers);
+        push(event);
+    }
     static void push(SDL_Event& event) { EXPECT_EQ(SDL_PushEvent(&event), 1); }
 
     Workbench<D>& bench_;

@@ -306,6 +306,22 @@ TEST_F(WindowMouse, ADragWithinOneFrameIsADrag) {
     EXPECT_EQ(bench->session.culling_view(), start);
 }
 
+TEST_F(WindowMouse, AModifierThatIsLetGoWithTheKeyStillCountsForIt) {
+    driver->window().ui().act("console");
+    driver->frames(4);
+    driver->type("nothing");
+    driver->frames(3);
+    // Ctrl comes a frame before the key and goes in the same frame, as fast hands and slow frames have it.
+    driver->press(SDLK_LCTRL, KMOD_LCTRL);
+    driver->frames(1);
+    driver->press(SDLK_a, KMOD_LCTRL);
+    driver->release(SDLK_LCTRL);
+    driver->release(SDLK_a);
+    driver->type("step");
+    driver->frames(6);
+    EXPECT_EQ(bench->desk.console_text, "step") << "Ctrl+A marks all, which is replaced";
+}
+
 TEST_F(WindowMouse, TheFieldOfANoteTakesTheMouseFromThePictureForGood) {
     driver->window().ui().act("seek 6; note text cell:last [0,60] seen; seek 2");
     driver->frames(2);
