@@ -46,12 +46,6 @@ void check_step(const Session<D>& session, std::uint32_t step) {
                               std::to_string(session.position()));
 }
 
-template <int D>
-std::span<const Met> met_in(const Session<D>& session, std::uint32_t step) {
-    const std::uint32_t before = session.timeline().before(step).touched_count;
-    return session.met().subspan(before, session.timeline().after(step).touched_count - before);
-}
-
 py::object item_or_none(const Item& item) {
     return item ? py::object(py::make_tuple(std::string(kind_word(item.kind)), item.id)) : py::object(py::none());
 }
@@ -67,7 +61,7 @@ py::dict step_record(const Session<D>& session, std::uint32_t step) {
     record["key"] = e.key;
     record["runner_up"] = item_or_none(made.runner_up);
     record["runner_up_key"] = made.runner_up ? py::object(py::float_(made.runner_up_key)) : py::object(py::none());
-    record["rendered"] = array_of(rendered_ids(met_in(session, step)));
+    record["rendered"] = array_of(rendered_ids(session.timeline().met_in(step, session.met())));
     record["visible"] = e.visible;
     record["visible_share"] = e.visible_share;
     py::list looked_at;
@@ -184,7 +178,7 @@ void bind_results(py::class_<ScriptSession<D>>& session) {
             "rendered_in",
             [](const Self& self, std::uint32_t step) {
                 check_step(self.session, step);
-                return array_of(rendered_ids(met_in(self.session, step)));
+                return array_of(rendered_ids(self.session.timeline().met_in(step, self.session.met())));
             },
             py::arg("step"))
         .def_property_readonly(

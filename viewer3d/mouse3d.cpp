@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "viewer3d/mouse3d.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/error.h"
@@ -127,7 +128,9 @@ std::string Mouse3d::pixel_words() const {
     const std::uint32_t id = session.reference().image.at((*pixel_)[0], (*pixel_)[1]);
     std::string text = "pixel " + std::to_string((*pixel_)[0]) + "," + std::to_string((*pixel_)[1]) + ": ";
     if (id == none) return text + "nothing is there";
-    const bool rendered = rendered_mask(session.met(), session.scene().primitives.size())[id];
+    const std::span<const Met> met = session.met();
+    const bool rendered =
+        std::any_of(met.begin(), met.end(), [id](const Met m) { return !m.culled() && m.primitive() == id; });
     return text + primitive_name(session.scene(), id) + (rendered ? "" : ", not rendered: a click says why");
 }
 

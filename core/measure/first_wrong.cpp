@@ -15,10 +15,8 @@ std::optional<FirstWrong> first_wrong(const Reference& reference, std::span<cons
     const std::size_t unavoidable = stays_missing(reference.count, budget);
     std::size_t missing = reference.count;
     for (std::uint32_t step = 1; step <= recording.size(); ++step) {
-        const Counters &before = recording.before(step), &after = recording.after(step);
-        missing -=
-            visible_rendered(reference, met.subspan(before.touched_count, after.touched_count - before.touched_count));
-        const std::uint32_t left = budget - std::min(budget, after.spent);
+        missing -= visible_rendered(reference, recording.met_in(step, met));
+        const std::uint32_t left = budget - std::min(budget, recording.after(step).spent);
         if (stays_missing(missing, left) > unavoidable)
             return FirstWrong{step, static_cast<std::uint32_t>(missing), left};
     }

@@ -28,8 +28,7 @@ void Inversions::add_if_waiting(const Recording& recording, std::span<const Met>
     Inversion inversion{step, cell, Inversion::Kind::mis_ranked, none, 0};
     inversion.kind = in_front_.empty() ? Inversion::Kind::unreached : Inversion::Kind::mis_ranked;
     inversion.waiting = in_front_.empty() ? *clean_.begin() : *in_front_.begin();
-    const Counters &before = recording.before(step), &after = recording.after(step);
-    for_rendered(met.subspan(before.touched_count, after.touched_count - before.touched_count),
+    for_rendered(recording.met_in(step, met),
                  [&](std::uint32_t primitive) { inversion.wasted += !visible_[primitive]; });
     found_.push_back(inversion);
 }

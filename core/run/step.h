@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/base/index.h"
+#include "core/run/drawn.h"
 
 namespace sightline {
 
@@ -147,6 +148,11 @@ public:
     /// The counters when `step` steps are done.
     const Counters& after(std::uint32_t step) const { return step > 0 ? steps[step - 1].after : start; }
     const Counters& before(std::uint32_t step) const { return after(step - 1); }
+    /// Of what the run met, as far as the recording goes at least, the part that a step met.
+    std::span<const Met> met_in(std::uint32_t step, std::span<const Met> met) const {
+        const std::uint32_t first = before(step).touched_count;
+        return met.subspan(first, after(step).touched_count - first);
+    }
     /// Gives a step fewer changes.
     void shorten(std::uint32_t step, std::span<const Change> kept) {
         const std::size_t first = steps[step - 1].first_change, drop = changes_of(step).size() - kept.size();

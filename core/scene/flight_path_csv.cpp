@@ -7,6 +7,7 @@
 
 #include "core/base/number.h"
 #include "core/base/text.h"
+#include "core/base/utf8_mark.h"
 #include "core/scene/clean.h"
 
 namespace sightline {
@@ -48,7 +49,7 @@ std::vector<std::string_view> fields_of(std::string_view line) {
 
 template <int D>
 FlightPath<D> read_csv_path(std::string_view text, const std::string& name) {
-    if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
+    text = without_mark(text);
     const auto names = column_names<D>();
     std::array<std::size_t, column_count<D>> place{};
     std::size_t columns = 0;

@@ -80,6 +80,12 @@ Box<D> bounds(const std::vector<Primitive<D>>& primitives) {
     return box;
 }
 
+/// Those that the scene names, else the parts that hang together.
+template <int D>
+Objects all_objects(const Scene<D>& scene) {
+    return scene.objects.empty() ? connected_parts<D>(scene.primitives) : scene.objects;
+}
+
 /// Identity of the geometry: the primitives in order and the origin, bit for bit.
 template <int D>
 std::uint64_t scene_hash(const Scene<D>& scene) {

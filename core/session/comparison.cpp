@@ -16,9 +16,7 @@ std::string steps_words(std::uint32_t steps) { return std::to_string(steps) + (s
 /// The primitives that a recorded step rendered, in order.
 template <int D>
 std::vector<std::uint32_t> rendered_in(const Session<D>& session, std::uint32_t step) {
-    const Counters &before = session.timeline().before(step), &after = session.timeline().after(step);
-    return rendered_ids(
-        session.traversal().drawn().all().subspan(before.touched_count, after.touched_count - before.touched_count));
+    return rendered_ids(session.timeline().met_in(step, session.traversal().drawn().all()));
 }
 
 /// What one side does in a step. `theirs` is the cell that the other side pops, none where cell ids do not compare.

@@ -32,7 +32,7 @@ std::uint32_t rendered_in_step(const Session<D>& s) {
 
 template <int D>
 std::size_t visible_in_step(const Session<D>& s) {
-    return visible_rendered(s.reference(), s.met().subspan(s.timeline().before(s.position()).touched_count));
+    return visible_rendered(s.reference(), s.timeline().met_in(s.position(), s.met()));
 }
 
 template <int D>
@@ -180,10 +180,9 @@ bool Condition<D>::holds(const Session<D>& session) const {
     if (!formula_) {
         bool found = false;
         const Objects* const objects = object_.empty() ? nullptr : &session.objects();
-        for_rendered(session.met().subspan(session.timeline().before(session.position()).touched_count),
-                     [&](std::uint32_t p) {
-                         found = found || (objects ? objects->names[objects->of[p]] == object_ : p == primitive_);
-                     });
+        for_rendered(session.timeline().met_in(session.position(), session.met()), [&](std::uint32_t p) {
+            found = found || (objects ? objects->names[objects->of[p]] == object_ : p == primitive_);
+        });
         return found;
     }
     const std::size_t known = fields<D>().size();

@@ -127,9 +127,8 @@ StepExplanation explain_step(const Session<D>& session, std::uint32_t step) {
     e.digits = digits_of(record);
     const Counters &before = timeline.before(step), &after = timeline.after(step);
     e.rendered = after.rendered_count - before.rendered_count;
-    e.visible = static_cast<std::uint32_t>(visible_rendered(
-        session.reference(),
-        session.traversal().drawn().all().subspan(before.touched_count, after.touched_count - before.touched_count)));
+    e.visible = static_cast<std::uint32_t>(
+        visible_rendered(session.reference(), timeline.met_in(step, session.traversal().drawn().all())));
     if (e.cell != none) e.visible_share = session.reference().cell_share[e.cell];
     e.looked_at = session.traversal().considered(record, timeline.changes_of(step), e.digits);
     return e;

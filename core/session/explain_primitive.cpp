@@ -39,13 +39,9 @@ std::string seen_words(const Session<2>& session, const PrimitiveSight& sight) {
     return text;
 }
 std::string seen_words(const Session<3>&, const PrimitiveSight& sight) {
-    const auto range = [&](int first, int last, const char* what) {
-        return std::string(what) + (first == last ? " " + std::to_string(first)
-                                                  : "s " + std::to_string(first) + " to " + std::to_string(last));
-    };
     const auto& b = sight.seen_box;
     return std::to_string(sight.seen_pixels) + " of the " + std::to_string(sight.pixels) + " pixels that it covers, " +
-           range(b[0], b[1], "column") + ", " + range(b[2], b[3], "row");
+           range_words(b[0], b[1], "column") + ", " + range_words(b[2], b[3], "row");
 }
 
 }  // namespace

@@ -22,8 +22,7 @@ Lanes make_lanes(const Session<D>& session) {
     std::size_t visible_so_far = 0;
     for (std::uint32_t step = 1; step <= steps; ++step) {
         const Counters &before = timeline.before(step), &after = timeline.after(step);
-        const std::size_t visible = visible_rendered(
-            reference, end.met().subspan(before.touched_count, after.touched_count - before.touched_count));
+        const std::size_t visible = visible_rendered(reference, timeline.met_in(step, end.met()));
         visible_so_far += visible;
         const Step& popped = timeline.steps[step - 1];
         lanes.cell.push_back(id_of(popped.item, Kind::cell));

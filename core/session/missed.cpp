@@ -3,16 +3,14 @@
 
 #include <algorithm>
 
+#include "core/base/text.h"
+
 namespace sightline {
 
-namespace {
-
-std::string range(int first, int last, const std::string& what) {
+std::string range_words(int first, int last, const std::string& what) {
     if (first == last) return what + " " + std::to_string(first);
     return what + "s " + std::to_string(first) + " to " + std::to_string(last);
 }
-
-}  // namespace
 
 template <int D>
 Missed missed_by(const Session<D>& session) {
@@ -33,9 +31,8 @@ Missed missed_by(const Session<D>& session) {
 
 template <int D>
 std::string region_words(const WrongRegion& region) {
-    std::string text = std::to_string(region.pixels) + (region.pixels == 1 ? " pixel, " : " pixels, ") +
-                       range(region.box[0], region.box[1], "column");
-    if (D == 3) text += ", " + range(region.box[2], region.box[3], "row");
+    std::string text = counted(region.pixels, "pixel") + ", " + range_words(region.box[0], region.box[1], "column");
+    if (D == 3) text += ", " + range_words(region.box[2], region.box[3], "row");
     return text;
 }
 

@@ -22,6 +22,9 @@ struct Missed {
 template <int D>
 Missed missed_by(const Session<D>& session);
 
+/// "column 40", or "columns 40 to 88".
+std::string range_words(int first, int last, const std::string& what);
+
 /// "812 pixels, columns 40 to 88, rows 10 to 31"
 template <int D>
 std::string region_words(const WrongRegion& region);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/base/text.h"
 #include "core/raster/occlusion_image.h"
 
 namespace sightline {
@@ -51,32 +52,26 @@ std::vector<ObjectReport> object_reports(const Session<D>& session) {
         report.pixels += pixels[p];
         report.wrong += rendered[p] ? 0 : pixels[p];
     }
-    const std::span<const Met> met = session.met();
-    std::size_t at = 0;
     for (std::uint32_t step = 1; step <= session.position(); ++step)
-        for (const std::size_t end = session.timeline().after(step).touched_count; at < end; ++at) {
-            if (met[at].culled()) continue;
-            ObjectReport& report = reports[objects.of[met[at].primitive()]];
+        for_rendered(session.timeline().met_in(step, session.met()), [&](std::uint32_t p) {
+            ObjectReport& report = reports[objects.of[p]];
             if (report.first_step == 0) report.first_step = step;
             report.last_step = step;
-        }
+        });
     return reports;
 }
 
 template <int D>
 std::string verdict_words(const ObjectReport& report) {
-    const std::string kind = D == 2 ? "segment" : "triangle";
-    const auto counted = [&](std::uint32_t count) {
-        return std::to_string(count) + " " + kind + (count == 1 ? "" : "s");
-    };
+    constexpr std::string_view kind = D == 2 ? "segment" : "triangle";
     if (report.missed > 0)
-        return "missed: " + std::to_string(report.missed) + " of " + std::to_string(report.visible) + " visible " +
-               kind + (report.visible == 1 ? "" : "s");
+        return "missed: " + std::to_string(report.missed) + " of " +
+               counted(report.visible, "visible " + std::string(kind));
     if (report.visible > 0) {
         const std::uint32_t vain = report.rendered - report.visible;
-        return "visible and drawn" + (vain > 0 ? ", " + counted(vain) + " in vain" : "");
+        return "visible and drawn" + (vain > 0 ? ", " + counted(vain, kind) + " in vain" : "");
     }
-    if (report.rendered > 0) return "hidden, " + counted(report.rendered) + " drawn in vain";
+    if (report.rendered > 0) return "hidden, " + counted(report.rendered, kind) + " drawn in vain";
     return report.box == BoxSight::outside ? "outside the view" : "hidden and not drawn";
 }
 

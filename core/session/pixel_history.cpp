@@ -15,11 +15,8 @@ namespace {
 std::vector<std::uint32_t> steps_of_rendering(const Session<3>& session) {
     const Session<3> end = copy_at(session, session.recorded());
     std::vector<std::uint32_t> steps(session.scene().primitives.size());
-    const std::span<const Met> met = end.met();
-    std::size_t at = 0;
     for (std::uint32_t step = 1; step <= end.position(); ++step)
-        for (const std::size_t last = end.timeline().after(step).touched_count; at < last; ++at)
-            if (!met[at].culled()) steps[met[at].primitive()] = step;
+        for_rendered(end.timeline().met_in(step, end.met()), [&](std::uint32_t p) { steps[p] = step; });
     return steps;
 }
 

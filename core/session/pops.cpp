@@ -19,8 +19,7 @@ std::vector<Marker> pop_markers(const Session<D>& session, const ViewSpec<D>& be
     };
     for (std::uint32_t step = 1; step <= now.position(); ++step) {
         std::size_t appear = 0;
-        const std::uint32_t first = now.timeline().before(step).touched_count;
-        for_rendered(now.met().subspan(first, now.timeline().after(step).touched_count - first),
+        for_rendered(now.timeline().met_in(step, now.met()),
                      [&](std::uint32_t p) { appear += visible_here[p] && visible_then[p] && !then[p]; });
         mark(step, appear, " appear that were already visible in the previous frame");
     }

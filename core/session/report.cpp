@@ -142,7 +142,7 @@ std::string trace_json(const Session<D>& session) {
     Session<D> walker = copy_at(session, 0);
     for (std::uint32_t step = 1; step <= session.position(); ++step) {
         const StepExplanation e = explain_step(session, step);
-        const Counters &before = session.timeline().before(step), &after = session.timeline().after(step);
+        const Counters& after = session.timeline().after(step);
         OrderedJson row{{"step", step},
                         {"cell", or_null(e.cell)},
                         {"key", e.key},
@@ -155,8 +155,7 @@ std::string trace_json(const Session<D>& session) {
                         {"rendered", after.rendered_count},
                         {"front", after.front_size}};
         if (e.item && e.cell == none) row["item"] = {{"kind", kind_word(e.item.kind)}, {"id", e.item.id}};
-        row["primitives"] =
-            rendered_ids(session.met().subspan(before.touched_count, after.touched_count - before.touched_count));
+        row["primitives"] = rendered_ids(session.timeline().met_in(step, session.met()));
         OrderedJson facets = OrderedJson::array();
         for (const Considered& c : e.looked_at) {
             OrderedJson facet{{"neighbour", c.item ? OrderedJson(c.item.id) : OrderedJson(nullptr)},

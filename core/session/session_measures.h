@@ -21,9 +21,7 @@ inline bool gives_penalty(const Change& change) {
 
 template <int D>
 const Objects& Session<D>::objects() const {
-    if (!objects_)
-        objects_ = scene_->objects.empty() ? std::make_shared<const Objects>(connected_parts<D>(scene_->primitives))
-                                           : std::shared_ptr<const Objects>(scene_, &scene_->objects);
+    if (!objects_) objects_ = std::make_shared<const Objects>(all_objects(*scene_));
     return *objects_;
 }
 

@@ -57,7 +57,7 @@ PathSets path_sets(const LabScene<D>& lab, const MethodChoice& choice, const Bud
     PathSets sets;
     sets.method = method_text(choice);
     sets.budget = variant.method.budgeted ? budget_text(budget) : "unlimited";
-    sets.objects = scene.objects.empty() ? connected_parts<D>(scene.primitives) : scene.objects;
+    sets.objects = all_objects(scene);
     for (std::size_t i = 0; i < lab.views.size(); ++i) {
         const CellComplex<D>* const on[] = {&cells};
         const Reference reference =

@@ -62,14 +62,14 @@ std::uint32_t primitive_of_object(const Session<D>& session, std::uint32_t objec
 }
 
 /// Of the exact image: what it shows there, or what is drawn there.
-void select_pixel(Workbench<3>& bench, Text text) {
+std::uint32_t primitive_at_pixel(Workbench<3>& bench, Text text) {
     const auto at = parse_pair(text);
     if (!at) throw InputError("write the column and the row of a pixel of the exact image as X,Y");
     const PixelHistory history = pixel_history(bench.session, static_cast<int>(at->x), static_cast<int>(at->y));
-    bench.session.selected_primitive = history.should_own != none ? history.should_own : history.owns;
     bench.pixel = {history.x, history.y};
+    return history.should_own != none ? history.should_own : history.owns;
 }
-void select_pixel(Workbench<2>&, Text) {
+std::uint32_t primitive_at_pixel(Workbench<2>&, Text) {
     throw InputError("only the exact image of the 3D viewer has pixels to select");
 }
 
@@ -86,8 +86,7 @@ void select(Workbench<D>& bench, Text text) {
     } else if (text.starts_with("object:")) {
         primitive = primitive_of_object(session, object_argument(bench, text.substr(7)));
     } else if (text.starts_with("pixel:")) {
-        select_pixel(bench, text.substr(6));
-        primitive = session.selected_primitive;
+        primitive = primitive_at_pixel(bench, text.substr(6));
     } else if (text.starts_with("note:")) {
         note = note_argument(bench, text.substr(5));
     } else if (text.starts_with("node:")) {

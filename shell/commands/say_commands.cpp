@@ -126,15 +126,13 @@ void missed_regions(Workbench<D>& bench, Text text) {
         return bench.say(why.empty() ? met_sentence(e, bench.session.position()) : why);
     }
     update_faults(bench);
-    for (const Row& row : missed_rows(bench))
-        bench.say(std::string(2 * static_cast<std::size_t>(row.indent), ' ') + row.text);
+    for (const Row& row : missed_rows(bench)) bench.say(as_line(row));
 }
 
 template <int D>
 void objects(Workbench<D>& bench, Text) {
     update_faults(bench, true);
-    for (const Row& row : object_rows(bench))
-        bench.say(std::string(2 * static_cast<std::size_t>(row.indent), ' ') + row.text);
+    for (const Row& row : object_rows(bench)) bench.say(as_line(row));
 }
 
 template <int D>

@@ -72,6 +72,11 @@ std::vector<Row> panel_rows(const Panel<D>& panel, const Workbench<D>& bench) {
 template <int D>
 const Panel<D>* find_panel(std::string_view id);
 
+/// A row as a line of text.
+inline std::string as_line(const Row& row) {
+    return std::string(2 * static_cast<std::size_t>(row.indent), ' ') + row.text;
+}
+
 /// All panels that are not fixed as text, each under its title.
 template <int D>
 std::string panels_text(const Workbench<D>& bench);

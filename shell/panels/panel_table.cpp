@@ -61,8 +61,7 @@ std::string panels_text(const Workbench<D>& bench) {
     for (const Panel<D>& panel : panel_table<D>()) {
         if (panel.fixed) continue;
         text += "== " + std::string(panel.title) + " ==\n";
-        for (const Row& row : panel_rows(panel, bench))
-            text += std::string(2 * static_cast<std::size_t>(row.indent), ' ') + row.text + "\n";
+        for (const Row& row : panel_rows(panel, bench)) text += as_line(row) + "\n";
         text += "\n";
     }
     if (bench.places.empty()) return text;

@@ -112,8 +112,7 @@ std::vector<std::uint32_t> listed_ids(const MadeOnce& cache, const Problem<D>& p
                   std::to_string(count);
     }
     if (found->objects.empty()) return ids;
-    const Objects parts = scene.objects.empty() ? connected_parts<D>(scene.primitives) : Objects{};
-    const Objects& objects = scene.objects.empty() ? parts : scene.objects;
+    const Objects objects = all_objects(scene);
     const ObjectRows rows = primitives_of_objects(objects);
     for (const std::string& name : found->objects) {
         const std::uint32_t object = object_named(objects, name);

@@ -9,6 +9,7 @@
 #include "core/base/json_input.h"
 #include "core/base/number.h"
 #include "core/base/text.h"
+#include "core/base/utf8_mark.h"
 
 namespace sightline {
 
@@ -129,7 +130,7 @@ SetsFile<D> read_csv(std::string_view text, const std::string& name) {
     const auto fail = [&](const std::string& reason) {
         throw input_error(name, "line " + std::to_string(line_number), reason);
     };
-    if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+    text = without_mark(text);
     while (!text.empty()) {
         const std::size_t end = std::min(text.find('\n'), text.size());
         std::string_view line = text.substr(0, end);

@@ -104,6 +104,11 @@ std::vector<Instance> instances_of(const aiScene& scene, std::string_view format
 
 bool is_triangle(const aiFace& face) { return face.mNumIndices == 3; }
 
+std::size_t triangles_in(const aiMesh& mesh) {
+    const std::span<const aiFace> faces(mesh.mFaces, mesh.mNumFaces);
+    return static_cast<std::size_t>(std::count_if(faces.begin(), faces.end(), is_triangle));
+}
+
 bool is_two_sided(const aiScene& scene, const aiMesh& mesh) {
     int two_sided = 0;
     if (mesh.mMaterialIndex < scene.mNumMaterials)
@@ -169,9 +174,7 @@ void send_triangles(const std::vector<Instance>& instances, const ChildProcess::
 
 void send_sides(const aiScene& scene, const std::vector<Instance>& instances, const ChildProcess::Send& send) {
     for (const Instance& instance : instances) {
-        const std::span<const aiFace> faces(instance.mesh->mFaces, instance.mesh->mNumFaces);
-        const auto triangles = static_cast<std::size_t>(std::count_if(faces.begin(), faces.end(), is_triangle));
-        const std::vector<std::uint8_t> sides(triangles, is_two_sided(scene, *instance.mesh));
+        const std::vector<std::uint8_t> sides(triangles_in(*instance.mesh), is_two_sided(scene, *instance.mesh));
         send(sides.data(), sides.size());
     }
 }
@@ -182,10 +185,8 @@ void send_objects(const std::vector<Instance>& instances, const ChildProcess::Se
         const aiNode* const node = instances[i].node;
         const aiString& name = node->mName.length > 0 ? node->mName : instances[i].mesh->mName;
         copy({name.C_Str(), name.length}, object.name);
-        for (; i < instances.size() && instances[i].node == node; ++i) {
-            const std::span<const aiFace> faces(instances[i].mesh->mFaces, instances[i].mesh->mNumFaces);
-            object.triangles += static_cast<std::uint64_t>(std::count_if(faces.begin(), faces.end(), is_triangle));
-        }
+        for (; i < instances.size() && instances[i].node == node; ++i)
+            object.triangles += triangles_in(*instances[i].mesh);
         send(&object, sizeof object);
     }
 }

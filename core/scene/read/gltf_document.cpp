@@ -11,6 +11,7 @@
 #include "core/base/file.h"
 #include "core/base/percent.h"
 #include "core/base/text.h"
+#include "core/base/utf8_mark.h"
 #include "core/scene/read/file_kind.h"
 
 namespace sightline {
@@ -252,7 +253,7 @@ GltfDocument::GltfDocument(const std::string& path, const std::string& name, con
         }
         if (json.empty()) fail("", "its first chunk is no JSON");
     }
-    if (json.starts_with("\xef\xbb\xbf")) json.remove_prefix(3);
+    json = without_mark(json);
     while (json.ends_with('\0')) json.remove_suffix(1);  // some writers fill up with zeros
     root_ = parse_json(json, place.empty() ? name : name + ": " + place);
     if (!root_.is_object()) fail("", std::string("expected an object, found ") + json_kind(root_));

@@ -5,6 +5,7 @@
 
 #include "core/base/file.h"
 #include "core/base/text.h"
+#include "core/base/utf8_mark.h"
 #include "core/scene/make/catalogue.h"
 #include "core/scene/read/file_kind.h"
 #include "core/scene/read/no_scene.h"
@@ -25,7 +26,7 @@ bool exists(const std::string& path) {
 bool is_wad(std::string_view bytes) { return bytes.starts_with("IWAD") || bytes.starts_with("PWAD"); }
 
 bool is_json(std::string_view bytes) {
-    if (bytes.starts_with("\xef\xbb\xbf")) bytes.remove_prefix(3);
+    bytes = without_mark(bytes);
     const std::size_t first = bytes.find_first_not_of(" \t\r\n");
     return first != std::string_view::npos && (bytes[first] == '{' || bytes[first] == '[' || bytes[first] == '\x1e');
 }

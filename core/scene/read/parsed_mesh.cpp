@@ -34,11 +34,6 @@ std::string in_small_letters(std::string_view word) {
     return small;
 }
 
-std::string_view without_mark(std::string_view bytes) {
-    if (bytes.starts_with("\xef\xbb\xbf")) bytes.remove_prefix(3);
-    return bytes;
-}
-
 InputError error_at(std::string_view text, std::size_t at, const std::string& reason) {
     const std::string_view before = text.substr(0, at);
     auto lines = std::count(before.begin(), before.end(), '\n');

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/utf8_mark.h"
 #include "core/scene/scene.h"
 
 namespace sightline {
@@ -46,9 +47,6 @@ std::optional<double> number_in_file(std::string_view word);
 
 /// The word in small letters.
 std::string in_small_letters(std::string_view word);
-
-/// Without the mark that says UTF-8.
-std::string_view without_mark(std::string_view bytes);
 
 /// "line 3: reason", for what stands at `at` in the text.
 InputError error_at(std::string_view text, std::size_t at, const std::string& reason);

@@ -8,6 +8,7 @@
 #include "core/base/number.h"
 #include "core/base/text.h"
 #include "core/base/trig.h"
+#include "core/base/utf8_mark.h"
 #include "core/scene/clean.h"
 #include "core/scene/read/parsed_scene.h"
 
@@ -133,10 +134,6 @@ struct Reader {
     }
 };
 
-}  // namespace
-
-namespace {
-
 /// Lines that step over half the globe: most likely they cross the date line and were drawn the other way round.
 void warn_of_date_line(Scene<2>& scene) {
     const auto far = std::count_if(scene.primitives.begin(), scene.primitives.end(),
@@ -175,7 +172,7 @@ constexpr char record_separator = '\x1e';
 }  // namespace
 
 std::optional<Json> geojson_sequence(std::string_view text, const std::string& name) {
-    if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
+    text = without_mark(text);
     const auto line_end = [](std::string_view of) { return std::min(of.find('\n'), of.size()); };
     const auto is_blank = [](std::string_view of) { return of.find_first_not_of(" \t\r\n") == std::string_view::npos; };
     const char between = text.starts_with(record_separator) ? record_separator : '\n';
