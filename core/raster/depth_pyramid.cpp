@@ -72,17 +72,26 @@ DepthPyramid::DepthPyramid(const DepthImage& image) {
 
 void DepthPyramid::update(const DepthImage& image, std::span<const std::uint32_t> blocks, double opacity) {
     if (blocks.empty()) return;
-    Level& lowest = levels[0];
+    // Blocks of a level, each maybe more than once, whose farthest depth has changed.
+    std::vector<std::uint32_t> changed, above;
+    const auto set = [&](Level& level, std::uint32_t at, float farthest) {
+        if (level.farthest[at] == farthest) return;
+        level.farthest[at] = farthest;
+        changed.push_back(at);
+    };
     for (const std::uint32_t at : blocks) {
-        const int x = static_cast<int>(at) % lowest.width, y = static_cast<int>(at) / lowest.width;
-        lowest.farthest[at] = opacity < 1 ? farthest_covered(image, x, y, opacity) : farthest_pixel(image, x, y);
+        const int x = static_cast<int>(at) % levels[0].width, y = static_cast<int>(at) / levels[0].width;
+        set(levels[0], at, opacity < 1 ? farthest_covered(image, x, y, opacity) : farthest_pixel(image, x, y));
     }
-    // All of the others together are a third of it.
-    for (std::size_t i = 1; i < levels.size(); ++i)
-        for (int y = 0; y < levels[i].height; ++y)
-            for (int x = 0; x < levels[i].width; ++x)
-                levels[i].farthest[static_cast<std::size_t>(y) * static_cast<std::size_t>(levels[i].width) +
-                                   static_cast<std::size_t>(x)] = farthest_below(levels[i - 1], x, y);
+    for (std::size_t i = 1; i < levels.size() && !changed.empty(); ++i) {
+        above.swap(changed);
+        changed.clear();
+        const Level& below = levels[i - 1];
+        for (const std::uint32_t at : above) {
+            const int x = static_cast<int>(at) % below.width / 2, y = static_cast<int>(at) / below.width / 2;
+            set(levels[i], static_cast<std::uint32_t>(y * levels[i].width + x), farthest_below(below, x, y));
+        }
+    }
 }
 
 }  // namespace sightline
