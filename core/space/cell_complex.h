@@ -9,6 +9,7 @@
 #include "core/base/made_once.h"
 #include "core/geometry/predicates.h"
 #include "core/space/box_tree.h"
+#include "core/space/cell_triangles.h"
 #include "core/space/tessellation.h"
 #include "core/space/tree.h"
 
@@ -52,6 +53,8 @@ struct CellComplex {
 
     /// Of the scene that the cells are of; copies share it.
     std::shared_ptr<const SceneBoxes<D>> boxes = std::make_shared<const SceneBoxes<D>>();
+    /// 3D: of that scene, in the order of cell_primitives.
+    std::shared_ptr<const LazyCellTriangles> triangles = std::make_shared<const LazyCellTriangles>();
     /// Whatever else methods make once for that scene.
     std::shared_ptr<const MadeOnce> made = std::make_shared<const MadeOnce>();
 

@@ -11,6 +11,7 @@ namespace sightline {
 template <int D>
 void CellBase<D>::begin_cells(double seed_key) {
     marks_.begin(this->problem_.cells->cell_count());
+    contents_ = CellContents<D>(this->problem_);
     front_.clear();
     front_is_stale_ = false;
     seeds_.clear();

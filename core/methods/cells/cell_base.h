@@ -86,6 +86,7 @@ protected:
 
     CellParameters parameters_;
     Marks marks_;
+    CellContents<D> contents_;
     Front front_;
     bool front_is_stale_ = false;  ///< marks were put back by an undo: rebuild the front before using it
     std::vector<Item> seeds_;

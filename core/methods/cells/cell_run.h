@@ -214,14 +214,21 @@ private:
 
     /// fig. 4, line 3: renders from `offset` on. True when the cell is done, false when the budget ended inside it.
     bool project(std::uint32_t cell) {
-        const auto primitives = this->problem_.cells->primitives_of(cell);
-        std::uint32_t& offset = this->counters_.offset;
         if (this->parameters_.budget_counts == BudgetCounts::per_cell) {
             project_whole(cell);
             return true;
         }
-        for (; offset < primitives.size(); ++offset)
-            if (!this->meet(primitives[offset], true)) return false;
+        const CellComplex<D>& cells = *this->problem_.cells;
+        const auto* const row = this->contents_.row(cells, cell);
+        const std::uint32_t count = cells.count(cell);
+        std::uint32_t& offset = this->counters_.offset;
+        for (; offset < count; ++offset) {
+            const auto& held = row[offset];
+            const bool place =
+                meet_unless([&] { return !this->contents_.shows(this->problem_, held); }, this->problem_.budget,
+                            this->culled_costs_, this->contents_.primitive(held), this->drawn_, this->counters_);
+            if (!place) return false;
+        }
         return true;
     }
 
@@ -293,7 +300,9 @@ private:
     void prefetch_rows(std::uint32_t cell) const {
         const std::uint32_t next = this->front_.likely_next(cell);
         detail::prefetch(this->problem_.cells->facets_of(next).data());
-        detail::prefetch(this->problem_.cells->primitives_of(next).data());
+        const auto* const row = this->contents_.row(*this->problem_.cells, next);
+        detail::prefetch(row);
+        detail::prefetch(row + 2);
     }
 
     /// What the rows of the popped cell point at.
@@ -305,8 +314,6 @@ private:
             detail::prefetch(cells.corners_of(half.neighbour).data());
             detail::prefetch(cells.points_of_facet(half.facet()).data());
         }
-        for (const std::uint32_t primitive : cells.primitives_of(cell))
-            detail::prefetch(this->drawn_.address_of(primitive));
     }
 
     KeyExplanation explain_key(std::uint32_t a, double key_a, const HalfFacet& half, int digits) const override {
