@@ -36,7 +36,7 @@ std::vector<MousePane> Picture2d::mouse_panes(const Area& area) {
 void Picture2d::update(const Ui& ui, const Area& area) {
     sessions_.update(ui.revision);
     const std::vector<MousePane> panes = mouse_panes(area);
-    const Shown<2> shown(bench_);
+    const ShownSession<2> shown(bench_);
     if (bench_.other) {
         const std::array<std::string, 2> titles = side_titles(bench_);
         heads_ = {side_head(*shown, titles[0]).text(), side_head(sessions_[1], titles[1]).text()};

@@ -138,7 +138,7 @@ Picture3d::Part Picture3d::lay_out(const Ui& ui, const Area& area, std::size_t p
 
 void Picture3d::update(const Ui& ui) {
     sessions_.update(ui.revision);
-    const Shown<3> shown(bench_);
+    const ShownSession<3> shown(bench_);
     for (std::size_t i = 0; i < sessions_.count(); ++i) {
         const Session<3>& session = i == 0 ? *shown : sessions_[i];
         const Area& picture = parts_[i].picture;

@@ -12,6 +12,7 @@
 #include "core/methods/listed/listed.h"
 #include "core/methods/orders/orders.h"
 #include "core/methods/plp/published.h"
+#include "core/methods/transmittance/transmittance_methods.h"
 
 namespace sightline {
 
@@ -40,6 +41,7 @@ std::vector<Method<D>> rows() {
     table.back().needs.visible_set = true;
     table.back().budgeted = false;
     table.back().compared = false;
+    for (Method<D>& method : transmittance_methods<D>()) table.push_back(std::move(method));
     std::vector<Method<D>> firsts;
     for (const Method<D>& method : table)
         if (method.orders_cells()) firsts.push_back(method);

@@ -20,9 +20,9 @@ void step_out(Workbench<D>& bench);
 /// The session as it is shown: the one on the bench, without a copy, or a copy in the middle of its step. Good until
 /// the bench changes.
 template <int D>
-class Shown {
+class ShownSession {
 public:
-    explicit Shown(const Workbench<D>& bench) : session_(&bench.session) {
+    explicit ShownSession(const Workbench<D>& bench) : session_(&bench.session) {
         if (bench.substep) middle_ = bench.session.in_the_middle(*bench.substep);
     }
     const Session<D>& operator*() const { return middle_ ? *middle_ : *session_; }

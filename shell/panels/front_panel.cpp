@@ -31,7 +31,7 @@ std::vector<int> key_digits(const std::vector<Waiting>& front) {
 
 template <int D>
 std::vector<Row> front_rows(const Workbench<D>& bench) {
-    const Shown<D> shown(bench);
+    const ShownSession<D> shown(bench);
     const std::vector<Waiting> front = shown->traversal().front();
     const std::vector<int> digits = key_digits(front);
     const Kind kind = front.empty() ? Kind::cell : front.front().first.kind;

@@ -12,7 +12,7 @@ namespace sightline {
 
 template <int D>
 std::vector<Row> run_rows(const Workbench<D>& bench) {
-    const Shown<D> shown(bench);
+    const ShownSession<D> shown(bench);
     const Session<D>& s = *shown;
     std::vector<Row> rows;
     const auto add = [&](std::string text, Tone tone = Tone::plain) {

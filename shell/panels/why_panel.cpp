@@ -345,7 +345,7 @@ void write_what_if(Writer& to, const Workbench<D>& bench) {
 
 template <int D>
 std::vector<Row> why_rows(const Workbench<D>& bench) {
-    const Shown<D> shown(bench);
+    const ShownSession<D> shown(bench);
     const Session<D>& s = *shown;
     Writer to;
     to.truth = tells_truth(s);

@@ -56,7 +56,7 @@ std::vector<Row> results(const Workbench<D>& bench, const Session<D>& shown) {
 
 template <int D>
 std::vector<Row> banner_lines(const Workbench<D>& bench) {
-    const Shown<D> shown(bench);
+    const ShownSession<D> shown(bench);
     const Session<D>& s = *shown;
     if (s.flying())
         return {{result_line(s)},

@@ -9,13 +9,13 @@
 namespace sightline {
 
 template <int D>
-void CellBase<D>::begin_cells(double seed_key) {
+void CellBase<D>::begin_cells(double seed_key, Seeds seeds) {
     marks_.begin(this->problem_.cells->cell_count());
     contents_ = CellContents<D>(this->problem_);
     front_.clear();
     front_is_stale_ = false;
     seeds_.clear();
-    for (const std::uint32_t seed : seed_cells(this->problem_)) {
+    for (const std::uint32_t seed : seed_cells(this->problem_, seeds)) {
         seeds_.push_back(cell_item(seed));
         enqueue(seed, seed_key, false);
     }
@@ -42,11 +42,13 @@ bool CellBase<D>::finished() const {
     return first_phase_ended();
 }
 
+/// The cell of a step: back into the front, or projected again.
 template <int D>
-void CellBase<D>::set_state(std::uint32_t cell, CellState to) {
-    Mark mark = marks_[cell];
-    mark.state = to;
-    marks_.set(cell, mark);
+void CellBase<D>::put_popped(const Step& step, Direction direction, const Counters& before) {
+    Mark mark = marks_[step.item.id];
+    mark.state = direction == Direction::back ? CellState::enqueued : CellState::projected;
+    if (stamps_pops()) mark.stamp = direction == Direction::back ? step.stamp : before.next_stamp;
+    marks_.set(step.item.id, mark);
 }
 
 template <int D>
@@ -67,13 +69,13 @@ bool CellBase<D>::move(Direction direction, const Step& step, std::span<Change> 
         if (round)
             --rounds_->done;
         else
-            set_state(step.item.id, CellState::enqueued);
+            put_popped(step, direction, before);
         if (rounds_) rounds_->screen.forget();
     } else {
         if (round)
             ++rounds_->done;
         else
-            set_state(step.item.id, CellState::projected);
+            put_popped(step, direction, before);
         std::for_each(changes.begin(), changes.end(), put);
     }
     this->move_met(direction, step, before);
@@ -116,7 +118,7 @@ void CellBase<D>::rewind_to(Step& step, std::vector<Change>& changes, const Coun
     }
     Counters& counters = this->counters_;
     counters.front_size = before.front_size - 1;
-    counters.next_stamp = before.next_stamp;
+    counters.next_stamp = before.next_stamp + stamps_pops();
     for (const Change& change : changes) {
         const Rule rule{change.rule};
         counters.front_size += rule == Rule::enqueued;

@@ -56,7 +56,7 @@ protected:
     CellBase(const CellBase&) = default;
 
     /// Empties all and puts the seed cells into the front.
-    void begin_cells(double seed_key);
+    void begin_cells(double seed_key, Seeds seeds);
     /// In the loop over neighbours, so inline. `was_enqueued`: the cell is in the front already.
     void enqueue(std::uint32_t cell, double key, bool was_enqueued) {
         Counters& counters = this->counters_;
@@ -77,6 +77,8 @@ protected:
 
     /// Projects a cell that waits in the front, whatever its place, and adds its neighbours.
     virtual void project_now(std::uint32_t cell, Recorder* recorder) = 0;
+    /// Whether a pop gives its cell a new stamp, so that stamps tell which of two cells was projected first.
+    virtual bool stamps_pops() const { return false; }
     /// Renders the rest of the cell that the budget left partly rendered, and adds its neighbours where they are
     /// pending.
     virtual void finish_partial(Recorder* recorder) = 0;
@@ -105,7 +107,7 @@ private:
     void rewind_round(std::vector<Change>& changes, const Counters& before, std::uint32_t substep);
     void add_round_lines(std::vector<CodeLine>& lines, const CodePlace& at, bool in_round) const;
     std::vector<Considered> tests_of(std::span<const Change> changes) const;
-    void set_state(std::uint32_t cell, CellState to);
+    void put_popped(const Step& step, Direction direction, const Counters& before);
     Verdict why_clean(std::uint32_t cell) const;
     /// Facets of the popped cell that the step looked across, from the first on.
     std::size_t facets_looked_across(const Step& step) const;

@@ -39,9 +39,7 @@ template <int D>
 void CellBase<D>::begin_rounds(Recorder* recorder) {
     const CellComplex<D>& cells = *this->problem_.cells;
     if (this->counters_.partial_cell != none) finish_partial(recorder);
-    Problem<D> all = this->problem_;
-    all.parameters.set(seeds_row(), word(Seeds::hull));
-    for (const std::uint32_t seed : seed_cells(all)) {
+    for (const std::uint32_t seed : seed_cells(this->problem_, Seeds::hull)) {
         const Mark before = marks_[seed];
         if (before.state != CellState::clean) continue;
         if (recorder) recorder->changed(cell_item(seed), before, static_cast<std::uint8_t>(Rule::enqueued));

@@ -42,7 +42,12 @@ struct NoSink {
 ///     template <int D>
 ///     Key key(const Problem<D>&, std::uint32_t a, double key_a, const HalfFacet& half) const;
 /// `a` was just projected with key `key_a`; `half` is its facet towards the cell that gets the key. The heuristic is
-/// made from the problem where it has such a constructor. It may say more of itself (plp/published.h is the model):
+/// made from the problem where it has such a constructor. Where more than cell `a` decides, key and explain also take
+/// the marks, behind the problem, and
+///     static constexpr bool stamps_pops = true;
+/// lets stamps say which cells were projected before `a`. One that starts in its own way has
+///     static constexpr Seeds seeds;
+/// It may say more of itself (plp/published.h is the model):
 ///     KeyExplanation explain(problem, a, key_a, half, digits) const;
 ///     void add_key_lines(std::vector<CodeLine>&, const KeyExplanation*, int digits) const;
 ///     static constexpr std::string_view key_title;
@@ -50,13 +55,13 @@ template <int D, typename Heuristic>
 class CellRun final : public CellBase<D> {
 public:
     explicit CellRun(const Problem<D>& problem) : CellBase<D>(problem), heuristic_(made_from(problem)) {
-        this->begin_cells(heuristic_.seed_key);
+        this->begin_cells(heuristic_.seed_key, start_from());
     }
     /// With a heuristic that holds something of its own, such as a function of a script, and so has
     ///     void begin(const Problem<D>&);   // of the problem that it is asked about from now on
     CellRun(const Problem<D>& problem, Heuristic heuristic) : CellBase<D>(problem), heuristic_(std::move(heuristic)) {
         heuristic_.begin(problem);
-        this->begin_cells(heuristic_.seed_key);
+        this->begin_cells(heuristic_.seed_key, start_from());
     }
 
     bool restart(const Problem<D>& problem) override {
@@ -67,7 +72,7 @@ public:
             heuristic_.begin(problem);
         else
             heuristic_ = made_from(problem);
-        this->begin_cells(heuristic_.seed_key);
+        this->begin_cells(heuristic_.seed_key, start_from());
         return true;
     }
 
@@ -119,6 +124,12 @@ private:
         else
             return Heuristic{};
     }
+    Seeds start_from() const {
+        if constexpr (requires { Heuristic::seeds; })
+            return Heuristic::seeds;
+        else
+            return this->problem_.parameters.template choice<Seeds>(seeds_row());
+    }
     static constexpr std::string_view key_title() {
         if constexpr (requires { Heuristic::key_title; })
             return Heuristic::key_title;
@@ -150,7 +161,7 @@ private:
             const Front::Entry* top = this->front_top();
             if (!top) return round_or(Stop::front_empty, sink);
             cell = top->id;
-            const Mark mark{top->key, top->stamp, CellState::projected};
+            Mark mark{top->key, top->stamp, CellState::projected};
             this->front_.pop();
             --counters.front_size;
             this->marks_.set(cell, mark);
@@ -160,6 +171,10 @@ private:
             if constexpr (Sink::enabled) {
                 const Front::Entry* next = this->front_top();
                 sink.recorder.popped(cell_item(cell), mark, next ? cell_item(next->id) : Item{}, next ? next->key : 0);
+            }
+            if (stamps_pops()) {
+                mark.stamp = counters.next_stamp++;
+                this->marks_.set(cell, mark);
             }
         }
         go_on_with(cell, sink);
@@ -248,6 +263,13 @@ private:
             counters.spent += static_cast<std::uint32_t>(primitives.size());
     }
 
+    Key key_of(std::uint32_t a, double key_a, const HalfFacet& half) const {
+        if constexpr (requires { heuristic_.key(this->problem_, this->marks_, a, key_a, half); })
+            return heuristic_.key(this->problem_, this->marks_, a, key_a, half);
+        else
+            return heuristic_.key(this->problem_, a, key_a, half);
+    }
+
     /// fig. 4, lines 6-10.
     template <typename Sink>
     void add_neighbours(std::uint32_t cell, Sink& sink) {
@@ -265,14 +287,14 @@ private:
                     this->marks_.set(n, {0, 0, CellState::unseen});
                     rule = Rule::marked_unseen;
                 } else {
-                    const Key key = heuristic_.key(this->problem_, cell, key_a, half);
+                    const Key key = key_of(cell, key_a, half);
                     this->enqueue(n, key.value, false);
                     rule = Rule::enqueued;
                     penalty = key.penalty;
                 }
             } else if (heuristic_.on_reenqueue != OnReenqueue::never) {
                 const OnReenqueue on = heuristic_.on_reenqueue;
-                const Key key = heuristic_.key(this->problem_, cell, key_a, half);
+                const Key key = key_of(cell, key_a, half);
                 if (on == OnReenqueue::replace || (on == OnReenqueue::min && key.value < before.key) ||
                     (on == OnReenqueue::max && key.value > before.key)) {
                     this->enqueue(n, key.value, true);
@@ -317,10 +339,12 @@ private:
     }
 
     KeyExplanation explain_key(std::uint32_t a, double key_a, const HalfFacet& half, int digits) const override {
-        if constexpr (requires { heuristic_.explain(this->problem_, a, key_a, half, digits); }) {
+        if constexpr (requires { heuristic_.explain(this->problem_, this->marks_, a, key_a, half, digits); }) {
+            return heuristic_.explain(this->problem_, this->marks_, a, key_a, half, digits);
+        } else if constexpr (requires { heuristic_.explain(this->problem_, a, key_a, half, digits); }) {
             return heuristic_.explain(this->problem_, a, key_a, half, digits);
         } else {
-            const Key key = heuristic_.key(this->problem_, a, key_a, half);
+            const Key key = key_of(a, key_a, half);
             KeyExplanation e;
             e.key = key.value;
             e.parts = {{"key = " + short_number(key.value, digits)}};
@@ -328,6 +352,12 @@ private:
             e.terms = {{"handed_on", key_a, {}}, {"key", key.value, {}}};
             return e;
         }
+    }
+    bool stamps_pops() const override {
+        if constexpr (requires { Heuristic::stamps_pops; })
+            return Heuristic::stamps_pops;
+        else
+            return false;
     }
     OnReenqueue reenqueue_rule() const override { return heuristic_.on_reenqueue; }
     void add_key_lines(std::vector<CodeLine>& lines, const KeyExplanation* explained, int digits) const override {

@@ -8,7 +8,7 @@
 namespace sightline {
 
 template <int D>
-std::vector<std::uint32_t> seed_cells(const Problem<D>& problem) {
+std::vector<std::uint32_t> seed_cells(const Problem<D>& problem, Seeds wanted) {
     const CellComplex<D>& cells = *problem.cells;
     const Vec<D>& eye = problem.view.eye;
     if (const std::uint32_t holding = locate(cells, eye); holding != none) return {holding};
@@ -25,7 +25,6 @@ std::vector<std::uint32_t> seed_cells(const Problem<D>& problem) {
                 candidates.push_back(
                     {!cell_in_view(cells, problem.view, cell), distance_to_facet(cells, half.facet(), eye), cell});
     std::sort(candidates.begin(), candidates.end());
-    const auto wanted = problem.parameters.template choice<Seeds>(seeds_row());
     std::vector<std::uint32_t> seeds;
     for (const Candidate& c : candidates) {
         if (!seeds.empty() && (wanted == Seeds::one || c.out_of_view)) break;
@@ -34,7 +33,7 @@ std::vector<std::uint32_t> seed_cells(const Problem<D>& problem) {
     return seeds;
 }
 
-template std::vector<std::uint32_t> seed_cells<2>(const Problem<2>&);
-template std::vector<std::uint32_t> seed_cells<3>(const Problem<3>&);
+template std::vector<std::uint32_t> seed_cells<2>(const Problem<2>&, Seeds);
+template std::vector<std::uint32_t> seed_cells<3>(const Problem<3>&, Seeds);
 
 }  // namespace sightline

@@ -32,7 +32,7 @@ TEST(Into, VisitsEverySubstepOfEveryStepAndGoesBackTheSameWay) {
             for (std::uint32_t substep = 0; substep < substep_count(end, step); ++substep) {
                 step_into(bench);
                 ASSERT_EQ(place(bench), Place(step, substep));
-                const Shown<2> shown(bench);
+                const ShownSession<2> shown(bench);
                 ASSERT_EQ(shown->hash(), bench.session.in_the_middle(substep).hash());
                 places.push_back(place(bench));
             }
@@ -44,7 +44,7 @@ TEST(Into, VisitsEverySubstepOfEveryStepAndGoesBackTheSameWay) {
         // The last substep is where the step is done: no copy is needed to stand behind it.
         step_forward(bench, 1);
         EXPECT_EQ(place(bench), Place(end.recorded(), std::nullopt));
-        const Shown<2> shown(bench);
+        const ShownSession<2> shown(bench);
         EXPECT_EQ(&*shown, &bench.session);
         for (std::size_t k = places.size(); k-- > 0;) {
             step_out(bench);

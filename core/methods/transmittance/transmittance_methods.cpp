@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/methods/transmittance/transmittance_methods.h"
+
+#include "core/methods/cells/cell_method.h"
+#include "core/methods/transmittance/transmittance.h"
+
+namespace sightline {
+
+template <int D>
+std::vector<Method<D>> transmittance_methods() {
+    std::vector<Method<D>> table;
+    table.push_back(cell_method<D, Flux<D>>("flux", "light", "cells by how much light from the eye reaches them"));
+    table.back().parameters = {&culled_cost_row(), &budget_counts_row(), &neighbours_before_break_row()};
+    table.back().prepare = [](const Problem<D>& problem) { cell_light(problem); };
+    return table;
+}
+
+template std::vector<Method<2>> transmittance_methods<2>();
+template std::vector<Method<3>> transmittance_methods<3>();
+
+}  // namespace sightline
