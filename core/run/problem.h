@@ -99,6 +99,8 @@ public:
     }
     static std::uint32_t primitive(std::uint32_t held) { return held; }
     bool shows(const Problem<D>& problem, std::uint32_t held) const { return sightline::shows(problem, held); }
+    /// False: the view does not show it, for sure.
+    bool may_show(std::uint32_t) const { return true; }
 };
 
 /// 3D: floats that say of most triangles whether the view shows them, and the exact tests for the others.
@@ -119,6 +121,7 @@ public:
         const Shown shown = filter_.of(held);
         return shown == Shown::unsure ? sightline::shows(problem, held.primitive()) : shown == Shown::yes;
     }
+    bool may_show(const CellTriangle& held) const { return filter_.of(held) != Shown::no; }
 
 private:
     const CellTriangle* rows_ = nullptr;

@@ -68,13 +68,13 @@ bool CellBase<D>::move(Direction direction, const Step& step, std::span<Change> 
         std::for_each(changes.rbegin(), changes.rend(), put);
         if (round)
             --rounds_->done;
-        else
+        else if (step.item)
             put_popped(step, direction, before);
         if (rounds_) rounds_->screen.forget();
     } else {
         if (round)
             ++rounds_->done;
-        else
+        else if (step.item)
             put_popped(step, direction, before);
         std::for_each(changes.begin(), changes.end(), put);
     }
@@ -104,6 +104,12 @@ void CellBase<D>::rewind_to(Step& step, std::vector<Change>& changes, const Coun
     if (step.item.kind == Kind::round) {
         rewind_round(changes, before, substep);
         step.after = this->counters_;
+        return;
+    }
+    if (!step.item) {  // a batch of what waited
+        this->drawn_.take_back(before.touched_count, this->counters_.touched_count);
+        step.after = this->counters_ = before;
+        front_is_stale_ = true;
         return;
     }
     const auto facets = this->problem_.cells->facets_of(step.item.id);

@@ -79,6 +79,10 @@ protected:
     virtual void project_now(std::uint32_t cell, Recorder* recorder) = 0;
     /// Whether a pop gives its cell a new stamp, so that stamps tell which of two cells was projected first.
     virtual bool stamps_pops() const { return false; }
+    /// What a step does with what its cell holds, as a line of code.
+    virtual std::string_view project_line() const = 0;
+    /// Whether primitives of projected cells wait to be rendered.
+    virtual bool more_waits() const { return false; }
     /// Renders the rest of the cell that the budget left partly rendered, and adds its neighbours where they are
     /// pending.
     virtual void finish_partial(Recorder* recorder) = 0;

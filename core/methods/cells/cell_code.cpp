@@ -109,7 +109,7 @@ std::vector<CodeLine> CellBase<D>::code(const CodePlace& at) const {
         if (at.step->runner_up)
             lines.back().values += "; next: " + cell_and_key(at.step->runner_up.id, at.step->runner_up_key, digits);
     }
-    lines.push_back({"project c: render its primitives in view that are not rendered yet",
+    lines.push_back({std::string(project_line()),
                      1,
                      place.at == CellPlace::At::render,
                      {},

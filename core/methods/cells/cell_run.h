@@ -47,7 +47,8 @@ struct NoSink {
 ///     static constexpr bool stamps_pops = true;
 /// lets stamps say which cells were projected before `a`. One that starts in its own way has
 ///     static constexpr Seeds seeds;
-/// It may say more of itself (plp/published.h is the model):
+/// and one whose primitives wait until their turn comes, among those of other cells, has `waiting` and add_waiting
+/// (transmittance/tri.h). It may say more of itself (plp/published.h is the model):
 ///     KeyExplanation explain(problem, a, key_a, half, digits) const;
 ///     void add_key_lines(std::vector<CodeLine>&, const KeyExplanation*, int digits) const;
 ///     static constexpr std::string_view key_title;
@@ -55,6 +56,7 @@ template <int D, typename Heuristic>
 class CellRun final : public CellBase<D> {
 public:
     explicit CellRun(const Problem<D>& problem) : CellBase<D>(problem), heuristic_(made_from(problem)) {
+        if (waits) this->parameters_.neighbours_before_break = YesNo::no;
         this->begin_cells(heuristic_.seed_key, start_from());
     }
     /// With a heuristic that holds something of its own, such as a function of a script, and so has
@@ -68,6 +70,7 @@ public:
         if (this->rounds_) return false;  // another first method may be wanted
         this->begin(problem);
         this->parameters_ = CellParameters(problem.parameters);
+        if (waits) this->parameters_.neighbours_before_break = YesNo::no;
         if constexpr (requires { heuristic_.begin(problem); })
             heuristic_.begin(problem);
         else
@@ -118,6 +121,9 @@ public:
     }
 
 private:
+    static constexpr bool waits = requires(Heuristic h) { h.waiting; };
+    static constexpr std::uint32_t waiting_batch = 32;
+
     static Heuristic made_from(const Problem<D>& problem) {
         if constexpr (std::is_constructible_v<Heuristic, const Problem<D>&>)
             return Heuristic(problem);
@@ -157,8 +163,12 @@ private:
         std::uint32_t cell = counters.partial_cell;
         if (counters.spent >= this->problem_.budget || (this->rounds_ && this->rounds_->done > 0))
             return round_or(Stop::budget, sink);
+        if constexpr (waits)
+            if (this->front_is_stale_) rebuild_waiting();
         if (cell == none) {
             const Front::Entry* top = this->front_top();
+            if constexpr (waits)
+                if (!top) return render_batch(sink);
             if (!top) return round_or(Stop::front_empty, sink);
             cell = top->id;
             Mark mark{top->key, top->stamp, CellState::projected};
@@ -196,6 +206,7 @@ private:
         Mark mark = this->marks_[cell];
         if (recorder) recorder->changed(cell_item(cell), mark, static_cast<std::uint8_t>(Rule::projected_now));
         mark.state = CellState::projected;
+        if (stamps_pops()) mark.stamp = this->counters_.next_stamp++;
         this->marks_.set(cell, mark);
         --this->counters_.front_size;
         this->counters_.offset = 0;
@@ -217,6 +228,14 @@ private:
     template <typename Sink>
     void go_on_with(std::uint32_t cell, Sink& sink) {
         Counters& counters = this->counters_;
+        if constexpr (waits) {
+            const bool rendered = render_waiting(heuristic_.waiting.class_of(static_cast<float>(this->marks_[cell].key)), none);
+            counters.partial_cell = rendered ? none : cell;
+            if (!rendered) return;
+            heuristic_.add_waiting(this->problem_, this->contents_, cell, this->marks_[cell].key);
+            add_neighbours(cell, sink);
+            return;
+        }
         const bool resumed = counters.partial_cell == cell;
         const bool neighbours_first = this->parameters_.neighbours_before_break == YesNo::yes;
         const bool done = project(cell);
@@ -225,6 +244,56 @@ private:
         if (neighbours_first ? !resumed : !broken) add_neighbours(cell, sink);
         counters.partial_cell = broken ? cell : none;
         if (!broken) counters.offset = 0;
+    }
+
+    // Of a heuristic whose primitives wait: those that come before the popped cell are rendered with it, and those that
+    // it holds wait from then on.
+
+    /// Renders at most `count` of those whose class comes before `end`; false where the budget ends it.
+    bool render_waiting(std::uint32_t end, std::uint32_t count) {
+        const std::span<const std::uint32_t> references = this->problem_.cells->cell_primitives;
+        for (std::uint32_t place; count > 0 && (place = heuristic_.waiting.first(end)) != none; --count) {
+            const auto& held = this->contents_.row(*this->problem_.cells, 0)[place];
+            const bool met =
+                meet_unless([&] { return !this->contents_.shows(this->problem_, held); }, this->problem_.budget,
+                            this->culled_costs_, references[place], this->drawn_, this->counters_);
+            if (!met) return false;
+            heuristic_.waiting.drop_first();
+        }
+        return true;
+    }
+    /// When no cell is left: a batch of those that still wait, or the rest of one.
+    template <typename Sink>
+    Stop render_batch(Sink& sink) {
+        Counters& counters = this->counters_;
+        if (!this->more_waits()) return Stop::front_empty;
+        if (counters.offset % waiting_batch == 0) {
+            ++this->steps_;
+            if constexpr (Sink::enabled) sink.recorder.popped({}, {});
+        }
+        do {
+            if (!render_waiting(none, 1)) break;
+            ++counters.offset;
+        } while (counters.offset % waiting_batch != 0 && this->more_waits());
+        if constexpr (Sink::enabled) sink.recorder.finished(counters);
+        return Stop::none;
+    }
+    void rebuild_waiting() const {
+        if constexpr (waits) {
+            heuristic_.waiting.clear();
+            for (std::uint32_t cell = 0; cell < this->marks_.size(); ++cell)
+                if (const Mark mark = this->marks_[cell];
+                    mark.state == CellState::projected && cell != this->counters_.partial_cell)
+                    heuristic_.add_waiting(this->problem_, this->contents_, cell, mark.key);
+        }
+    }
+    bool more_waits() const override {
+        if constexpr (waits) {
+            if (this->front_is_stale_) rebuild_waiting();
+            return !heuristic_.waiting.empty();
+        } else {
+            return false;
+        }
     }
 
     /// fig. 4, line 3: renders from `offset` on. True when the cell is done, false when the budget ended inside it.
@@ -358,6 +427,10 @@ private:
             return Heuristic::stamps_pops;
         else
             return false;
+    }
+    std::string_view project_line() const override {
+        return waits ? "render what waits and comes before c; what c holds waits from now on"
+                     : "project c: render its primitives in view that are not rendered yet";
     }
     OnReenqueue reenqueue_rule() const override { return heuristic_.on_reenqueue; }
     void add_key_lines(std::vector<CodeLine>& lines, const KeyExplanation* explained, int digits) const override {

@@ -2,7 +2,7 @@
 #include "core/methods/transmittance/transmittance_methods.h"
 
 #include "core/methods/cells/cell_method.h"
-#include "core/methods/transmittance/transmittance.h"
+#include "core/methods/transmittance/tri.h"
 
 namespace sightline {
 
@@ -12,6 +12,10 @@ std::vector<Method<D>> transmittance_methods() {
     table.push_back(cell_method<D, Flux<D>>("flux", "light", "cells by how much light from the eye reaches them"));
     table.back().parameters = {&culled_cost_row(), &budget_counts_row(), &neighbours_before_break_row()};
     table.back().prepare = [](const Problem<D>& problem) { cell_light(problem); };
+    table.push_back(cell_method<D, Tri<D>>("tri", "light and size",
+                                           "primitives by the light that reaches them and by how large they look"));
+    table.back().parameters = {&maximise_row()};
+    table.back().prepare = table.front().prepare;
     return table;
 }
 

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/methods/transmittance/tri.h"
+
+#include "core/base/number.h"
+
+namespace sightline {
+
+namespace {
+
+/// How large what a cell refers to looks to the eye; it need not be exact.
+template <int D>
+class ApparentSize;
+
+template <>
+class ApparentSize<2> {
+public:
+    explicit ApparentSize(const Problem<2>& problem) : problem_(&problem) {}
+    float of(std::uint32_t primitive) const {
+        const Primitive<2>& segment = problem_->primitives()[primitive];
+        const Vec<2> along = segment[1] - segment[0], away = (segment[0] + segment[1]) * 0.5 - problem_->view.eye;
+        return static_cast<float>(std::abs(cross(along, away)) / glm::dot(away, away));
+    }
+
+private:
+    const Problem<2>* problem_;
+};
+
+template <>
+class ApparentSize<3> {
+public:
+    explicit ApparentSize(const Problem<3>& problem) {
+        const CellTriangles& triangles = problem.cells->triangles->of(*problem.scene, problem.cells->cell_primitives);
+        const Vec<3> eye = problem.view.eye - triangles.origin();
+        eye_ = {static_cast<float>(eye.x), static_cast<float>(eye.y), static_cast<float>(eye.z)};
+    }
+    float of(const CellTriangle& t) const {
+        const float x = eye_[0] - t.centroid[0], y = eye_[1] - t.centroid[1], z = eye_[2] - t.centroid[2];
+        const float squared = x * x + y * y + z * z, along = t.area[0] * x + t.area[1] * y + t.area[2] * z;
+        return std::sqrt(std::abs(along) / (squared * std::sqrt(squared)));
+    }
+
+private:
+    std::array<float, 3> eye_;
+};
+
+}  // namespace
+
+template <int D>
+SizeTerms Tri<D>::size_terms(const Problem<D>& problem, const CellContents<D>& contents, std::uint32_t place,
+                             double transmittance) const {
+    const float size = ApparentSize<D>(problem).of(contents.row(*problem.cells, 0)[place]);
+    return {transmittance, size, waiting_key(size, static_cast<float>(transmittance))};
+}
+
+/// What the view does not show for sure never waits.
+template <int D>
+void Tri<D>::add_waiting(const Problem<D>& problem, const CellContents<D>& contents, std::uint32_t cell,
+                         double key) const {
+    const CellComplex<D>& cells = *problem.cells;
+    const std::uint32_t begin = cells.cell_primitive_begin[cell], count = cells.count(cell);
+    if (count == 0) return;
+    const auto lit = static_cast<float>(std::max(transmittance(problem, cell, key), least_transmittance));
+    const ApparentSize<D> size(problem);
+    const auto* const row = contents.row(cells, cell);
+    for (std::uint32_t i = 0; i < count; ++i)
+        if (contents.may_show(row[i])) waiting.add(waiting_key(size.of(row[i]), lit), begin + i);
+}
+
+template <int D>
+KeyExplanation Tri<D>::explain(const Problem<D>& problem, const Marks& marks, std::uint32_t a, double,
+                               const HalfFacet& half, int digits) const {
+    const LightTerms t = terms(problem, marks, a, half);
+    const double size = 1 / distance_in_sizes(problem, half.neighbour);
+    KeyExplanation e = explain_light(t, digits);
+    e.terms.pop_back();
+    e.key = key_at(problem, half.neighbour, t.transmittance);
+    e.parts.front().text = "T = ";
+    e.parts.insert(e.parts.begin() + 1, {{"("}});
+    e.parts.back().text = ") = " + short_number(t.transmittance, digits) + ", key = 1 / (" +
+                          short_number(t.transmittance, digits) + " · " +
+                          (maximise_ == Maximise::count ? "√" : "") + short_number(size, digits) +
+                          ") = " + short_number(e.key, digits);
+    e.tip += "; the key is one over T times " +
+             std::string(maximise_ == Maximise::count ? "the square root of " : "") +
+             "what a primitive of usual size would look like there";
+    e.terms.push_back({"apparent_size", size, {}});
+    e.terms.push_back({"key", e.key, {}});
+    return e;
+}
+
+template <int D>
+void Tri<D>::add_key_lines(std::vector<CodeLine>& lines, const KeyExplanation* e, int digits) const {
+    const std::size_t heading = lines.size();
+    add_light_lines(lines, e, digits);
+    lines[heading].text = "key(n, c): how little light n gets, and how small things look there";
+    const auto add = [&](std::string text, std::string_view name) {
+        lines.push_back({std::move(text), 1, false, {}, {}});
+        if (!e) return;
+        for (const Term& term : e->terms)
+            if (term.name == name) lines.back().values = short_number(term.value, digits);
+    };
+    add("size = usual size of a primitive / distance of n", "apparent_size");
+    add(maximise_ == Maximise::count ? "key = 1 / (T · √size)" : "key = 1 / (T · size)", "key");
+}
+
+template class Tri<2>;
+template class Tri<3>;
+
+}  // namespace sightline

@@ -1,0 +1,90 @@
+// Primitives by transmittance and apparent size; cells are projected as far as that order needs them.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/methods/transmittance/transmittance.h"
+#include "core/methods/transmittance/waiting.h"
+
+namespace sightline {
+
+/// What a primitive's place in the order comes from.
+struct SizeTerms {
+    double transmittance = 0;  ///< of the cell that it was found in
+    double apparent_size = 0;  ///< the size of what the eye sees of it over its distance: an angle, for a small one
+    double key = 0;
+};
+
+/// `tri`: the key of a cell is 1 / (T sqrt(u / r)), with maximise=pixels 1 / (T u / r): r is the distance of its centre
+/// and u the usual size of a primitive, so that u / r is what a primitive of that size would look like there. Primitives
+/// of projected cells wait with keys of the same form, from what they do look like, and are rendered when no cell that
+/// waits comes before them. So a small one waits until the front has passed where larger ones might be.
+template <int D>
+class Tri {
+public:
+    static constexpr double seed_key = 0;
+    static constexpr std::string_view key_title = "1 / (T · √size)";
+    static constexpr OnReenqueue on_reenqueue = OnReenqueue::replace;
+    static constexpr bool stamps_pops = true;
+    static constexpr Seeds seeds = Seeds::hull;
+
+    explicit Tri(const Problem<D>& problem)
+        : light_(problem),
+          maximise_(problem.parameters.template choice<Maximise>(maximise_row())),
+          usual_size_(light_.of_scene().usual_size) {
+        waiting.clear();
+    }
+
+    LightTerms terms(const Problem<D>& problem, const Marks& marks, std::uint32_t a, const HalfFacet& half) const {
+        return light_.into(problem, marks, a, half,
+                           [&](std::uint32_t n, double key) { return transmittance(problem, n, key); });
+    }
+    Key key(const Problem<D>& problem, const Marks& marks, std::uint32_t a, double, const HalfFacet& half) const {
+        return key_at(problem, half.neighbour, terms(problem, marks, a, half).transmittance);
+    }
+    KeyExplanation explain(const Problem<D>& problem, const Marks& marks, std::uint32_t a, double,
+                           const HalfFacet& half, int digits) const;
+    void add_key_lines(std::vector<CodeLine>& lines, const KeyExplanation* explained, int digits) const;
+
+    /// Of a cell with that key.
+    double transmittance(const Problem<D>& problem, std::uint32_t cell, double key) const {
+        return key == 0 ? 1 : std::min(1.0, of_ratio(distance_in_sizes(problem, cell)) / key);
+    }
+
+    // What waits to be rendered. A cell that is projected adds what it holds.
+
+    mutable Waiting waiting;
+
+    void add_waiting(const Problem<D>& problem, const CellContents<D>& contents, std::uint32_t cell, double key) const;
+    /// Of what the reference of a cell at that place stands for.
+    SizeTerms size_terms(const Problem<D>& problem, const CellContents<D>& contents, std::uint32_t place,
+                         double transmittance) const;
+
+private:
+    /// What no light reaches comes last, but by size.
+    static constexpr double least_transmittance = 0x1p-20;
+
+    template <typename Number>
+    Number of_ratio(Number ratio) const {
+        return maximise_ == Maximise::count ? std::sqrt(ratio) : ratio;
+    }
+    /// Of what looks as large as that, under that transmittance; edge-on ones come last, as what no light reaches.
+    float waiting_key(float apparent_size, float transmittance) const {
+        return 1 / std::max(of_ratio(apparent_size) * transmittance, 0x1p-31f);
+    }
+    double distance_in_sizes(const Problem<D>& problem, std::uint32_t cell) const {
+        const Vec<D> away = problem.cells->centre(cell) - problem.view.eye;
+        return std::sqrt(glm::dot(away, away)) / usual_size_;
+    }
+    double key_at(const Problem<D>& problem, std::uint32_t cell, double transmittance) const {
+        return of_ratio(distance_in_sizes(problem, cell)) / std::max(transmittance, least_transmittance);
+    }
+
+    Light<D> light_;
+    Maximise maximise_;
+    double usual_size_;
+};
+
+extern template class Tri<2>;
+extern template class Tri<3>;
+
+}  // namespace sightline
