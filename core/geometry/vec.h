@@ -72,4 +72,15 @@ struct Box {
     }
 };
 
+/// Of the nearest point of the box from p.
+template <int D>
+double squared_distance(const Box<D>& box, const Vec<D>& p) {
+    double sum = 0;
+    for (int i = 0; i < D; ++i) {
+        const double away = std::max({box.min[i] - p[i], 0.0, p[i] - box.max[i]});
+        sum += away * away;
+    }
+    return sum;
+}
+
 }  // namespace sightline

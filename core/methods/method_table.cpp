@@ -6,6 +6,7 @@
 #include "core/methods/cells/cell_method.h"
 #include "core/methods/coorg_teller/coorg_teller.h"
 #include "core/methods/cplp/cplp.h"
+#include "core/methods/feedback/feedback_run.h"
 #include "core/methods/formula/formula_heuristic.h"
 #include "core/methods/image_space/image_methods.h"
 #include "core/methods/layers/layers.h"
@@ -42,6 +43,7 @@ std::vector<Method<D>> rows() {
     table.back().budgeted = false;
     table.back().compared = false;
     for (Method<D>& method : transmittance_methods<D>()) table.push_back(std::move(method));
+    table.push_back(feedback_method<D>());
     std::vector<Method<D>> firsts;
     for (const Method<D>& method : table)
         if (method.orders_cells()) firsts.push_back(method);

@@ -8,20 +8,6 @@
 
 namespace sightline {
 
-namespace {
-
-template <int D>
-double squared_distance(const Box<D>& box, const Vec<D>& p) {
-    double sum = 0;
-    for (int i = 0; i < D; ++i) {
-        const double away = std::max({box.min[i] - p[i], 0.0, p[i] - box.max[i]});
-        sum += away * away;
-    }
-    return sum;
-}
-
-}  // namespace
-
 template <int D>
 BoxRun<D>::BoxRun(const Problem<D>& problem, const BoxMethod& method, Picker picker)
     : Run<D>(problem), method_(method), picker_(std::move(picker)) {

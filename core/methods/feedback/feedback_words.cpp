@@ -1,0 +1,83 @@
+// What a walk over boxes with feedback says of itself.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/text.h"
+#include "core/methods/feedback/feedback_run.h"
+
+namespace sightline {
+
+template <int D>
+std::string FeedbackRun<D>::popped_words(const Step& step) const {
+    return step.item ? Run<D>::popped_words(step) : "a batch of what was postponed";
+}
+
+template <int D>
+Verdict FeedbackRun<D>::why_not(const Item& item) const {
+    if (item.kind == Kind::cell) return {"no-cells", "the method walks a tree of boxes, not cells"};
+    if (item.kind != Kind::node) return {};
+    const CellState state = marks_[item.id].state;
+    if (state == CellState::unseen) return {"outside-view", "it covers no pixel of the view"};
+    if (state == CellState::hidden) {
+        Screen<D> screen;
+        screen.show(this->problem_, shown_, shown_refreshed_);
+        const SeenPart seen = screen.part_of(this->problem_, tree_->nodes[item.id].box);
+        return {"covered", "it was covered, and so postponed: " + counted(seen.pixels, "pixel") +
+                               " of it in the small picture, behind " +
+                               some_of(D == 2 ? "segment" : "triangle", seen.hidden_by, most_hiders)};
+    }
+    if (state != CellState::clean) return {};
+    std::uint32_t above = 0;
+    while (above != item.id && marks_[above].state == CellState::projected && tree_->nodes[above].first_child != none)
+        above = tree_->child_at(above, tree_->nodes[item.id].begin);
+    const Item box{above, Kind::node};
+    switch (marks_[above].state) {
+        case CellState::unseen:
+            return {"outside-view", "it lies in " + item_name(box) + ", which covers no pixel of the view", box};
+        case CellState::hidden:
+            return {"covered", "it lies in " + item_name(box) + ", which was covered, and so postponed", box};
+        default:
+            return {"waits", "it lies in " + item_name(box) + ", which waits", box};
+    }
+}
+
+template <int D>
+std::vector<CodeLine> FeedbackRun<D>::code(const CodePlace& at) const {
+    const Counters& counters = this->counters_;
+    const bool in_step = at.in_step(), pops = at.step && at.step->item.kind == Kind::node;
+    FeedbackRule rule = FeedbackRule::enqueued;
+    for (const Change& change : at.changes)
+        if (at.step && change.item() == at.step->item) rule = FeedbackRule{change.rule};
+    const bool late = in_step && (!pops || rule == FeedbackRule::late);
+    const std::string popped = pops ? item_name(at.step->item) : "";
+    std::vector<CodeLine> lines;
+    const auto add = [&](std::string text, int indent, bool lit, std::string values = {}) {
+        lines.push_back({std::move(text), indent, lit, lit ? std::move(values) : std::string(), {}});
+    };
+    const bool between = !in_step && counters.spent < this->problem_.budget;
+    add("while a box waits:", 0, between && counters.front_size > 0,
+        counters.front_size == 1 ? "1 box waits" : std::to_string(counters.front_size) + " boxes wait");
+    add(pixels_ ? "take the one with the lowest distance² / √(largest size in it)" : "take the nearest one", 1, false);
+    add("outside the view: drop it", 1, in_step && rule == FeedbackRule::outside, popped);
+    add("its rectangle lies behind what the small picture shows: postpone it", 1,
+        in_step && rule == FeedbackRule::covered, popped);
+    add("it has halves: put them into the front", 1, in_step && rule == FeedbackRule::opened, popped);
+    add("else draw it into the small picture, and render what wins a pixel", 1,
+        in_step && rule == FeedbackRule::drawn, counted(at.rendered, "primitive") + " of " + popped);
+    if (reduced_) add("or is too small to win one, where nothing covers it", 2, false);
+    if (pixels_) add("but postpone what shows at few pixels", 2, false);
+    lines.push_back(budget_line(*this, 1, "", false, in_step));
+    lines.back().source.clear();
+    add("then what was postponed: " + std::string(pixels_ ? "what shows at few pixels, " : "") +
+            "what won no pixel, covered boxes",
+        0, late || (between && counters.front_size == 0), counted(at.rendered, "primitive"));
+    return lines;
+}
+
+#define SIGHTLINE_INSTANTIATE(D)                                          \
+    template std::string FeedbackRun<D>::popped_words(const Step&) const; \
+    template Verdict FeedbackRun<D>::why_not(const Item&) const;          \
+    template std::vector<CodeLine> FeedbackRun<D>::code(const CodePlace&) const;
+SIGHTLINE_INSTANTIATE(2)
+SIGHTLINE_INSTANTIATE(3)
+#undef SIGHTLINE_INSTANTIATE
+
+}  // namespace sightline
