@@ -6,6 +6,7 @@
 #include "core/methods/cells/cell_method.h"
 #include "core/methods/coorg_teller/coorg_teller.h"
 #include "core/methods/cplp/cplp.h"
+#include "core/methods/extinction/extinction.h"
 #include "core/methods/formula/formula_heuristic.h"
 #include "core/methods/image_space/image_methods.h"
 #include "core/methods/layers/layers.h"
@@ -47,6 +48,8 @@ std::vector<Method<D>> rows() {
     table.back().compared = false;
     for (Method<D>& method : image_methods<D>(table.front())) table.push_back(std::move(method));
     for (Method<D>& method : object_space_methods<D>()) table.push_back(std::move(method));
+    table.push_back(cell_method<D, Extinction<D>>(
+        "extinction", "extinction", "cells by the optical depth between them and the eye (what the gem wishes for)"));
     table.push_back(listed_method<D>());  // last: colours follow the order
     return table;
 }
