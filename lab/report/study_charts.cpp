@@ -149,6 +149,30 @@ Chart found_per_frame(const Group& group, const std::vector<const Row*>& rows) {
     return chart;
 }
 
+/// What budgets in time came to, frame by frame, in primitives: the median over the repeats of each frame.
+Chart budget_per_frame(const Group& group, const std::vector<const TimedFlight*>& flights) {
+    Chart chart;
+    chart.title = heading(group) + ": what a budget in time pays for";
+    chart.x = "frame of the path";
+    chart.y = "rendered primitives";
+    const std::vector<std::uint32_t>& frames = group.rows.front()->frames;
+    const MethodLooks looks = MethodLooks::of(group.rows);
+    for (const TimedFlight* const flight : flights) {
+        Series s = looks.series(flight->method);
+        s.name += " " + flight->budget;
+        s.look.marker = static_cast<ChartMarker>(chart.series.size() % marker_count);  // budgets of one method
+        s.sampled = are_sampled(frames);
+        for (std::size_t i = 0; i < frames.size(); ++i) {
+            std::vector<double> rendered;
+            for (std::size_t at = i; at < flight->frames.size(); at += frames.size())
+                rendered.push_back(flight->frames[at].rendered);
+            s.points.push_back({static_cast<double>(frames[i]), median(std::move(rendered))});
+        }
+        chart.series.push_back(std::move(s));
+    }
+    return chart;
+}
+
 }  // namespace
 
 std::vector<Group> groups(const Results& results) {
@@ -267,6 +291,13 @@ std::vector<NamedChart> study_charts(const Results& results) {
             times.is_share = false;
             add(stem + "-frames-time", "Time follows what the frame renders.", std::move(times));
         }
+        std::vector<const TimedFlight*> flights;
+        for (const TimedFlight& flight : results.flights)
+            if (flight.scene == group.scene && flight.path == group.path) flights.push_back(&flight);
+        if (!flights.empty())
+            add(stem + "-frames-budget",
+                "A budget in time follows the machine and the view: how many primitives it came to in each frame.",
+                budget_per_frame(group, flights));
     }
     return charts;
 }
