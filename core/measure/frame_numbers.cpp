@@ -102,6 +102,22 @@ Cut cut_at(const WholeRun& run, std::uint32_t budget) {
     return {end, static_cast<std::size_t>(last - run.touched_after.begin()) + 1};
 }
 
+std::uint32_t needed_budget(const WholeRun& run, const Reference& reference, double most_wrong, std::uint32_t most) {
+    const auto does = [&](std::uint32_t budget) {
+        return wrong_pixels(reference, std::span(run.met).first(cut_at(run, budget).met)) <= most_wrong;
+    };
+    if (!does(most)) return none;
+    std::uint32_t low = 0, high = most;  // of what does not do, or is the first that may, and what does
+    while (low < high) {
+        const std::uint32_t middle = low + (high - low) / 2;
+        if (does(middle))
+            high = middle;
+        else
+            low = middle + 1;
+    }
+    return high;
+}
+
 std::vector<std::uint8_t> rendered_by(const WholeRun& run, std::size_t met, std::size_t primitive_count) {
     return rendered_mask(std::span(run.met).first(met), primitive_count);
 }

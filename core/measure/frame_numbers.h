@@ -68,6 +68,10 @@ struct Cut {
 };
 Cut cut_at(const WholeRun& run, std::uint32_t budget);
 
+/// The smallest budget that leaves at most such a share of the pixels wrong, and is no larger than `most`; none: none
+/// does. A larger budget leaves no more wrong, since a visible primitive that is rendered wins its pixels.
+std::uint32_t needed_budget(const WholeRun& run, const Reference& reference, double most_wrong, std::uint32_t most);
+
 /// Per primitive, 1 where it is among the first `met` of the run's and not culled.
 std::vector<std::uint8_t> rendered_by(const WholeRun& run, std::size_t met, std::size_t primitive_count);
 

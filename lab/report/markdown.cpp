@@ -64,6 +64,9 @@ void write_markdown(const Results& results, const std::string& command, const st
         text += "\n## Preprocessing\n\n" + std::string(preprocessing_caption) + "\n\n" + markdown(text_table(table));
     if (!results.flights.empty())
         text += "\n## Budgets in time\n\n" + std::string(budget_caption) + "\n\n" + markdown(budget_table(results));
+    if (!results.wrong_flights.empty())
+        text += "\n## Budgets in wrong pixels\n\n" + std::string(wrong_budget_caption) + "\n\n" +
+                markdown(wrong_budget_table(results));
     const std::filesystem::path images = file.parent_path() / "images";
     std::filesystem::create_directories(images);
     for (const Group& group : groups(results)) {

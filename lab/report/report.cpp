@@ -168,6 +168,9 @@ void write_report(const Results& results, const std::vector<Claim>& judged, cons
     std::string html = conditions(results) + answers(all) + claims(judged, pictures.claims) + tables_of_papers(results);
     if (!results.flights.empty())
         html += "<h2>Budgets in time</h2>" + sightline::lab::html(budget_table(results), budget_caption);
+    if (!results.wrong_flights.empty())
+        html += "<h2>Budgets in wrong pixels</h2>" +
+                sightline::lab::html(wrong_budget_table(results), wrong_budget_caption);
     for (const Group& group : all) {
         html += "<h2>" + escaped(group.scene) + ", path " + escaped(group.path) + "</h2>";
         for (const std::vector<NamedChart>* const some : {&charts, &pictures.keys})

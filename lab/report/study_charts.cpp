@@ -10,6 +10,7 @@
 #include "core/draw/palette.h"
 #include "core/measure/distance.h"
 #include "core/measure/summary.h"
+#include "lab/measure/wrong_budget.h"
 #include "lab/report/method_looks.h"
 
 namespace sightline::lab {
@@ -173,6 +174,34 @@ Chart budget_per_frame(const Group& group, const std::vector<const TimedFlight*>
     return chart;
 }
 
+/// What budgets in wrong pixels came to, and dashed what would have done.
+Chart wrong_budget_per_frame(const Group& group, const std::vector<const WrongFlight*>& flights) {
+    Chart chart;
+    chart.title = heading(group) + ": budgets that follow wrong pixels";
+    chart.x = "frame of the path";
+    chart.y = "budget, primitives";
+    chart.log_y = true;
+    const std::vector<std::uint32_t>& frames = group.rows.front()->frames;
+    const MethodLooks looks = MethodLooks::of(group.rows);
+    for (const WrongFlight* const flight : flights) {
+        Series s = looks.series(flight->method);
+        s.name += " " + wrong_budget_text(flight->wrong);
+        s.sampled = are_sampled(frames);
+        s.look.marker = static_cast<ChartMarker>(chart.series.size() / 2 % marker_count);
+        Series needed = guide(s.name + ", needed", s.look.colour, guide_dash);
+        for (std::size_t i = 0; i < std::min(frames.size(), flight->frames.size()); ++i) {
+            const WrongFrame& frame = flight->frames[i];
+            const auto at = static_cast<double>(frames[i]);
+            s.points.push_back({at, std::max(1.0, static_cast<double>(frame.budget))});
+            needed.points.push_back(
+                {at, frame.needed == none ? nothing : std::max(1.0, static_cast<double>(frame.needed))});
+        }
+        chart.series.push_back(std::move(s));
+        chart.series.push_back(std::move(needed));
+    }
+    return chart;
+}
+
 }  // namespace
 
 std::vector<Group> groups(const Results& results) {
@@ -291,6 +320,14 @@ std::vector<NamedChart> study_charts(const Results& results) {
             times.is_share = false;
             add(stem + "-frames-time", "Time follows what the frame renders.", std::move(times));
         }
+        std::vector<const WrongFlight*> wrong_flights;
+        for (const WrongFlight& flight : results.wrong_flights)
+            if (flight.scene == group.scene && flight.path == group.path) wrong_flights.push_back(&flight);
+        if (!wrong_flights.empty())
+            add(stem + "-frames-wrong-budget",
+                "Near the dashed line is a budget that spends no more than the frame needs; below it, too many pixels "
+                "are wrong.",
+                wrong_budget_per_frame(group, wrong_flights));
         std::vector<const TimedFlight*> flights;
         for (const TimedFlight& flight : results.flights)
             if (flight.scene == group.scene && flight.path == group.path) flights.push_back(&flight);
