@@ -19,12 +19,12 @@ constexpr std::size_t hue_count = 8, shade_count = 3;
 
 /// Hues from Okabe and Ito's palette and three dark ones, each with two shades more. Chosen by search: hues differ by
 /// 16 and more in CIELAB for every kind of colour vision, shades of a hue by 18, and each has a contrast of 3 to white.
-constexpr Colour shades[hue_count][shade_count] = {{{0, 114, 178}, {0, 68, 107}, {0, 28, 44}},         // blue
+constexpr Colour shades[hue_count][shade_count] = {{{0, 114, 178}, {0, 68, 107}, {0, 0, 255}},         // blue
                                                    {{213, 94, 0}, {149, 66, 0}, {75, 33, 0}},          // vermillion
                                                    {{0, 158, 115}, {0, 103, 75}, {0, 47, 34}},         // green
                                                    {{204, 121, 167}, {122, 73, 100}, {51, 30, 42}},    // purple
                                                    {{0, 0, 0}, {64, 64, 64}, {140, 140, 140}},         // black
-                                                   {{153, 51, 238}, {76, 26, 119}, {31, 10, 48}},      // violet
+                                                   {{153, 51, 238}, {76, 26, 119}, {255, 45, 225}},    // violet
                                                    {{119, 51, 17}, {160, 112, 88}, {48, 20, 7}},       // brown
                                                    {{51, 17, 136}, {102, 76, 166}, {153, 136, 196}}};  // indigo
 
@@ -108,11 +108,16 @@ std::vector<VariantLook> variant_looks(std::span<const std::string> variants) {
     std::vector<std::string> texts;
     std::map<std::string, VariantText> shown;  // by text, so that the order of the list does not matter
     std::map<std::string, std::size_t> numbers;
-    // Numbers 14 and 15 would look like view and published to some eyes: they stay free.
-    constexpr std::size_t free_from = 14, free_count = 2;
-    for (const std::string& id : ids_of_tables())
-        numbers.emplace(id, numbers.size() + (numbers.size() >= free_from ? free_count : 0));
-    const std::size_t known = numbers.size() + (numbers.size() > free_from ? free_count : 0);
+    // From 14 on most numbers look like one before them to some eyes; these do not.
+    constexpr std::size_t first_alike = 14;
+    constexpr std::array<std::size_t, 5> apart{19, 21, 16, 17, 22};
+    for (const std::string& id : ids_of_tables()) {
+        const std::size_t number = numbers.size();
+        numbers.emplace(id, number < first_alike                  ? number
+                            : number - first_alike < apart.size() ? apart[number - first_alike]
+                                                                  : number + apart.size());
+    }
+    const std::size_t known = numbers.size();
     std::set<std::string> others;
     for (const std::string& variant : variants) {
         VariantText text = canonical(variant);

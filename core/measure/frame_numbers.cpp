@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/measure/rank_correlation.h"
 #include "core/measure/wrong_region.h"
 #include "core/methods/cells/cell_parameters.h"
 
@@ -46,6 +47,7 @@ bool WholeRunner<D>::advance(std::uint32_t steps) {
         if (const Step& step = recording_.steps.back(); step.item.kind == Kind::cell) {
             zero_keys_ += step.key == 0;
             whole_.zero_keys_after.push_back(zero_keys_);
+            whole_.popped_cells.push_back({run_->steps(), step.item.id, step.key});
         }
     }
     return true;
@@ -100,8 +102,35 @@ Cut cut_at(const WholeRun& run, std::uint32_t budget) {
     return {end, static_cast<std::size_t>(last - run.touched_after.begin()) + 1};
 }
 
+std::uint32_t needed_budget(const WholeRun& run, const Reference& reference, double most_wrong, std::uint32_t most) {
+    const auto does = [&](std::uint32_t budget) {
+        return wrong_pixels(reference, std::span(run.met).first(cut_at(run, budget).met)) <= most_wrong;
+    };
+    if (!does(most)) return none;
+    std::uint32_t low = 0, high = most;  // of what does not do, or is the first that may, and what does
+    while (low < high) {
+        const std::uint32_t middle = low + (high - low) / 2;
+        if (does(middle))
+            high = middle;
+        else
+            low = middle + 1;
+    }
+    return high;
+}
+
 std::vector<std::uint8_t> rendered_by(const WholeRun& run, std::size_t met, std::size_t primitive_count) {
     return rendered_mask(std::span(run.met).first(met), primitive_count);
+}
+
+KeysAndShares keys_and_shares(const WholeRun& run, const Reference& reference, std::size_t steps) {
+    KeysAndShares found;
+    if (reference.cell_share.empty()) return found;
+    for (const PoppedCell& popped : run.popped_cells) {
+        if (popped.step > steps) break;
+        found.keys.push_back(popped.key);
+        found.shares.push_back(reference.cell_share[popped.cell]);
+    }
+    return found;
 }
 
 Values frame_numbers(const WholeRun& run, const Truth& truth, std::uint32_t budget,
@@ -145,6 +174,8 @@ Values frame_numbers(const WholeRun& run, const Truth& truth, std::uint32_t budg
     v[M::steps] = static_cast<double>(steps);
     if (steps > 0 && run.zero_keys_after.size() >= steps)
         v[M::zero_keys] = ratio(run.zero_keys_after[steps - 1], static_cast<double>(steps));
+    const KeysAndShares popped = keys_and_shares(run, truth.reference, steps);
+    v[M::key_rank] = rank_correlation(popped.keys, popped.shares);
     v[M::front] = steps > 0 ? run.largest_front[steps - 1] : 0;
     v[M::tested] = steps > 0 && run.tests_after.size() >= steps ? static_cast<double>(run.tests_after[steps - 1]) : 0;
     if (steps > 0 && run.rounds_after.size() >= steps && run.rounds_after[steps - 1] > 0)

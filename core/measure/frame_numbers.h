@@ -14,6 +14,13 @@
 
 namespace sightline {
 
+/// A cell that a step took from the front.
+struct PoppedCell {
+    std::uint32_t step = 0;  ///< from 1
+    std::uint32_t cell = none;
+    double key = 0;
+};
+
 /// A method's run over one frame without a budget.
 struct WholeRun {
     std::vector<Met> met;
@@ -22,6 +29,7 @@ struct WholeRun {
     std::optional<std::vector<Inversion>> inversions;  ///< by step; nothing: not made
     std::optional<std::uint32_t> k95;                  ///< rendered primitives with coverage >= 0.95 for the first time
     bool culled_costs = false;                         ///< the parameter culled_cost
+    std::vector<PoppedCell> popped_cells{};            ///< in the order of the steps
     std::vector<std::uint32_t> zero_keys_after;        ///< per step, how many popped a cell with key 0; empty: no cells
     bool whole = false;                         ///< no budget cuts it: it was made with its own (Method::prefixes)
     std::vector<std::uint64_t> tests_after{};   ///< per step
@@ -60,8 +68,18 @@ struct Cut {
 };
 Cut cut_at(const WholeRun& run, std::uint32_t budget);
 
+/// The smallest budget that leaves at most such a share of the pixels wrong, and is no larger than `most`; none: none
+/// does. A larger budget leaves no more wrong, since a visible primitive that is rendered wins its pixels.
+std::uint32_t needed_budget(const WholeRun& run, const Reference& reference, double most_wrong, std::uint32_t most);
+
 /// Per primitive, 1 where it is among the first `met` of the run's and not culled.
 std::vector<std::uint8_t> rendered_by(const WholeRun& run, std::size_t met, std::size_t primitive_count);
+
+/// Key and visible share of each cell popped within so many steps; empty for a reference without shares.
+struct KeysAndShares {
+    std::vector<double> keys, shares;
+};
+KeysAndShares keys_and_shares(const WholeRun& run, const Reference& reference, std::size_t steps);
 
 /// Every measure of a frame on its own: no times, and nothing that compares with another frame. `rendered` is
 /// rendered_by, `wrong` wrong_mask at this budget; `best_cells` the cell oracle, which depends on the tessellation

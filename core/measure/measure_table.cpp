@@ -48,6 +48,10 @@ constexpr std::array<MeasureRow, measure_count> table{{
     {zero_keys, "zero_keys", "steps with key 0", "share",
      "steps that popped a cell with key 0, so that the order of entry alone decided / steps; none without cells",
      "docs/algorithm.md, keys of 0"},
+    {key_rank, "key_rank", "rank correlation of key and share", "r",
+     "Spearman's, of the key of each popped cell with its visible share: -1 where the lower key always shows more; none "
+     "with fewer than three cells, or where all keys or all shares are equal",
+     "TVCG 7", Better::lower},
     {front, "front", "largest front", "cells", "most cells in the front after any step", "TVCG 4.2"},
     {tested, "tested", "tested", "tests",
      "cells, boxes or other parts that the run held against what is drawn, to see whether they are hidden",

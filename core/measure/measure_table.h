@@ -31,6 +31,7 @@ enum class Measure : std::uint8_t {
     fused,
     steps,
     zero_keys,
+    key_rank,
     front,
     tested,
     rounds,

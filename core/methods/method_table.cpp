@@ -7,6 +7,7 @@
 #include "core/methods/coorg_teller/coorg_teller.h"
 #include "core/methods/cplp/cplp.h"
 #include "core/methods/feedback/feedback_run.h"
+#include "core/methods/extinction/extinction.h"
 #include "core/methods/formula/formula_heuristic.h"
 #include "core/methods/image_space/image_methods.h"
 #include "core/methods/layers/layers.h"
@@ -42,15 +43,19 @@ std::vector<Method<D>> rows() {
     table.back().needs.visible_set = true;
     table.back().budgeted = false;
     table.back().compared = false;
-    for (Method<D>& method : transmittance_methods<D>()) table.push_back(std::move(method));
-    table.push_back(feedback_method<D>());
+    const std::vector<Method<D>> by_light = transmittance_methods<D>();
     std::vector<Method<D>> firsts;
     for (const Method<D>& method : table)
         if (method.orders_cells()) firsts.push_back(method);
+    firsts.push_back(by_light.front());  // not one whose primitives wait: rounds render cells
     table.push_back(cplp_method<D>(std::move(firsts), cell_parameter_rows(plp_parameter_rows())));
     table.back().compared = false;
     for (Method<D>& method : image_methods<D>(table.front())) table.push_back(std::move(method));
     for (Method<D>& method : object_space_methods<D>()) table.push_back(std::move(method));
+    table.push_back(cell_method<D, Extinction<D>>(
+        "extinction", "extinction", "cells by the optical depth between them and the eye (what the gem wishes for)"));
+    table.insert(table.end(), by_light.begin(), by_light.end());
+    table.push_back(feedback_method<D>());
     table.push_back(listed_method<D>());  // last: colours follow the order
     return table;
 }

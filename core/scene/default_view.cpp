@@ -44,7 +44,7 @@ struct Grid {
 
 Vec<2> midpoint(const Primitive<2>& s) { return s[0] * 0.5 + s[1] * 0.5; }
 
-double squared_distance(const Vec<2>& a, const Vec<2>& b) { return glm::dot(b - a, b - a); }
+double squared_length_between(const Vec<2>& a, const Vec<2>& b) { return glm::dot(b - a, b - a); }
 
 }  // namespace
 
@@ -56,9 +56,9 @@ ViewSpec<2> default_view(const std::vector<Primitive<2>>& segments) {
 
     // Distances in units of the side: their squares neither overflow nor vanish.
     Vec<2> look_at = midpoint(segments[0]);
-    double nearest = squared_distance(look_at / side, centre / side);
+    double nearest = squared_length_between(look_at / side, centre / side);
     for (const Primitive<2>& s : segments) {
-        const double distance = squared_distance(midpoint(s) / side, centre / side);
+        const double distance = squared_length_between(midpoint(s) / side, centre / side);
         if (distance < nearest) {
             nearest = distance;
             look_at = midpoint(s);
@@ -79,7 +79,7 @@ ViewSpec<2> default_view(const std::vector<Primitive<2>>& segments) {
         for (int column = 0; column < grid.columns; ++column) {
             const int clearance = grid.clearance(column, row);
             const Vec<2> middle = corner + cell * Vec<2>(column + 0.5, row + 0.5);
-            const double distance = squared_distance(middle / cell, centre / cell);
+            const double distance = squared_length_between(middle / cell, centre / cell);
             if (clearance == 0 || clearance < best_clearance) continue;
             if (clearance == best_clearance && distance >= best_distance) continue;
             best_clearance = clearance;

@@ -177,7 +177,14 @@ std::vector<SettingRow> own_rows() {
                                                "a leaf that holds no more points than this is not split: ends or "
                                                "corners of primitives, in a kd-tree their middles"),
         choice<&S::empty_leaves>("empty_leaves", Invalidates::tessellation, "TVCG 4.3",
-                                 "leaves without a vertex: their centres count too, or are dropped (Delaunay)"),
+                                 "leaves without a vertex: their centres count too, are dropped, or those of one node "
+                                 "are merged into one (Delaunay)"),
+        choice<&S::split_for>(
+            "split_for", Invalidates::tessellation, "docs/algorithm.md, cells",
+            "a tree node is split for its vertices, or only where its parts are not as opaque as it is"),
+        real<&S::opacity_tolerance>("opacity_tolerance", {0, 1, false, true}, Invalidates::tessellation, "[0, 1)",
+                                    "docs/algorithm.md, cells",
+                                    "with split_for=opacity: opacities that differ by no more than this are the same"),
         choice<&S::neighbours>("neighbours", Invalidates::tessellation, "gem, add_neighbors_to_front",
                                "cells next to a leaf share a facet with it, or touch it at all (tree and kd)"),
 

@@ -65,6 +65,9 @@ std::string tessellation_settings(const TessellationSettings& settings) {
         text += "empty_leaves=" + std::string(word(settings.empty_leaves)) + "\n";
     if (settings.neighbours != defaults.neighbours)
         text += "neighbours=" + std::string(word(settings.neighbours)) + "\n";
+    if (settings.split_for != defaults.split_for)
+        text += "split_for=" + std::string(word(settings.split_for)) +
+                "\nopacity_tolerance=" + number_text(settings.opacity_tolerance) + "\n";
     return text;
 }
 

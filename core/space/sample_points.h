@@ -7,7 +7,8 @@
 namespace sightline {
 
 /// Leaf centres in leaf order, each moved by at most `jitter` of the leaf's side along each axis (TVCG section 4.3);
-/// with empty_leaves=drop without those of empty leaves, the others being the same points. Then, with the inflated
+/// with empty_leaves=drop without those of empty leaves, the others being the same points; with empty_leaves=merge
+/// those of a node have one together, the mean of their centres, in the place of the first. Then, with the inflated
 /// border, the corners of a box around the tree's root.
 template <int D>
 std::vector<Vec<D>> sample_points(const Tree<D>& tree, const TessellationSettings& settings);

@@ -10,14 +10,17 @@ namespace sightline {
 
 enum class Tessellation : std::uint8_t { delaunay, tree, kd };
 enum class Border : std::uint8_t { inflated, none };
-enum class EmptyLeaves : std::uint8_t { keep, drop };
+enum class EmptyLeaves : std::uint8_t { keep, drop, merge };
+enum class SplitFor : std::uint8_t { vertices, opacity };
 enum class Neighbours : std::uint8_t { facet, touching };
 template <>
 inline constexpr auto words<Tessellation> = std::to_array<std::string_view>({"delaunay", "tree", "kd"});
 template <>
 inline constexpr auto words<Border> = std::to_array<std::string_view>({"inflated", "none"});
 template <>
-inline constexpr auto words<EmptyLeaves> = std::to_array<std::string_view>({"keep", "drop"});
+inline constexpr auto words<EmptyLeaves> = std::to_array<std::string_view>({"keep", "drop", "merge"});
+template <>
+inline constexpr auto words<SplitFor> = std::to_array<std::string_view>({"vertices", "opacity"});
 template <>
 inline constexpr auto words<Neighbours> = std::to_array<std::string_view>({"facet", "touching"});
 
@@ -32,6 +35,8 @@ struct TessellationSettings {
     std::uint32_t leaf_capacity = 1;  ///< points that a leaf may hold and stay whole
     EmptyLeaves empty_leaves = EmptyLeaves::keep;
     Neighbours neighbours = Neighbours::facet;
+    SplitFor split_for = SplitFor::vertices;
+    double opacity_tolerance = 0.1;  ///< with split_for=opacity: how much opacities may differ and count as the same
     bool operator==(const TessellationSettings&) const = default;
 };
 

@@ -23,7 +23,7 @@ struct Tree {
     };
     std::vector<Node> nodes;
     std::vector<std::uint32_t> leaves;  ///< leaf index -> node, in depth-first order
-    /// Leaves without a vertex, ascending. Only build_tree() says it; a cell complex does not keep it.
+    /// Leaves without a vertex, ascending. Only build_tree(), and merge_alike() of what that built, say it; a cell complex does not keep it.
     std::vector<std::uint32_t> empty_leaves;
 
     const Box<D>& root_box() const { return nodes.front().box; }

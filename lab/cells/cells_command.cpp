@@ -34,12 +34,43 @@ void write_knee(const CellsCurve& curve, Measure measure, double within, const s
     const std::size_t at = knee(curve, measure, within);
     const CellsPoint& point = curve.points[at];
     const std::filesystem::path file =
-        folder / (file_stem(curve.scene + "-" + method_text(curve.method) + "-" + curve.budget) + ".settings.json");
+        folder / (file_stem(curve.scene + "-" + method_text(curve.method) + "-" + curve.budget +
+                            (curve.also.empty() ? "" : "-" + curve.also)) +
+                  ".settings.json");
     write_file(file, knee_settings(curve, measure, within));
     std::cout << one_line(curve.scene, 1000) << ", " << method_text(curve.method) << " " << curve.budget
-              << ": error bound " << short_number(point.error_bound) << ", " << knee_text(curve, at) << ", "
-              << measure_row(measure).title << " " << short_number(summary(point.row, measure)) << "; --settings "
-              << shell_quoted(file.string()) << "\n";
+              << (curve.also.empty() ? "" : ", " + curve.also) << ": error bound " << short_number(point.error_bound)
+              << ", " << knee_text(curve, at) << ", " << measure_row(measure).title << " "
+              << short_number(summary(point.row, measure)) << "; --settings " << shell_quoted(file.string()) << "\n";
+}
+
+/// Over all kinds of cells, once for each scene, path, method and budget.
+void write_coarsest(const std::vector<CellsCurve>& curves, Measure measure, double within,
+                    const std::filesystem::path& folder) {
+    for (std::size_t c = 0; c < curves.size(); ++c) {
+        const CellsCurve& of = curves[c];
+        const auto same = [&](const CellsCurve& other) {
+            return other.scene == of.scene && other.path == of.path && other.method.variant == of.method.variant &&
+                   other.budget == of.budget;
+        };
+        if (std::find_if(curves.begin(), curves.end(), same) != curves.begin() + static_cast<std::ptrdiff_t>(c))
+            continue;
+        const auto text = [&](const CurvePoint& at) {
+            const CellsCurve& curve = curves[at.curve];
+            const Row& row = curve.points[at.point].row;
+            return std::to_string(row.cells) + " cells (" + kind_text(curve, at.point) + "; " +
+                   std::string(measure_row(measure).title) + " " + short_number(summary(row, measure)) + ")";
+        };
+        const CurvePoint at = coarsest(curves, of, measure, within);
+        const CellsCurve& curve = curves[at.curve];
+        const std::filesystem::path file =
+            folder / (file_stem(of.scene + "-" + of.method.variant + "-" + of.budget + "-coarsest") + ".settings.json");
+        write_file(file, point_settings(curve, at.point, measure, within, "of the best cells tried"));
+        std::cout << one_line(of.scene, 1000) << ", " << of.method.variant << " " << of.budget
+                  << ": the coarsest cells that are as good: " << text(at)
+                  << "; the best: " << text(coarsest(curves, of, measure, 0)) << "; --settings "
+                  << shell_quoted(file.string()) << "\n";
+    }
 }
 
 /// Empty for a method that needs none.
@@ -93,13 +124,17 @@ int cells_command(int argc, const char* const* argv, const MethodTables& tables)
     options.methods = {"published", "layers", "centroid", "view"};
     add_study_options(app, options);
     std::vector<double> bounds = default_error_bounds();
-    std::vector<std::string> sweeps;
+    std::vector<std::string> sweeps, kinds;
     std::string measure_id = "wrong", out;
     double within = 0.01;
     std::optional<double> reach;
     app.add_option("--error-bounds", bounds, "comma-separated, each in (0, 1]")
         ->delimiter(',')
         ->check(CLI::Range(1e-3, 1.0));
+    app.add_option("--cells", kinds,
+                   "kinds of cells to try instead of those of the methods, comma-separated: delaunay, tree, kd, each "
+                   "also with +opacity, delaunay+merge, or all; names the coarsest of all that is as good as the best")
+        ->delimiter(',');
     app.add_option(
            "--sweep", sweeps,
            "PARAMETER=VALUE,VALUE,… of a method instead of the size of cells: occluder_count=8,16,32; judged by "
@@ -121,12 +156,25 @@ int cells_command(int argc, const char* const* argv, const MethodTables& tables)
     const Measure measure = measure_named(measure_id);
     const Study asked = study_of(options, tables);
     if (!sweeps.empty()) return sweep_parameters(asked, sweeps, measure, out, format);
-    const Study study = sweep_study(asked, bounds), cell_free = cell_free_study(asked);
-    if (study.methods.empty()) throw InputError("lab cells: none of these methods orders cells");
-    if (out.empty()) out = folder_for(folder_named("cells", name_parts(study)), "frames.jsonl", study_json(study));
+    const Study sweep = sweep_study(asked, bounds), cell_free = cell_free_study(asked);
+    if (sweep.methods.empty()) throw InputError("lab cells: none of these methods orders cells");
+    const std::vector<KindStudy> studies =
+        kinds.empty() ? std::vector<KindStudy>{{"", sweep}} : kind_studies(sweep, parse_kinds(kinds));
+    const Study& first = studies.front().study;
+    if (out.empty()) out = folder_for(folder_named("cells", name_parts(first)), "frames.jsonl", study_json(first));
     LabGraphics graphics;
     note_interrupts();
-    const Results results = run_study(study, out, graphics, {.say = say, .stopped = interrupted});
+    Results results;
+    std::vector<CellsCurve> curves;
+    for (const KindStudy& of : studies) {
+        const std::filesystem::path folder = &of == &studies.front() ? out : out + "/" + file_stem(of.also);
+        const Results found = run_study(of.study, folder, graphics, {.say = say, .stopped = interrupted});
+        if (interrupted()) return stopped();
+        write_results(found, folder);
+        for (CellsCurve& curve : curves_of(found, of.also)) curves.push_back(std::move(curve));
+        if (&of == &studies.front()) results.conditions = found.conditions;
+        results.rows.insert(results.rows.end(), found.rows.begin(), found.rows.end());
+    }
     Results simple = results;
     if (reach && !cell_free.methods.empty() && !interrupted()) {
         const std::filesystem::path folder = std::filesystem::path(out) / "without-cells";
@@ -135,12 +183,11 @@ int cells_command(int argc, const char* const* argv, const MethodTables& tables)
         simple.rows.insert(simple.rows.end(), others.rows.begin(), others.rows.end());
     }
     if (interrupted()) return stopped();
-    const std::vector<CellsCurve> curves = curves_of(results);
-    write_results(results, out);
     say("drawing the charts");
     write_cells_report(curves, measure, within, out, format);
     say("");
     for (const CellsCurve& curve : curves) write_knee(curve, measure, within, out);
+    if (!kinds.empty()) write_coarsest(curves, measure, within, out);
     if (reach)
         for (const Group& group : groups(simple)) {
             const Row* found = simplest(group.rows, measure, *reach);

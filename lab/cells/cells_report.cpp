@@ -27,6 +27,10 @@ Chart chart_of(const std::vector<const CellsCurve*>& curves, Measure measure, do
     for (const CellsCurve* at : curves) {
         const CellsCurve& curve = *at;
         Series s = looks.series(curve.method);
+        if (!curve.also.empty()) {
+            s.name += " " + curve.also;
+            s.look.marker = static_cast<ChartMarker>(chart.series.size() % marker_count);
+        }
         for (const CellsPoint& point : curve.points)
             s.points.push_back({static_cast<double>(point.row.cells), summary(point.row, measure) * (share ? 100 : 1)});
         if (knees) marks.points.push_back(s.points[knee(curve, measure, within)]);
@@ -39,7 +43,7 @@ Chart chart_of(const std::vector<const CellsCurve*>& curves, Measure measure, do
 std::string table_of(const CellsCurve& curve, Measure measure, double within) {
     const std::size_t at = knee(curve, measure, within);
     std::string html =
-        "<h3>" + escaped(method_text(curve.method)) +
+        "<h3>" + escaped(method_text(curve.method) + (curve.also.empty() ? "" : ", " + curve.also)) +
         "</h3><table><tr><th>error bound</th><th>cells</th><th>memory, KB</th><th>coverage, %</th>"
         "<th>wrong pixels, %</th><th>worst, %</th><th>traversal, ms</th><th>ms per frame</th>"
         "<th>a line crosses</th><th>an eye ray</th><th>empty, %</th><th>|c|</th><th>spread</th><th></th></tr>";
@@ -65,18 +69,19 @@ Chart density_chart(const std::vector<const CellsCurve*>& curves, Measure measur
     chart.y = "cells, % of those that hold any";
     chart.log_x = true;
     const MethodLooks looks = MethodLooks::of(curves);
-    std::vector<Tessellation> done;
+    std::vector<std::pair<Tessellation, std::string>> done;
     for (const CellsCurve* curve : curves) {
         const Tessellation kind = curve->method.tessellation;
-        if (std::find(done.begin(), done.end(), kind) != done.end()) continue;
-        done.push_back(kind);
+        const std::pair of{kind, curve->also};
+        if (std::find(done.begin(), done.end(), of) != done.end()) continue;
+        done.push_back(of);
         const Row& row = curve->points[knee(*curve, measure, within)].row;
         const std::vector<std::uint32_t>& histogram = row.tessellation.density.histogram;
         double all = 0;
         for (std::size_t i = 1; i < histogram.size(); ++i) all += histogram[i];
         Series s = looks.series(curve->method);
-        s.name = std::string(words<Tessellation>[static_cast<std::size_t>(kind)]) + ", " + std::to_string(row.cells) +
-                 " cells";
+        s.name = std::string(word(kind)) + (curve->also.empty() ? "" : ", " + curve->also) + ", " +
+                 std::to_string(row.cells) + " cells";
         for (std::size_t i = 1; i < histogram.size(); ++i)
             s.points.push_back({std::ldexp(1.0, static_cast<int>(i) - 1), 100 * histogram[i] / all});
         chart.series.push_back(std::move(s));
@@ -134,17 +139,19 @@ void write_cells_report(const std::vector<CellsCurve>& curves, Measure measure, 
 }
 
 std::string knee_settings(const CellsCurve& curve, Measure measure, double within) {
-    const std::size_t at = knee(curve, measure, within);
-    const CellsPoint& point = curve.points[at];
+    return point_settings(curve, knee(curve, measure, within), measure, within, "of the best error bound tried");
+}
+
+std::string point_settings(const CellsCurve& curve, std::size_t at, Measure measure, double within,
+                           const std::string& of_what) {
     const std::string why = "The fewest cells (" + knee_text(curve, at) + ") with " +
-                            std::string(measure_row(measure).title) + " within " + short_number(within) +
-                            " of the best error bound tried, on " + curve.scene + ", path " + curve.path + ", budget " +
-                            curve.budget + ".";
-    const auto tessellation = words<Tessellation>[static_cast<std::size_t>(curve.method.tessellation)];
-    return write_settings(
-        {"method=" + curve.method.variant, "budget=" + curve.budget, "tessellation=" + std::string(tessellation),
-         "error_bound=" + number_text(point.error_bound)},
-        why);
+                            std::string(measure_row(measure).title) + " within " + short_number(within) + " " +
+                            of_what + ", on " + curve.scene + ", path " + curve.path + ", budget " + curve.budget + ".";
+    std::vector<std::string> settings{"method=" + curve.method.variant, "budget=" + curve.budget,
+                                      "tessellation=" + std::string(word(curve.method.tessellation)),
+                                      "error_bound=" + number_text(curve.points[at].error_bound)};
+    if (!curve.also.empty()) settings.push_back(curve.also);
+    return write_settings(settings, why);
 }
 
 }  // namespace sightline::lab

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "lab/cells/cells.h"
@@ -16,5 +17,9 @@ void write_cells_report(const std::vector<CellsCurve>& curves, Measure measure, 
 
 /// The knee as a settings file: method, tessellation, error bound and budget, and why.
 std::string knee_settings(const CellsCurve& curve, Measure measure, double within);
+
+/// The same of any point; `of_what` it is nearly as good, in words.
+std::string point_settings(const CellsCurve& curve, std::size_t point, Measure measure, double within,
+                           const std::string& of_what);
 
 }  // namespace sightline::lab

@@ -2,13 +2,11 @@
 #include "lab/measure/conditions.h"
 
 #include <cstring>
-#include <ctime>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <thread>
 
 #include "core/base/file.h"
 #include "core/base/hash.h"
+#include "core/base/machine.h"
 
 namespace sightline::lab {
 
@@ -25,32 +23,12 @@ std::string program_hash() {
     return hash_text(hash.value());
 }
 
-std::string machine() {
-    std::string text;
-    std::ifstream cpu("/proc/cpuinfo");
-    for (std::string line; std::getline(cpu, line);)
-        if (line.starts_with("model name")) {
-            text = line.substr(line.find(':') + 2) + ", ";
-            break;
-        }
-    return text + std::to_string(std::thread::hardware_concurrency()) + " cores";
-}
-
-std::string today() {
-    const std::time_t now = std::time(nullptr);
-    std::tm utc{};
-    gmtime_r(&now, &utc);
-    char date[16];
-    std::strftime(date, sizeof date, "%Y-%m-%d", &utc);
-    return date;
-}
-
 }  // namespace
 
 Conditions conditions_here(std::string study, std::string renderer) {
     Conditions c{std::move(study),    std::string("compiler ") + __VERSION__,
-                 program_hash(),      machine(),
-                 std::move(renderer), today()};
+                 program_hash(),      machine_text(),
+                 std::move(renderer), today_text()};
 #ifdef NDEBUG
     c.build += ", optimised";
 #else

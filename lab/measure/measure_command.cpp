@@ -16,6 +16,7 @@
 #include "lab/measure/run_study.h"
 #include "lab/measure/study_options.h"
 #include "lab/measure/time_budget.h"
+#include "lab/measure/wrong_budget.h"
 #include "lab/report/chart_options.h"
 #include "lab/report/markdown.h"
 #include "lab/report/page.h"
@@ -92,6 +93,10 @@ void print_table(const Results& results) {
         for (const auto& [measure, width] : columns) std::cout << padded(number(summary(row, measure)), width);
         std::cout << "\n";
     }
+    for (const WrongFlight& flight : results.wrong_flights)
+        std::cout << one_line(flight.scene + ", " + flight.path + ", " + method_text(flight.method)) << ": "
+                  << per_cent(share_kept(flight)) << " % of " << flight.frames.size() << " frames within "
+                  << wrong_budget_text(flight.wrong) << " + 10 %\n";
     for (const TimedFlight& flight : results.flights)
         std::cout << one_line(flight.scene + ", " + flight.path + ", " + method_text(flight.method)) << ": "
                   << per_cent(share_kept(flight)) << " % of " << flight.frames.size() << " frames within "

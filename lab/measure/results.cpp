@@ -239,6 +239,7 @@ std::string results_json(const Results& results, const std::string& claims) {
     if (!claims.empty()) json["claims"] = Json::parse(claims);
     for (const Row& row : results.rows) json["rows"].push_back(to_json(row));
     if (!results.flights.empty()) json["time_budgets"] = Json::parse(flights_json(results.flights));
+    if (!results.wrong_flights.empty()) json["wrong_budgets"] = Json::parse(wrong_flights_json(results.wrong_flights));
     return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -254,6 +255,8 @@ Results read_results(std::string_view text, const std::string& name) {
         for (const Json& row : json.at("rows")) results.rows.push_back(read_row(row));
         if (const auto flights = json.find("time_budgets"); flights != json.end())
             results.flights = read_flights(flights->dump());
+        if (const auto flights = json.find("wrong_budgets"); flights != json.end())
+            results.wrong_flights = read_wrong_flights(flights->dump());
     } catch (const Json::exception& error) {
         throw InputError(name + ": not the results of a study: " + one_line(error.what()));
     }
@@ -322,6 +325,7 @@ Results merge(const std::vector<Results>& parts) {
             all.rows.push_back(row);
         }
         all.flights.insert(all.flights.end(), part.flights.begin(), part.flights.end());
+        all.wrong_flights.insert(all.wrong_flights.end(), part.wrong_flights.begin(), part.wrong_flights.end());
     }
     if (all.conditions.study.empty()) return all;
     all.conditions.machine.clear();

@@ -56,15 +56,32 @@ struct TimedFlight {
     std::vector<TimedFrame> frames;
 };
 
+/// A frame whose budget follows the wrong pixels of those before.
+struct WrongFrame {
+    std::uint32_t budget = 0, rendered = 0;  ///< primitives
+    double wrong = 0;                        ///< share of pixels
+    std::uint32_t needed = 0;                ///< the smallest budget that would have done; none: none does
+};
+/// One scene, path, method and share of wrong pixels.
+struct WrongFlight {
+    std::string scene, path;
+    MethodChoice method;
+    double wrong = 0;
+    std::vector<WrongFrame> frames;
+};
+
 struct Results {
     Conditions conditions;
     std::vector<Row> rows;
-    std::vector<TimedFlight> flights{};  ///< whether budgets in time were kept
+    std::vector<TimedFlight> flights{};        ///< whether budgets in time were kept
+    std::vector<WrongFlight> wrong_flights{};  ///< whether budgets in wrong pixels were
 };
 
 /// Flights as JSON of one line, and back.
 std::string flights_json(const std::vector<TimedFlight>& flights);
 std::vector<TimedFlight> read_flights(std::string_view json);
+std::string wrong_flights_json(const std::vector<WrongFlight>& flights);
+std::vector<WrongFlight> read_wrong_flights(std::string_view json);
 
 /// sightline::summary of the frames.
 double summary(const Row& row, Measure measure);

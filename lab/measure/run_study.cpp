@@ -13,6 +13,7 @@
 #include "lab/measure/checkpoint.h"
 #include "lab/measure/measure_path.h"
 #include "lab/measure/time_budget.h"
+#include "lab/measure/wrong_budget.h"
 #include "lab/report/remaining.h"
 #include "lab/report/say.h"
 
@@ -113,6 +114,19 @@ bool measure(const Unit& unit, LabGraphics& graphics, const StudyRun& run, const
     const std::vector<Row> rows = measure_path<D>(lab, unit.study, instruments);
     if (!complete) return false;
     results.rows.insert(results.rows.end(), rows.begin(), rows.end());
+    if (!unit.study.wrong_budgets.empty()) {
+        const std::string piece = key + ", budgets in wrong pixels";
+        const std::string* kept = checkpoint.find(piece);
+        if (!kept && run.say) run.say(what + ": following wrong pixels" + remaining.text());
+        bool stopped = false;
+        const std::vector<WrongFlight> flights =
+            kept ? read_wrong_flights(*kept) : fly_in_wrong_pixels(lab, unit.study, instruments.draw_ids, [&] {
+                return !(stopped = run.stopped && run.stopped());
+            });
+        if (stopped) return false;
+        if (!kept) checkpoint.add(piece, wrong_flights_json(flights));
+        results.wrong_flights.insert(results.wrong_flights.end(), flights.begin(), flights.end());
+    }
     if constexpr (D == 3) {
         if (const std::string* kept = checkpoint.find(key + ", time budgets")) {
             for (TimedFlight& flight : read_flights(*kept)) results.flights.push_back(std::move(flight));

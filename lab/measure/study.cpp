@@ -150,6 +150,7 @@ std::string study_json(const Study& study) {
                                 {"error_bounds", study.error_bounds}};
     for (const MethodChoice& choice : study.methods) json["methods"].push_back(method_text(choice));
     for (const Budget& budget : study.budgets) json["budgets"].push_back(budget_text(budget));
+    if (!study.wrong_budgets.empty()) json["wrong_budgets"] = study.wrong_budgets;
     return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
@@ -164,6 +165,7 @@ Study read_study(std::string_view text, const MethodTables& tables) {
         study.settings = json.at("settings").get<std::vector<std::string>>();
         study.repeats = json.at("repeats");
         study.error_bounds = json.value("error_bounds", std::vector<double>());
+        study.wrong_budgets = json.value("wrong_budgets", std::vector<double>());
         Settings settings;
         apply_setting(settings, "reference_size=" + json.at("size").get<std::string>());
         study.size = settings.reference_size;

@@ -50,6 +50,7 @@ struct Study {
     std::vector<MethodChoice> methods = all_methods();
     /// For methods that have a use for one; others are measured without, once.
     std::vector<Budget> budgets = {parse_budget("1%"), parse_budget("2%"), parse_budget("5%"), parse_budget("10%")};
+    std::vector<double> wrong_budgets;  ///< shares of wrong pixels that a budget is to follow (wrong_budget.h)
     std::vector<double> error_bounds;   ///< of the tessellation, one after the other; empty: each scene's own
     ImageSize size;                     ///< of the reference
     std::vector<std::string> settings;  ///< FIELD=VALUE for every scene, over what its catalogue row says

@@ -12,6 +12,7 @@
 #include "core/base/text.h"
 #include "core/session/settings_file.h"
 #include "core/session/settings_table.h"
+#include "lab/measure/wrong_budget.h"
 #include "lab/report/say.h"
 
 namespace sightline::lab {
@@ -70,7 +71,8 @@ void add_study_options(CLI::App& app, StudyOptions& o, bool timed) {
                    "published@tree; with parameters and "
                    "semicolons between: \"published; published on_reenqueue=min\"");
     app.add_option("--budgets,--budget", o.budgets,
-                   "comma-separated, such as 1%,2%,5%,10% or 500,5000; 8ms: is a budget in time kept?")
+                   "comma-separated, such as 1%,2%,5%,10% or 500,5000; 8ms: is a budget in time kept? wrong:0.5%: "
+                   "does a budget that follows the wrong pixels of the frames before keep them there?")
         ->delimiter(',');
     app.add_option("--size", o.size, "size of the reference in pixels: such as 1024x768 in 3D, 8192 in 2D");
     app.add_option("--set", o.settings, "FIELD=VALUE as in the viewers; may be given several times")
@@ -159,7 +161,11 @@ Study study_of(const StudyOptions& options, const MethodTables& tables) {
     }
     if (!o.budgets.empty()) {
         study.budgets.clear();
-        for (const std::string& budget : o.budgets) study.budgets.push_back(parse_budget(budget));
+        for (const std::string& budget : o.budgets)
+            if (const std::optional<double> wrong = parse_wrong_budget(budget))
+                study.wrong_budgets.push_back(*wrong);
+            else
+                study.budgets.push_back(parse_budget(budget));
     }
     Settings settings;
     if (!o.size.empty()) apply_setting(settings, "reference_size=" + o.size);
@@ -168,6 +174,7 @@ Study study_of(const StudyOptions& options, const MethodTables& tables) {
     study.settings = o.settings;
     refuse_twice(study.methods, "--methods", method_text);
     refuse_twice(study.budgets, "--budgets", budget_text);
+    refuse_twice(study.wrong_budgets, "--budgets", wrong_budget_text);
     refuse_twice(study.scenes, "SCENE", [](const std::string& name) { return name; });
     refuse_twice(study.paths, "--path", [](const std::string& name) { return name; });
     const std::vector<SceneOnPath> on_paths = scenes_on_paths(study);

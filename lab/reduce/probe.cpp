@@ -38,7 +38,8 @@ template <int D>
 Truth PartMeasures<D>::truth_of(std::size_t view, std::span<const std::uint32_t> kept, const Scene<D>& part,
                                 const CellComplex<D>& cells, Seen& seen) {
     const bool deep = uses(Measure::zeta) || uses(Measure::fused);
-    const bool by_cell = uses(Measure::mis_ranked) || uses(Measure::unreached) || uses(Measure::cell_oracle);
+    const bool by_cell =
+        uses(Measure::mis_ranked) || uses(Measure::unreached) || uses(Measure::cell_oracle) || uses(Measure::key_rank);
     const View<D>& from = lab_.views[views_[view]];
     if constexpr (D == 3) {
         const auto image_of_part = [&]() -> IdImage {

@@ -19,14 +19,15 @@ namespace {
 std::string table_rows_of(const Group& group) {
     std::string text =
         "| method | cells | budget | coverage % | worst | oracle % | wrong pixels % | worst | largest region % | "
-        "popping % | ms |\n|---|---|---|---|---|---|---|---|---|---|---|\n";
+        "popping % | r of key and share | ms |\n|---|---|---|---|---|---|---|---|---|---|---|---|\n";
     for (const Row* row : group.rows) {
         const auto share = [&](Measure m) { return per_cent(summary(*row, m)); };
         text += "| " + markdown_escaped(method_text(row->method)) + " | " + std::to_string(row->cells) + " | " +
                 markdown_escaped(row->budget) + " | " + share(Measure::coverage) + " | " +
                 per_cent(worst(*row, Measure::coverage)) + " | " + share(Measure::oracle) + " | " +
                 share(Measure::wrong) + " | " + per_cent(worst(*row, Measure::wrong)) + " | " + share(Measure::blob) +
-                " | " + share(Measure::pop) + " | " + number(summary(*row, Measure::total_ms)) + " |\n";
+                " | " + share(Measure::pop) + " | " + number(summary(*row, Measure::key_rank)) + " | " +
+                number(summary(*row, Measure::total_ms)) + " |\n";
     }
     return text;
 }
@@ -63,6 +64,9 @@ void write_markdown(const Results& results, const std::string& command, const st
         text += "\n## Preprocessing\n\n" + std::string(preprocessing_caption) + "\n\n" + markdown(text_table(table));
     if (!results.flights.empty())
         text += "\n## Budgets in time\n\n" + std::string(budget_caption) + "\n\n" + markdown(budget_table(results));
+    if (!results.wrong_flights.empty())
+        text += "\n## Budgets in wrong pixels\n\n" + std::string(wrong_budget_caption) + "\n\n" +
+                markdown(wrong_budget_table(results));
     const std::filesystem::path images = file.parent_path() / "images";
     std::filesystem::create_directories(images);
     for (const Group& group : groups(results)) {

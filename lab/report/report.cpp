@@ -113,12 +113,13 @@ std::string table_of_rows(const Group& group) {
                        ".</caption><tr><th class=t>method</th><th>cells</th>"
                        "<th>budget</th>";
     for (const Measure m : columns) html += "<th>" + std::string(measure_row(m).title) + "</th>";
-    html += "<th>worst wrong</th><th>ms</th></tr>";
+    html += "<th>worst wrong</th><th>r of key and share</th><th>ms</th></tr>";
     const MethodLooks looks = MethodLooks::of(group.rows);
     for (const Row* row : group.rows) {
         html += "<tr>" + looks.cell(row->method) + cell(std::to_string(row->cells)) + cell(row->budget);
         for (const Measure m : columns) html += cell(per_cent(summary(*row, m)));
-        html += cell(per_cent(worst(*row, Measure::wrong))) + cell(number(summary(*row, Measure::total_ms))) + "</tr>";
+        html += cell(per_cent(worst(*row, Measure::wrong))) + cell(number(summary(*row, Measure::key_rank))) +
+                cell(number(summary(*row, Measure::total_ms))) + "</tr>";
     }
     return html + "</table>";
 }
@@ -167,13 +168,17 @@ void write_report(const Results& results, const std::vector<Claim>& judged, cons
     std::string html = conditions(results) + answers(all) + claims(judged, pictures.claims) + tables_of_papers(results);
     if (!results.flights.empty())
         html += "<h2>Budgets in time</h2>" + sightline::lab::html(budget_table(results), budget_caption);
+    if (!results.wrong_flights.empty())
+        html += "<h2>Budgets in wrong pixels</h2>" +
+                sightline::lab::html(wrong_budget_table(results), wrong_budget_caption);
     for (const Group& group : all) {
         html += "<h2>" + escaped(group.scene) + ", path " + escaped(group.path) + "</h2>";
-        for (const NamedChart& chart : charts) {
-            if (chart.scene != group.scene || chart.path != group.path) continue;
-            write_chart(chart.chart, folder / "charts" / chart.id, format);
-            html += picture(folder / "charts" / (chart.id + ".svg"), escaped(chart.text));
-        }
+        for (const std::vector<NamedChart>* const some : {&charts, &pictures.keys})
+            for (const NamedChart& chart : *some) {
+                if (chart.scene != group.scene || chart.path != group.path) continue;
+                write_chart(chart.chart, folder / "charts" / chart.id, format);
+                html += picture(folder / "charts" / (chart.id + ".svg"), escaped(chart.text));
+            }
         html += table_of_rows(group) + sightline::lab::html(time_table(group), time_caption);
     }
     html += worst_frames(pictures.worst) + measures();

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "lab/report/chart.h"
-#include "lab/report/study_charts.h"
+#include "lab/report/key_chart.h"
 
 namespace sightline::lab {
 
@@ -33,6 +33,7 @@ void draw(const Group& group, const std::vector<Claim>& claims, const Study& stu
     };
     for (const Row* row : middle_rows(group))
         pictures.worst.push_back(worst_of(*row, group.scene + "-" + group.path + "-" + method_text(row->method)));
+    for (NamedChart& chart : key_charts<D>(lab, group, graphics.draw_ids())) pictures.keys.push_back(std::move(chart));
     for (std::size_t i = 0; i < claims.size(); ++i)
         if (const Row* row = row_to_show(claims[i]); row && std::count(group.rows.begin(), group.rows.end(), row) > 0)
             pictures.claims[i] = worst_of(*row, "claim-" + std::to_string(i + 1));

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lab/report/claims.h"
+#include "lab/report/study_charts.h"
 #include "lab/report/wrong_pictures.h"
 
 namespace sightline::lab {
@@ -14,6 +15,7 @@ namespace sightline::lab {
 struct ReportPictures {
     std::vector<FramePicture> worst;             ///< for each scene, path and approximate method, at its middle budget
     std::map<std::size_t, FramePicture> claims;  ///< by index of the claims with a row_to_show
+    std::vector<NamedChart> keys{};              ///< key against visible share (key_chart.h)
 };
 
 /// The frames with the most wrong pixels. `claims` are those of the same results; scenes are read and tessellated anew.

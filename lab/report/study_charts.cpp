@@ -10,6 +10,7 @@
 #include "core/draw/palette.h"
 #include "core/measure/distance.h"
 #include "core/measure/summary.h"
+#include "lab/measure/wrong_budget.h"
 #include "lab/report/method_looks.h"
 
 namespace sightline::lab {
@@ -149,6 +150,58 @@ Chart found_per_frame(const Group& group, const std::vector<const Row*>& rows) {
     return chart;
 }
 
+/// What budgets in time came to, frame by frame, in primitives: the median over the repeats of each frame.
+Chart budget_per_frame(const Group& group, const std::vector<const TimedFlight*>& flights) {
+    Chart chart;
+    chart.title = heading(group) + ": what a budget in time pays for";
+    chart.x = "frame of the path";
+    chart.y = "rendered primitives";
+    const std::vector<std::uint32_t>& frames = group.rows.front()->frames;
+    const MethodLooks looks = MethodLooks::of(group.rows);
+    for (const TimedFlight* const flight : flights) {
+        Series s = looks.series(flight->method);
+        s.name += " " + flight->budget;
+        s.look.marker = static_cast<ChartMarker>(chart.series.size() % marker_count);  // budgets of one method
+        s.sampled = are_sampled(frames);
+        for (std::size_t i = 0; i < frames.size(); ++i) {
+            std::vector<double> rendered;
+            for (std::size_t at = i; at < flight->frames.size(); at += frames.size())
+                rendered.push_back(flight->frames[at].rendered);
+            s.points.push_back({static_cast<double>(frames[i]), median(std::move(rendered))});
+        }
+        chart.series.push_back(std::move(s));
+    }
+    return chart;
+}
+
+/// What budgets in wrong pixels came to, and dashed what would have done.
+Chart wrong_budget_per_frame(const Group& group, const std::vector<const WrongFlight*>& flights) {
+    Chart chart;
+    chart.title = heading(group) + ": budgets that follow wrong pixels";
+    chart.x = "frame of the path";
+    chart.y = "budget, primitives";
+    chart.log_y = true;
+    const std::vector<std::uint32_t>& frames = group.rows.front()->frames;
+    const MethodLooks looks = MethodLooks::of(group.rows);
+    for (const WrongFlight* const flight : flights) {
+        Series s = looks.series(flight->method);
+        s.name += " " + wrong_budget_text(flight->wrong);
+        s.sampled = are_sampled(frames);
+        s.look.marker = static_cast<ChartMarker>(chart.series.size() / 2 % marker_count);
+        Series needed = guide(s.name + ", needed", s.look.colour, guide_dash);
+        for (std::size_t i = 0; i < std::min(frames.size(), flight->frames.size()); ++i) {
+            const WrongFrame& frame = flight->frames[i];
+            const auto at = static_cast<double>(frames[i]);
+            s.points.push_back({at, std::max(1.0, static_cast<double>(frame.budget))});
+            needed.points.push_back(
+                {at, frame.needed == none ? nothing : std::max(1.0, static_cast<double>(frame.needed))});
+        }
+        chart.series.push_back(std::move(s));
+        chart.series.push_back(std::move(needed));
+    }
+    return chart;
+}
+
 }  // namespace
 
 std::vector<Group> groups(const Results& results) {
@@ -267,6 +320,21 @@ std::vector<NamedChart> study_charts(const Results& results) {
             times.is_share = false;
             add(stem + "-frames-time", "Time follows what the frame renders.", std::move(times));
         }
+        std::vector<const WrongFlight*> wrong_flights;
+        for (const WrongFlight& flight : results.wrong_flights)
+            if (flight.scene == group.scene && flight.path == group.path) wrong_flights.push_back(&flight);
+        if (!wrong_flights.empty())
+            add(stem + "-frames-wrong-budget",
+                "Near the dashed line is a budget that spends no more than the frame needs; below it, too many pixels "
+                "are wrong.",
+                wrong_budget_per_frame(group, wrong_flights));
+        std::vector<const TimedFlight*> flights;
+        for (const TimedFlight& flight : results.flights)
+            if (flight.scene == group.scene && flight.path == group.path) flights.push_back(&flight);
+        if (!flights.empty())
+            add(stem + "-frames-budget",
+                "A budget in time follows the machine and the view: how many primitives it came to in each frame.",
+                budget_per_frame(group, flights));
     }
     return charts;
 }

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/report/time_table.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "lab/measure/time_budget.h"
+#include "lab/measure/wrong_budget.h"
 #include "lab/report/page.h"
 
 namespace sightline::lab {
@@ -47,6 +50,26 @@ TextTable budget_table(const Results& results) {
                               middle(&TimedFrame::traverse_ms), middle(&TimedFrame::upload_ms),
                               middle(&TimedFrame::draw_ms), middle(&TimedFrame::rendered),
                               number(quantile(all_in_view, 0)), number(quantile(all_in_view, 1))});
+    }
+    return table;
+}
+
+TextTable wrong_budget_table(const Results& results) {
+    TextTable table{{"scene", "method", "budget", "frames", "kept %", "wrong %", "worst %", "budget", "needed"}, {}};
+    for (const WrongFlight& flight : results.wrong_flights) {
+        double wrong = 0, worst = 0, budget = 0, needed = 0;
+        const double n = static_cast<double>(flight.frames.size()) - 1;
+        for (std::size_t i = 1; i < flight.frames.size(); ++i) {
+            const WrongFrame& frame = flight.frames[i];
+            wrong += frame.wrong / n;
+            worst = std::max(worst, frame.wrong);
+            budget += frame.budget / n;
+            needed += frame.needed == none ? std::numeric_limits<double>::quiet_NaN() : frame.needed / n;
+        }
+        table.rows.push_back({flight.scene + ", " + flight.path, method_text(flight.method),
+                              wrong_budget_text(flight.wrong), std::to_string(flight.frames.size()),
+                              per_cent(share_kept(flight)), per_cent(wrong), per_cent(worst), number(budget),
+                              number(needed)});
     }
     return table;
 }

@@ -24,4 +24,14 @@ inline constexpr const char* budget_caption =
     "all frames of all repeats; then milliseconds of the worst frame and medians. How far the cost of a frame varies "
     "is seen from drawing all in view (view): its least and most expensive frame.";
 
+/// How well budgets in wrong pixels were kept: a row per flight.
+TextTable wrong_budget_table(const Results& results);
+
+inline constexpr const char* wrong_budget_caption =
+    "A budget in wrong pixels follows the frames before: it is the most that one of the last eight needed, as far as "
+    "they were drawn; a frame that had too little counts for twice its budget. Kept are frames within the share + 10 "
+    "%, "
+    "in % of all but the first, which nothing is known of; then means over these frames. What they needed is known to "
+    "the reference alone.";
+
 }  // namespace sightline::lab

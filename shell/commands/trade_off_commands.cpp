@@ -6,6 +6,7 @@
 #include "core/session/settings_table.h"
 #include "shell/commands/arguments.h"
 #include "shell/commands/groups.h"
+#include "shell/desk/auto_choice.h"
 #include "shell/desk/change.h"
 #include "shell/desk/measure_trade_off.h"
 
@@ -54,6 +55,12 @@ void trade_off(Workbench<D>& bench, Text text) {
     choose(bench, text);
 }
 
+template <int D>
+void choose_for_me(Workbench<D>& bench, Text text) {
+    if (!text.empty() && text != "again") throw InputError("write again, or nothing");
+    choose_auto(bench, text == "again");
+}
+
 }  // namespace
 
 template <int D>
@@ -64,6 +71,10 @@ std::span<const Command<D>> trade_off_commands() {
                    "set this method and budget; measure one more method or variant; stop, continue, restart, finish; "
                    "choose the vertical axis",
                    "", trade_off<D>},
+        Command<D>{"auto", "Automatic method", "[again]",
+                   "set the method, cells and budget that the trade-off recommends here; measured once and remembered, "
+                   "or again",
+                   "", choose_for_me<D>, "measuring methods, up to 20 seconds"},
     };
     return table;
 }

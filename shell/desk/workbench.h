@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <span>
@@ -86,6 +87,7 @@ struct Workbench {
     Graphics graphics{};                ///< 3D
     std::optional<Completing> completing{};
     TradeOff<D> trade_off{};
+    std::filesystem::path auto_file{};  ///< where what `auto` measured is remembered; empty: nowhere
     std::optional<WhatIf> what_if{};
     std::optional<Faults> faults{};
     std::optional<std::array<int, 2>> pixel{};  ///< 3D: column and row of the exact image, whose history is told

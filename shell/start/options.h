@@ -20,6 +20,7 @@ struct Options {
     std::string up;  ///< 3D
     std::optional<double> fov;
     std::string method, preset, budget;
+    bool automatic = false;  ///< --auto
     std::string settings_file;
     std::vector<std::string> settings;
     std::optional<std::uint32_t> steps;

@@ -21,6 +21,7 @@
 #include "core/session/state_file.h"
 #include "shell/commands/arguments.h"
 #include "shell/commands/command_table.h"
+#include "shell/desk/auto_choice.h"
 #include "shell/desk/compare.h"
 #include "shell/desk/fly.h"
 #include "shell/desk/moves.h"
@@ -357,6 +358,8 @@ void obey(const Options& o, std::span<const Method<D>> methods, const Viewer<D>&
     if (o.columns) bench.figure.columns = *o.columns;
     if (!o.panels.empty()) bench.figure.panels = split_panels(o.panels);
     start_path(bench, o);
+    bench.auto_file = auto_file();
+    if (o.automatic) choose_auto<D>(bench, false, [&](Settings& settings) { apply_options(settings, o); });
     if (o.frames) return write_text(o.stats, path_stats(bench, *o.frames));
     move(bench, o, asked.state.has_value(), in_window);
     if (!in_window || o.writes()) print_summary(bench);

@@ -141,6 +141,30 @@ TEST(LabClaims, AboutPoppingNeedNeighbouringFrames) {
         << "a few frames stand for no path";
 }
 
+TEST(LabClaims, AboutStabilityHoldEveryMethodAgainstLayersOnItsCells) {
+    const auto row = [](const char* method, double pop, double flip, const char* budget = "10%") {
+        return along(with(report_row("city", method, budget, 9, 0, 1), {{M::pop, pop}, {M::flip, flip}}),
+                     "street:60-67");
+    };
+    const char* const words = "stable between nearby viewpoints too";
+    const std::vector<Row> rows{row("layers", 0.05, 0.01),          row("layers@tree", 0.2, 0.02),
+                                row("published@tree", 0.204, 0.02), row("centroid", 0.054, 0.014),
+                                row("hzb", 0.9, 0.9, "unlimited"),  row("published", 0.9, 0.9, "5%")};
+    EXPECT_EQ(judged(rows, words), "holds");
+    const Results results = results_of(rows);
+    EXPECT_EQ(find(judge_claims(results), words)->regimes[0].figures, "all 2 methods; layers pop 5 % and flip 1 %");
+    for (const auto& [pop, flip] : {std::pair{0.056, 0.01}, std::pair{0.05, 0.016}}) {
+        std::vector<Row> worse = rows;
+        worse.push_back(row("published", pop, flip));
+        EXPECT_EQ(judged(worse, words), "does not hold") << pop;
+        const Results of_worse = results_of(worse);
+        const auto claims = judge_claims(of_worse);
+        EXPECT_EQ(row_to_show(*find(claims, words)), &of_worse.rows.back());
+    }
+    EXPECT_EQ(judged({row("published", 0.1, 0.1), row("layers@tree", 0.1, 0.1)}, words), "not judged")
+        << "nothing to hold it against";
+}
+
 TEST(LabClaims, AboutRoomAreJudgedFromInside) {
     const auto room = [](const char* path, double coverage, double visible) {
         return std::vector{
@@ -180,7 +204,7 @@ TEST(LabClaims, EachCitesWhereItStands) {
                                                                                                {M::rendered, 1000}}),
                                          path));
     const auto claims = judge_claims(results_of(rows));
-    EXPECT_EQ(claims.size(), 26u) << "every one is judged";
+    EXPECT_EQ(claims.size(), 27u) << "every one is judged";
     for (const Claim& claim : claims) {
         EXPECT_TRUE(claim.source.starts_with("TVCG ") || claim.source.starts_with("gem, ") ||
                     claim.source.starts_with("CT "))

@@ -71,8 +71,8 @@ void expect_same_numbers(const Results& a, const Results& b) {
 TEST_F(LabStudy, GivesTheSameNumbersTwice) {
     const Study study = small_study();
     const Results first = run_study(study, folder("a"), graphics_), second = run_study(study, folder("b"), graphics_);
-    // Two cell methods on two tessellations and centroid at four budgets, the conservative ones without.
-    ASSERT_EQ(first.rows.size(), 2u * (5 * 4 + 8));
+    // Five cell methods on two tessellations, centroid and tri-z at four budgets, the conservative ones without.
+    ASSERT_EQ(first.rows.size(), 2u * (12 * 4 + 8));
     expect_same_numbers(first, second);
 }
 

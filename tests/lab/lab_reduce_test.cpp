@@ -80,6 +80,7 @@ TEST(LabReduceProbe, MeasuresWhatAStudyDoes) {
     expect_measures_of_a_study<3>("bottleneck", "published", cheap);
     expect_measures_of_a_study<3>("bottleneck", "published@tree",
                                   {M::mis_ranked, M::unreached, M::cell_oracle, M::wrong});
+    expect_measures_of_a_study<3>("bottleneck", "published", {M::key_rank});
     expect_measures_of_a_study<3>("bottleneck", "centroid", {M::zeta, M::fused, M::coverage});
     expect_measures_of_a_study<3>("bottleneck", "two-pass", {M::wrong, M::tested});
     expect_measures_of_a_study<2>("rooms", "published", cheap);

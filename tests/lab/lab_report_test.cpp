@@ -263,6 +263,31 @@ TEST(FileStem, StaysInItsFolder) {
     EXPECT_EQ(file_stem(std::string(200, 'a')), std::string(200, 'a'));
 }
 
+TEST_F(LabFiles, ABudgetInTimeIsPlottedFrameByFrame) {
+    Results results = results_of({report_row("city", "published", "5%", 5, 0.2, 0.8)});
+    const auto chart_ids = [&] {
+        std::vector<std::string> ids;
+        for (const NamedChart& chart : study_charts(results)) ids.push_back(chart.id);
+        return ids;
+    };
+    const std::string id = "city-test-frames-budget";
+    auto ids = chart_ids();
+    EXPECT_EQ(std::count(ids.begin(), ids.end(), id), 0) << "there are none";
+    // Three repeats of three frames.
+    TimedFlight flight{"city", "test", {"published"}, "8ms", 8, {}};
+    for (const std::uint32_t rendered : {10, 20, 30, 16, 20, 90, 12, 26, 33}) flight.frames.push_back({rendered});
+    results.flights = {flight, {"city", "air", {"published"}, "8ms", 8, {}}};
+    ids = chart_ids();
+    ASSERT_EQ(std::count(ids.begin(), ids.end(), id), 1);
+    for (const NamedChart& chart : study_charts(results)) {
+        if (chart.id != id) continue;
+        ASSERT_EQ(chart.chart.series.size(), 1u);
+        EXPECT_EQ(chart.chart.series[0].name, "published 8ms");
+        const std::vector<std::array<double, 2>> medians{{0, 12}, {1, 20}, {2, 33}};
+        EXPECT_EQ(chart.chart.series[0].points, medians);
+    }
+}
+
 TEST_F(LabFiles, TheReportNeedsNoOtherFile) {
     const Results results = results_of(
         {report_row("city", "published", "5%", 5, 0.2, 0.8), report_row("city", "layers", "5%", 4, 0.1, 0.9),

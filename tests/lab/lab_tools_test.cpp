@@ -260,6 +260,56 @@ TEST(LabCells, TheKneeIsTheCoarsestThatWillDo) {
               (std::vector<std::string>{"method=layers", "budget=5%", "tessellation=delaunay", "error_bound=0.25"}));
 }
 
+TEST(LabCells, TheCoarsestOfAllKindsIsWithinOfTheBestOfAll) {
+    Random random(5);
+    for (int round = 0; round < 200; ++round) {
+        std::vector<CellsCurve> curves;
+        for (const char* method : {"layers", "layers@tree", "layers@kd", "published"}) {
+            curves.push_back({"city", "test", parse_method(method), "5%", {}, round % 2 ? "split_for=opacity" : ""});
+            for (std::size_t i = 1 + random.below(5); i > 0; --i)
+                curves.back().points.push_back(
+                    {0.1, row_of(method, 1 + random.below(1000), {random.uniform(0, 0.05)})});
+        }
+        const double within = random.uniform(0, 0.02);
+        const CurvePoint found = coarsest(curves, curves[1], M::wrong, within);
+        ASSERT_LT(found.curve, 3u) << "another method is not asked";
+        const auto wrong = [](const Row& row) { return summary(row, M::wrong); };
+        double best = 1;
+        for (std::size_t c = 0; c < 3; ++c)
+            for (const CellsPoint& point : curves[c].points) best = std::min(best, wrong(point.row));
+        const Row& taken = curves[found.curve].points[found.point].row;
+        EXPECT_LE(wrong(taken), best + within);
+        for (std::size_t c = 0; c < 3; ++c)
+            for (const CellsPoint& point : curves[c].points)
+                EXPECT_FALSE(wrong(point.row) <= best + within && point.row.cells < taken.cells);
+    }
+}
+
+TEST(LabCells, KindsAreStudiesOfTheirOwn) {
+    EXPECT_EQ(parse_kinds({"all"}).size(), 7u);
+    EXPECT_EQ(parse_kinds({"kd+opacity"}), (std::vector<CellsKind>{{Tessellation::kd, "split_for=opacity"}}));
+    for (const std::vector<std::string>& wrong : std::vector<std::vector<std::string>>{
+             {"moss"}, {"tree", "tree"}, {"tree+merge"}, {"all", "tree"}, {"+opacity"}})
+        EXPECT_THROW(parse_kinds(wrong), InputError);
+    Study sweep;
+    sweep.methods = {parse_method("published@kd"), parse_method("published"), parse_method("layers")};
+    sweep.settings = {"jitter=0.1"};
+    const auto studies = kind_studies(sweep, parse_kinds({"tree", "kd+opacity", "tree+opacity", "delaunay"}));
+    ASSERT_EQ(studies.size(), 2u);
+    EXPECT_EQ(studies[0].study.methods, (std::vector{parse_method("published@tree"), parse_method("layers@tree"),
+                                                     parse_method("published"), parse_method("layers")}));
+    EXPECT_EQ(studies[0].study.settings, (std::vector<std::string>{"jitter=0.1"}));
+    EXPECT_EQ(studies[1].study.methods, (std::vector{parse_method("published@kd"), parse_method("layers@kd"),
+                                                     parse_method("published@tree"), parse_method("layers@tree")}));
+    EXPECT_EQ(studies[1].study.settings, (std::vector<std::string>{"jitter=0.1", "split_for=opacity"}));
+    sweep.settings = {"split_for=opacity"};
+    EXPECT_THROW(kind_studies(sweep, parse_kinds({"tree+opacity"})), InputError);
+    CellsCurve curve{"city", "test", parse_method("layers@tree"), "5%", {}, "split_for=opacity"};
+    curve.points.push_back({0.25, row_of("layers@tree", 9, {0.1})});
+    EXPECT_EQ(kind_text(curve, 0), "tree, split_for=opacity, error bound 0.25");
+    EXPECT_EQ(read_settings(knee_settings(curve, M::wrong, 0), "knee").back(), "split_for=opacity");
+}
+
 TEST(LabCells, CurvesGoFromCoarseToFine) {
     Study study;
     study.methods = {parse_method("view"), parse_method("layers"), parse_method("centroid")};

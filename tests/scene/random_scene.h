@@ -108,7 +108,8 @@ inline Settings random_wide_settings(Random& random) {
     Settings s = random_settings(random);
     if (random.below(3) == 0) s.tessellation = Tessellation::kd;
     if (random.below(3) == 0) s.neighbours = Neighbours::touching;
-    if (random.below(3) == 0) s.empty_leaves = EmptyLeaves::drop;
+    if (random.below(3) == 0) s.empty_leaves = random.below(2) == 0 ? EmptyLeaves::drop : EmptyLeaves::merge;
+    if (random.below(3) == 0) s.split_for = SplitFor::opacity;
     if (random.below(3) == 0) s.leaf_capacity = static_cast<std::uint32_t>(1 + random.below(10));
     if (random.below(3) == 0) s.parameters.set(own_content_row(), "on");
     if (random.below(3) == 0) s.parameters.set(budget_counts_row(), "per_cell");

@@ -31,12 +31,14 @@ const std::map<std::string_view, Range> ranges{
     {"seed", {0, 0x1p64, false, true, true}},
     {"shrink", {0.05, 1}},
     {"leaf_capacity", {1, 1e6, false, false, true}},
+    {"opacity_tolerance", {0, 1, false, true}},
     {"slice_at", {0, 1}},
     {"around", {0, 1000, false, false, true}},
     {"occluder_share", {0, 1}},
     {"opacity", {0, 1}},
     {"worth", {0, 1e6}},
     {"refresh", {1, 1e6, false, false, true}},
+    {"detail", {0.01, 1}},
     {"occluder_count", {1, 1024, false, false, true}},
     {"shadows", {1, 256, false, false, true}},
     {"threshold", {1e-6, 100}},
@@ -123,14 +125,14 @@ TEST(Settings, EveryFieldOfTheStructHasARow) {
     }
     EXPECT_EQ(back, defaults);
     // As many names as the structs have fields, or this does not compile.
-    const auto& [t1, t2, t3, t4, t5, t6, t7, t8] = static_cast<const TessellationSettings&>(changed);
+    const auto& [t1, t2, t3, t4, t5, t6, t7, t8, t9, t10] = static_cast<const TessellationSettings&>(changed);
     static_cast<void>(t1);
     const auto& [p1, p2, p3, p4, p5, p6, p7, p8, p9, p10, p11, p12, p13, p14, p15, p16, p17, p18, p19, p20, p21, p22,
                  p23, p24, p25, p26, p27, p28, p29, p30, p31, p32, p33, p34] =
         static_cast<const PictureSettings&>(changed);
     static_cast<void>(p1);
     constexpr std::size_t own = 7;  // two_sided, up, degrees, method, budget, reference_size, reference
-    EXPECT_EQ(settings_table().size(), 8u + 34u + own + all_parameters().size());
+    EXPECT_EQ(settings_table().size(), 10u + 34u + own + all_parameters().size());
 }
 
 TEST(Settings, NamesDefaultsAndWordsAreThoseOfTheDesign) {
@@ -156,7 +158,9 @@ TEST(Settings, NamesDefaultsAndWordsAreThoseOfTheDesign) {
         {"seeds", "one", "one", "one | hull"},
         {"budget_counts", "each_once", "each_once", "each_once | per_cell"},
         {"own_content", "off", "off", "off | on"},
-        {"empty_leaves", "keep", "keep", "keep | drop"},
+        {"empty_leaves", "keep", "keep", "keep | drop | merge"},
+        {"split_for", "vertices", "vertices", "vertices | opacity"},
+        {"opacity_tolerance", "0.1", "0.1", "[0, 1)"},
         {"leaf_capacity", "1", "1", "[1, 1000000]"},
         {"neighbours", "facet", "facet", "facet | touching"},
         {"tessellation", "delaunay", "delaunay", "delaunay | tree | kd"},
@@ -197,6 +201,8 @@ TEST(Settings, EachRowSaysWhatItInvalidates) {
                                                            {"leaf_capacity", Invalidates::tessellation},
                                                            {"empty_leaves", Invalidates::tessellation},
                                                            {"neighbours", Invalidates::tessellation},
+                                                           {"split_for", Invalidates::tessellation},
+                                                           {"opacity_tolerance", Invalidates::tessellation},
                                                            {"reference_size", Invalidates::reference},
                                                            {"reference", Invalidates::reference},
                                                            {"palette", Invalidates::picture},

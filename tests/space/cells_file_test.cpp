@@ -111,7 +111,7 @@ TEST(CellsFile, IsRefusedWhenItDoesNotFit) {
         apply_setting(changed, change);
         expect(complaint(scene, changed), std::string(", not with ") + change);
     }
-    for (const char* change : {"leaf_capacity=4", "empty_leaves=drop", "neighbours=touching"}) {
+    for (const char* change : {"leaf_capacity=4", "empty_leaves=drop", "neighbours=touching", "split_for=opacity"}) {
         Settings changed = settings;
         apply_setting(changed, change);
         expect(complaint(scene, changed), std::string("was made without ") + change);

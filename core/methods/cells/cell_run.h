@@ -249,14 +249,19 @@ private:
     // Of a heuristic whose primitives wait: those that come before the popped cell are rendered with it, and those that
     // it holds wait from then on.
 
+    /// The first that was not met by way of another cell, where its class comes before `end`; none: there is no such.
+    std::uint32_t first_waiting(std::uint32_t end) const {
+        for (std::uint32_t place; (place = heuristic_.waiting.first(end)) != none; heuristic_.waiting.drop_first())
+            if (!this->drawn_.has(this->problem_.cells->cell_primitives[place])) return place;
+        return none;
+    }
     /// Renders at most `count` of those whose class comes before `end`; false where the budget ends it.
     bool render_waiting(std::uint32_t end, std::uint32_t count) {
-        const std::span<const std::uint32_t> references = this->problem_.cells->cell_primitives;
-        for (std::uint32_t place; count > 0 && (place = heuristic_.waiting.first(end)) != none; --count) {
+        for (std::uint32_t place; count > 0 && (place = first_waiting(end)) != none; --count) {
             const auto& held = this->contents_.row(*this->problem_.cells, 0)[place];
-            const bool met =
-                meet_unless([&] { return !this->contents_.shows(this->problem_, held); }, this->problem_.budget,
-                            this->culled_costs_, references[place], this->drawn_, this->counters_);
+            const bool met = meet_unless([&] { return !this->contents_.shows(this->problem_, held); },
+                                         this->problem_.budget, this->culled_costs_, this->contents_.primitive(held),
+                                         this->drawn_, this->counters_);
             if (!met) return false;
             heuristic_.waiting.drop_first();
         }
@@ -290,7 +295,7 @@ private:
     bool more_waits() const override {
         if constexpr (waits) {
             if (this->front_is_stale_) rebuild_waiting();
-            return !heuristic_.waiting.empty();
+            return first_waiting(none) != none;
         } else {
             return false;
         }

@@ -26,16 +26,12 @@ public:
             for (Class& each : classes_) each.places.clear();
         classes_.resize(class_count);
         lowest_ = class_count;
-        count_ = 0;
     }
-    bool empty() const { return count_ == 0; }
-
     void add(float key, std::uint32_t place) {
         const std::uint32_t at = class_of(key);
         classes_[at].places.push_back(place);
         classes_[at].sorted = false;
         lowest_ = std::min(lowest_, at);
-        ++count_;
     }
     /// The first, where its class comes before `end`; none: there is no such.
     std::uint32_t first(std::uint32_t end) {
@@ -46,10 +42,7 @@ public:
         at.sorted = true;
         return at.places.back();
     }
-    void drop_first() {
-        classes_[lowest_].places.pop_back();
-        --count_;
-    }
+    void drop_first() { classes_[lowest_].places.pop_back(); }
     std::size_t memory_bytes() const {
         std::size_t bytes = classes_.capacity() * sizeof(Class);
         for (const Class& each : classes_) bytes += each.places.capacity() * sizeof(std::uint32_t);
@@ -66,7 +59,6 @@ private:
 
     std::vector<Class> classes_;
     std::uint32_t lowest_ = class_count;  ///< no class below it holds any
-    std::size_t count_ = 0;
 };
 
 }  // namespace sightline

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/measure/recommend.h"
+
+#include <cmath>
+#include <vector>
+
+#include "core/measure/summary.h"
+
+namespace sightline {
+
+namespace {
+
+constexpr double nearly_all = 0.9;
+
+}  // namespace
+
+std::optional<std::size_t> recommend(std::span<const Offer> offers, double most_wrong) {
+    std::vector<Trade> trades;
+    for (const Offer& offer : offers) trades.push_back({offer.ms, offer.wrong});
+    std::optional<std::size_t> best;
+    const auto good = [&](std::size_t i) { return offers[i].wrong <= most_wrong; };
+    for (const std::size_t i : pareto_points(trades, Better::lower)) {  // by time, so with ever fewer wrong pixels
+        const bool equal = best && offers[i].ms == offers[*best].ms && offers[i].wrong == offers[*best].wrong;
+        if (!best || (!good(*best) && !equal) || (equal && offers[i].misses_nothing && !offers[*best].misses_nothing))
+            best = i;
+    }
+    return best;
+}
+
+bool nearly_all_is_visible(std::span<const double> drawn, std::span<const double> visible) {
+    for (std::size_t i = 0; i < drawn.size(); ++i)
+        if (!(visible[i] >= nearly_all * drawn[i])) return false;
+    return !drawn.empty();
+}
+
+}  // namespace sightline

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shell/desk/auto_choice.h"
+
+#include <cmath>
+#include <cstdlib>
+
+#include "core/base/error.h"
+#include "core/base/file.h"
+#include "core/base/json_input.h"
+#include "core/base/machine.h"
+#include "core/base/number.h"
+#include "core/base/stopwatch.h"
+#include "core/measure/recommend.h"
+#include "core/measure/trade_off.h"
+#include "core/scene/scene_view.h"
+#include "core/session/settings_table.h"
+#include "core/truth/software_ids.h"
+#include "shell/desk/change.h"
+
+namespace sightline {
+
+namespace {
+
+constexpr const char* file_format = "sightline-auto";
+constexpr std::uint64_t most_bytes = 1 << 20;
+constexpr std::size_t most_kept = 200, measured_frames = 4;
+/// What drawing counts where it cannot be timed.
+constexpr double guessed_ms = 0.001;
+
+/// An array of {key, …}; empty where the file is not there or not ours.
+Json read_choices(const std::filesystem::path& file) {
+    std::error_code error;
+    if (file.empty() || !std::filesystem::exists(file, error)) return Json::array();
+    try {
+        const Json root = parse_json(read_file(file, most_bytes), file.string());
+        if (root.is_object() && root.value("format", "") == file_format && root.contains("choices") &&
+            root["choices"].is_array())
+            return root["choices"];
+    } catch (const InputError&) {
+    } catch (const Json::exception&) {
+    }
+    return Json::array();
+}
+
+bool has_key(const Json& entry, const std::string& key) {
+    return entry.is_object() && entry.contains("key") && entry["key"] == key;
+}
+
+template <int D>
+std::vector<ViewSpec<D>> frames_to_measure(const Workbench<D>& bench) {
+    const auto& chosen = bench.flight.path.frames;
+    const auto& paths = bench.session.scene().paths;
+    const auto& all = !chosen.empty() || paths.empty() ? chosen : paths.front().frames;
+    if (all.empty()) return {bench.session.culling_view()};
+    std::vector<ViewSpec<D>> views;
+    for (const std::size_t frame : spread_frames(all.size(), measured_frames)) views.push_back(all[frame]);
+    return views;
+}
+
+template <int D>
+std::string path_name(const Workbench<D>& bench) {
+    if (!bench.flight.path.frames.empty()) return "path " + bench.flight.path.id;
+    const auto& paths = bench.session.scene().paths;
+    return paths.empty() ? "the view" : "path " + paths.front().id;
+}
+
+/// What the bench's methods offer on these cells; without those that need none where `cells_only`.
+template <int D>
+TradeOffTask<D> task_of(const Workbench<D>& bench, Tessellation tessellation, bool cells_only) {
+    const Session<D>& session = bench.session;
+    Settings settings = session.settings();
+    TradeOffTask<D> task{session.shared_scene(), session.shared_cells(), settings.reference_size, {}, {}};
+    if (settings.tessellation != tessellation) {
+        settings.tessellation = tessellation;
+        task.cells = std::make_shared<const CellComplex<D>>(build_cells(session.scene(), settings));
+    }
+    for (const ViewSpec<D>& view : frames_to_measure(bench))
+        task.views.push_back(scene_view(view, session.scene(), settings.reference_size));
+    for (const Method<D>& method : bench.methods)
+        if (method.compared && !method.needs.history && (!cells_only || method.orders_cells()))
+            task.variants.push_back(variant_of(method, settings.parameters, settings.parameters));
+    task.draw_ids = drawing_of(settings.reference, bench.graphics.draw_ids);
+    if (D == 3 && bench.graphics.time_drawing) task.time_drawing = bench.graphics.time_drawing(settings.reference_size);
+    return task;
+}
+
+template <int D>
+void add_offers(const TradeOffStudy<D>& study, Tessellation tessellation, std::vector<Offer>& offers) {
+    for (const TradeOffDot& dot : study.dots()) {
+        const Variant<D>& variant = study.task().variants[dot.variant];
+        double ms = study.value(dot, Measure::total_ms);
+        if (!study.task().time_drawing) ms += guessed_ms * study.value(dot, Measure::rendered);
+        offers.push_back({variant.text, tessellation, dot.budget, ms, study.value(dot, Measure::wrong),
+                          variant.method.promise_with(variant.parameters) != Misses::may});
+    }
+}
+
+/// Whether view culling draws little that is hidden in the frames that were measured.
+template <int D>
+bool little_is_hidden(const TradeOffStudy<D>& study) {
+    std::vector<double> drawn, visible;
+    for (const TradeOffDot& dot : study.dots()) {
+        if (study.task().variants[dot.variant].method.id != "view") continue;
+        for (const Values& frame : dot.frames) {
+            drawn.push_back(frame[Measure::rendered]);
+            visible.push_back(frame[Measure::visible]);
+        }
+    }
+    return nearly_all_is_visible(drawn, visible);
+}
+
+}  // namespace
+
+std::string auto_text(const AutoChoice& choice) {
+    std::string text = "auto: " + choice.method;
+    if (choice.tessellation != word(Tessellation::delaunay)) text += " on " + choice.tessellation + " cells";
+    if (choice.budget != "unlimited") text += " at " + choice.budget;
+    text += ", " + short_number(choice.ms) + " ms, " +
+            (choice.wrong == 0 ? std::string("nothing wrong")
+                               : short_number(100 * choice.wrong) + " % of the pixels wrong");
+    if (choice.all_visible) text += ", since nearly all that is in view is visible";
+    return text + "; measured " + choice.date;
+}
+
+std::filesystem::path auto_file() {
+    const auto folder = [](const char* variable) {
+        const char* const value = std::getenv(variable);
+        const std::filesystem::path path = value ? value : "";
+        return path.is_absolute() ? path : std::filesystem::path();
+    };
+    std::filesystem::path cache = folder("XDG_CACHE_HOME");
+    if (cache.empty() && !folder("HOME").empty()) cache = folder("HOME") / ".cache";
+    return cache.empty() ? cache : cache / "sightline" / "auto.json";
+}
+
+std::optional<AutoChoice> recall_auto(const std::filesystem::path& file, const std::string& key) {
+    for (const Json& entry : read_choices(file)) {
+        if (!has_key(entry, key)) continue;
+        try {
+            AutoChoice choice{entry.at("method"), entry.at("tessellation"), entry.at("budget"), entry.at("ms"),
+                              entry.at("wrong"),  entry.at("all_visible"),  entry.at("date")};
+            Settings checked;  // what an older program knew may be gone
+            apply_setting(checked, "tessellation=" + choice.tessellation);
+            apply_setting(checked, "budget=" + choice.budget);
+            return choice;
+        } catch (const Json::exception&) {
+        } catch (const InputError&) {
+        }
+    }
+    return std::nullopt;
+}
+
+void keep_auto(const std::filesystem::path& file, const std::string& key, const AutoChoice& choice) {
+    if (file.empty()) return;
+    Json kept = Json::array();
+    kept.push_back({{"key", key},
+                    {"method", choice.method},
+                    {"tessellation", choice.tessellation},
+                    {"budget", choice.budget},
+                    {"ms", choice.ms},
+                    {"wrong", choice.wrong},
+                    {"all_visible", choice.all_visible},
+                    {"date", choice.date}});
+    for (const Json& entry : read_choices(file))
+        if (!has_key(entry, key) && kept.size() < most_kept) kept.push_back(entry);
+    std::error_code error;
+    std::filesystem::create_directories(file.parent_path(), error);
+    if (error) throw WorkError("cannot make the folder " + file.parent_path().string() + ": " + error.message());
+    const Json root{{"format", file_format}, {"choices", kept}};
+    write_file(file, root.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+template <int D>
+std::string auto_key(const Workbench<D>& bench) {
+    const Session<D>& session = bench.session;
+    return hash_text(scene_hash(session.scene())) + ", " + path_name(bench) + ", " +
+           setting_row("reference_size").get(session.settings()) + ", error bound " +
+           number_text(session.settings().error_bound) + (bench.graphics.time_drawing ? ", drawn" : "") + ", " +
+           machine_text();
+}
+
+template <int D>
+AutoChoice measure_auto(const Workbench<D>& bench, double seconds) {
+    std::vector<Offer> offers;
+    const Stopwatch clock;
+    std::optional<std::size_t> of_view;
+    bool all_visible = false;
+    for (const Tessellation tessellation : {Tessellation::delaunay, Tessellation::tree}) {
+        const bool first = tessellation == Tessellation::delaunay;
+        TradeOffStudy<D> study(task_of(bench, tessellation, !first));
+        const double until = 1000 * seconds * (first ? 0.7 : 1);
+        while (clock.milliseconds() < until && study.advance())
+            report(bench.graphics.progress, "measuring methods",
+                   (first ? 0 : 0.7) +
+                       (first ? 0.7 : 0.3) * static_cast<double>(study.done()) / static_cast<double>(study.total()));
+        add_offers(study, tessellation, offers);
+        if (first) all_visible = little_is_hidden(study);
+    }
+    for (std::size_t i = 0; i < offers.size(); ++i)
+        if (offers[i].variant == "view" && !std::isnan(offers[i].ms)) of_view = i;
+    const std::optional<std::size_t> best = all_visible && of_view ? of_view : recommend(offers);
+    if (!best) throw WorkError("auto: nothing could be measured in " + short_number(seconds) + " s");
+    const Offer& offer = offers[*best];
+    return {offer.variant,
+            std::string(word(offer.tessellation)),
+            budget_text(offer.budget),
+            offer.ms,
+            offer.wrong,
+            all_visible && of_view,
+            today_text()};
+}
+
+template <int D>
+void choose_auto(Workbench<D>& bench, bool again, const std::function<void(Settings&)>& also) {
+    const std::string key = auto_key(bench);
+    std::optional<AutoChoice> choice = again ? std::nullopt : recall_auto(bench.auto_file, key);
+    if (choice) try {
+            make_variant<D>(bench.methods, choice->method);
+        } catch (const InputError&) {
+            choice.reset();  // of another program
+        }
+    if (!choice) {
+        choice = measure_auto(bench);
+        keep_auto(bench.auto_file, key, *choice);
+    }
+    Settings settings = bench.session.settings();
+    settings.method = choice->method;
+    apply_setting(settings, "tessellation=" + choice->tessellation);
+    apply_setting(settings, "budget=" + choice->budget);
+    if (also) also(settings);
+    change_settings(bench, settings);
+    bench.say(auto_text(*choice));
+}
+
+#define SIGHTLINE_INSTANTIATE(D)                                      \
+    template std::string auto_key<D>(const Workbench<D>&);            \
+    template AutoChoice measure_auto<D>(const Workbench<D>&, double); \
+    template void choose_auto<D>(Workbench<D>&, bool, const std::function<void(Settings&)>&);
+SIGHTLINE_INSTANTIATE(2)
+SIGHTLINE_INSTANTIATE(3)
+#undef SIGHTLINE_INSTANTIATE
+
+}  // namespace sightline

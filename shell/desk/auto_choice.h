@@ -1,0 +1,54 @@
+// `auto`: the method, cells and budget that the trade-off of this scene on this machine recommends, measured once and
+// remembered.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "shell/desk/workbench.h"
+
+namespace sightline {
+
+struct AutoChoice {
+    std::string method;                ///< a variant
+    std::string tessellation, budget;  ///< as settings have them
+    double ms = 0;                     ///< per frame, as it was measured
+    double wrong = 0;                  ///< share of pixels
+    bool all_visible = false;          ///< view culling, since little is hidden
+    std::string date;                  ///< YYYY-MM-DD
+
+    bool operator==(const AutoChoice&) const = default;
+};
+
+/// "auto: hzb, 3.6 ms, nothing wrong; measured 2026-11-29"
+std::string auto_text(const AutoChoice& choice);
+
+/// auto.json in sightline's folder under $XDG_CACHE_HOME or ~/.cache; empty where neither is known.
+std::filesystem::path auto_file();
+
+/// What is remembered under the key; nothing where there is nothing, or the file is damaged: it is a cache.
+std::optional<AutoChoice> recall_auto(const std::filesystem::path& file, const std::string& key);
+/// Remembers it, with what is remembered under the last other keys, and makes the folder. An empty file: does nothing.
+/// Throws WorkError.
+void keep_auto(const std::filesystem::path& file, const std::string& key, const AutoChoice& choice);
+
+/// Scene, path, reference size, cells and machine in one line: what a measurement is for.
+template <int D>
+std::string auto_key(const Workbench<D>& bench);
+
+/// Measures the methods of the bench on Delaunay and tree cells at the usual budgets, on four frames of the chosen
+/// path, else of the scene's first, else in the view at hand; what is not done after `seconds` is left out. A frame's
+/// time is that of traversal, upload and drawing; where nothing is drawn that can be timed, a millisecond for 1000
+/// primitives. Throws WorkError where nothing could be measured.
+template <int D>
+AutoChoice measure_auto(const Workbench<D>& bench, double seconds = 20);
+
+/// Takes what is remembered, or measures it (`again`: in any case) and remembers it; says it, and sets method, cells
+/// and budget in one change. `also` may set other values over them. Throws as measure_auto.
+template <int D>
+void choose_auto(Workbench<D>& bench, bool again, const std::function<void(Settings&)>& also = {});
+
+}  // namespace sightline

@@ -1,0 +1,64 @@
+// Which of the offers is taken, against a search through all of them.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/measure/recommend.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "core/base/random.h"
+
+namespace sightline {
+namespace {
+
+Offer offer(double ms, double wrong, bool misses_nothing = false) {
+    return {"layers", Tessellation::delaunay, {}, ms, wrong, misses_nothing};
+}
+
+TEST(Recommend, TheFastestThatIsRightEnoughElseTheRightest) {
+    Random random(3);
+    std::size_t right = 0;
+    for (int round = 0; round < 500; ++round) {
+        std::vector<Offer> offers;
+        for (std::uint32_t i = random.below(12); i > 0; --i) {
+            const double ms = random.below(20) == 0 ? std::nan("") : 1 + random.below(9);
+            offers.push_back(offer(ms, 0.0005 * random.below(round % 2 ? 4 : 40), random.below(2) == 0));
+        }
+        const auto found = recommend(offers);
+        bool any_right = false, any = false;
+        for (const Offer& o : offers) {
+            any |= !std::isnan(o.ms);
+            any_right |= !std::isnan(o.ms) && o.wrong <= unseen_wrong;
+        }
+        ASSERT_EQ(found.has_value(), any);
+        if (!any) continue;
+        right += any_right;
+        const Offer& taken = offers[*found];
+        for (const Offer& o : offers) {
+            if (std::isnan(o.ms)) continue;
+            if (any_right) {
+                EXPECT_LE(taken.wrong, unseen_wrong);
+                EXPECT_FALSE(o.wrong <= unseen_wrong && o.ms < taken.ms);
+                EXPECT_FALSE(o.ms == taken.ms && o.wrong < taken.wrong);
+            } else {
+                EXPECT_LE(taken.wrong, o.wrong);
+                EXPECT_FALSE(o.wrong == taken.wrong && o.ms < taken.ms);
+            }
+            EXPECT_FALSE(o.ms == taken.ms && o.wrong == taken.wrong && o.misses_nothing && !taken.misses_nothing);
+        }
+    }
+    EXPECT_GT(right, 100u);
+    EXPECT_LT(right, 450u);
+}
+
+TEST(Recommend, ViewCullingWhereNearlyAllIsVisible) {
+    const double drawn[] = {100, 200}, most[] = {90, 190}, some[] = {95, 100}, unknown[] = {95, std::nan("")};
+    EXPECT_TRUE(nearly_all_is_visible(drawn, most));
+    EXPECT_FALSE(nearly_all_is_visible(drawn, some)) << "in each frame";
+    EXPECT_FALSE(nearly_all_is_visible(drawn, unknown));
+    EXPECT_FALSE(nearly_all_is_visible({}, {})) << "nothing was measured";
+}
+
+}  // namespace
+}  // namespace sightline
