@@ -24,7 +24,7 @@ std::vector<float> largest_sizes(const Scene<D>& scene, const BoxTree<D>& tree) 
         }
         for (const std::uint32_t primitive : tree.primitives_of(static_cast<std::uint32_t>(node)))
             largest[node] =
-                std::max(largest[node], static_cast<float>(size_of(scene.primitives[primitive])));
+                std::max(largest[node], static_cast<float>(primitive_size(scene.primitives[primitive])));
     }
     return largest;
 }

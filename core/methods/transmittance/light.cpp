@@ -35,7 +35,7 @@ double usual_size_of(const Scene<D>& scene) {
     if (scene.primitives.empty()) return 1;
     std::vector<double> sizes;
     sizes.reserve(scene.primitives.size());
-    for (const Primitive<D>& primitive : scene.primitives) sizes.push_back(size_of(primitive));
+    for (const Primitive<D>& primitive : scene.primitives) sizes.push_back(primitive_size(primitive));
     const auto at = sizes.begin() + static_cast<std::ptrdiff_t>((sizes.size() - 1) * 9 / 10);
     std::nth_element(sizes.begin(), at, sizes.end());
     return *at > 0 ? *at : 1;
@@ -43,8 +43,8 @@ double usual_size_of(const Scene<D>& scene) {
 
 }  // namespace
 
-double size_of(const Primitive<2>& segment) { return glm::length(segment[1] - segment[0]); }
-double size_of(const Primitive<3>& triangle) {
+double primitive_size(const Primitive<2>& segment) { return glm::length(segment[1] - segment[0]); }
+double primitive_size(const Primitive<3>& triangle) {
     return std::sqrt(0.5 * glm::length(glm::cross(triangle[1] - triangle[0], triangle[2] - triangle[0])));
 }
 

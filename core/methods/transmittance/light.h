@@ -39,8 +39,8 @@ template <int D>
 std::shared_ptr<const CellLight<D>> cell_light(const Problem<D>& problem);
 
 /// The size of a primitive: square root of its area, 2D: its length.
-double size_of(const Primitive<2>& segment);
-double size_of(const Primitive<3>& triangle);
+double primitive_size(const Primitive<2>& segment);
+double primitive_size(const Primitive<3>& triangle);
 
 /// The angle that a facet fills for an eye at `eye` (relative, as LitFacet), for a small one: radians, 3D: steradians;
 /// 0 where it does not turn its outer side to the eye.
