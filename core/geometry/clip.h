@@ -11,13 +11,13 @@
 
 namespace sightline {
 
-/// The points p with dot(normal, p) >= offset.
+/// What lies on the side of a plane to which its normal points. By a point of it, not by its distance from the origin,
+/// so that a scene far from the origin loses no more digits than its coordinates.
 template <int D>
 struct HalfSpace {
-    Vec<D> normal{};
-    double offset = 0;
+    Vec<D> normal{}, on{};
     /// Positive inside; in lengths of the normal.
-    double at(const Vec<D>& p) const { return glm::dot(normal, p) - offset; }
+    double at(const Vec<D>& p) const { return glm::dot(normal, p - on); }
 };
 
 /// A box, a triangle or a tetrahedron as what its sides have in common.
@@ -34,7 +34,7 @@ public:
         }
     }
     /// At most six.
-    void add(const Vec<D>& normal, const Vec<D>& on) { sides_[count_++] = {normal, glm::dot(normal, on)}; }
+    void add(const Vec<D>& normal, const Vec<D>& on) { sides_[count_++] = {normal, on}; }
     std::span<const HalfSpace<D>> all() const { return std::span(sides_).first(count_); }
 
 private:

@@ -12,7 +12,7 @@ namespace sightline {
 struct ExtinctionTerms {
     double handed_on = 0;  ///< the key of the cell just projected: the depth from the eye to it
     double depth = 0;      ///< of that cell along its mean chord (CellExtinction)
-    double way = 0;        ///< length of the eye ray in it, over its mean chord
+    double way = 0;        ///< length of the eye ray in it, over its mean chord; 0 where it does not leave it there
     double key = 0;
 };
 
@@ -34,7 +34,10 @@ public:
         ExtinctionTerms t;
         t.handed_on = key_a;
         t.depth = cells_->depth[a];
-        if (t.depth > 0)
+        // Exact: a ray that enters the cell there has no way in it, and a rounded length would break ties at random. A
+        // contact has no side.
+        if (t.depth > 0 &&
+            (problem.cells->is_contact(half.facet()) || facet_side(*problem.cells, half, problem.view.eye) > 0))
             t.way = length_in_cell(*problem.cells, a, problem.view.eye, facet_geometry(*problem.cells, half).centroid) /
                     cells_->chord[a];
         t.key = t.handed_on + t.depth * t.way;
