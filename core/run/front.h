@@ -2,14 +2,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace sightline {
 
-/// A heap with four children a node. An item that gets a new key is pushed again; the entry it leaves behind is known
-/// by its outdated stamp and dropped when it surfaces (stamps are never given twice). The papers use a std::set and
-/// erase (TVCG 4.2): same order, more memory traffic.
+/// A heap with four children a node, and beside it two queues for keys that many items share: whole numbers, such as
+/// layers and the solidity 0 of a flood, which come in the order of their stamps and so need no heap. An item that gets
+/// a new key is pushed again; the entry it leaves behind is known by its outdated stamp and dropped when it surfaces
+/// (stamps are never given twice). The papers use a std::set and erase (TVCG 4.2): same order, more memory traffic.
 class Front {
 public:
     struct Entry {
@@ -19,9 +22,15 @@ public:
         bool before(const Entry& other) const { return key < other.key || (key == other.key && stamp < other.stamp); }
     };
 
-    void clear() { heap_.clear(); }
+    void clear() {
+        heap_.clear();
+        for (Queue& queue : queues_) queue.clear();
+    }
 
     void push(const Entry& entry) {
+        if (is_whole(entry.key))
+            for (Queue& queue : queues_)
+                if (queue.accepts(entry)) return queue.entries.push_back(entry);
         std::size_t hole = heap_.size();
         heap_.push_back(entry);
         while (hole > 0 && entry.before(heap_[(hole - 1) / 4])) {
@@ -34,14 +43,66 @@ public:
     /// The lowest entry for which is_current holds, or nullptr; drops those before it that are outdated.
     template <typename IsCurrent>
     const Entry* top(IsCurrent is_current) {
-        while (!heap_.empty() && !is_current(heap_.front())) pop();
+        for (;;) {
+            const Entry* const first = lowest();
+            if (!first || is_current(*first)) return first;
+            pop();
+        }
+    }
+
+    /// A guess at what comes so many items after the first, outdated or not; `otherwise` where nothing is known.
+    std::uint32_t likely_next(std::size_t after, std::uint32_t otherwise) const {
+        const Queue* const queue = queue_of_lowest();
+        const std::vector<Entry>& entries = queue ? queue->entries : heap_;
+        const std::size_t place = queue ? queue->head + after : after;
+        return place < entries.size() ? entries[place].id : otherwise;
+    }
+
+    void pop() {
+        if (Queue* const queue = queue_of_lowest())
+            queue->pop();
+        else
+            pop_heap();
+    }
+
+private:
+    /// Entries of one key, by stamp.
+    struct Queue {
+        std::vector<Entry> entries;
+        std::size_t head = 0;
+
+        bool empty() const { return head == entries.size(); }
+        const Entry& first() const { return entries[head]; }
+        bool accepts(const Entry& entry) const {
+            return empty() || (entries.back().key == entry.key && entries.back().stamp < entry.stamp);
+        }
+        void clear() {
+            entries.clear();
+            head = 0;
+        }
+        void pop() {
+            if (++head == entries.size()) clear();
+        }
+    };
+
+    static bool is_whole(double key) {
+        return key >= 0 && key < 1e9 && static_cast<double>(static_cast<std::int32_t>(key)) == key;
+    }
+
+    /// nullptr: the heap has it, or all is empty.
+    const Queue* queue_of_lowest() const {
+        const Queue* found = nullptr;
+        for (const Queue& queue : queues_)
+            if (!queue.empty() && (!found || queue.first().before(found->first()))) found = &queue;
+        return found && (heap_.empty() || found->first().before(heap_.front())) ? found : nullptr;
+    }
+    Queue* queue_of_lowest() { return const_cast<Queue*>(std::as_const(*this).queue_of_lowest()); }
+    const Entry* lowest() const {
+        if (const Queue* const queue = queue_of_lowest()) return &queue->first();
         return heap_.empty() ? nullptr : &heap_.front();
     }
 
-    /// The item at the top, outdated or not; `otherwise` when the heap is empty. A guess at what comes next.
-    std::uint32_t likely_next(std::uint32_t otherwise) const { return heap_.empty() ? otherwise : heap_.front().id; }
-
-    void pop() {
+    void pop_heap() {
         const Entry last = heap_.back();
         heap_.pop_back();
         const std::size_t size = heap_.size();
@@ -61,8 +122,8 @@ public:
         heap_[hole] = last;
     }
 
-private:
     std::vector<Entry> heap_;
+    std::array<Queue, 2> queues_;
 };
 
 }  // namespace sightline

@@ -108,7 +108,7 @@ void set_cell_primitives(CellComplex<D>& cells, std::span<const CellPrimitive> p
     cells.cell_primitives.resize(pairs.size());
     std::vector<std::uint32_t> end(begin.begin(), begin.end() - 1);
     for (const CellPrimitive& pair : pairs) cells.cell_primitives[end[pair.cell]++] = pair.primitive;
-    cells.triangles = std::make_shared<const LazyCellTriangles>();
+    cells.copies = std::make_shared<const typename CellComplex<D>::Copies>();
     set_solidity_scales(cells);
 }
 
