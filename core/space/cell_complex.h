@@ -11,7 +11,7 @@
 #include "core/geometry/predicates.h"
 #include "core/space/box_tree.h"
 #include "core/space/cell_rows.h"
-#include "core/space/cell_triangles.h"
+#include "core/space/centroid_groups.h"
 #include "core/space/tessellation.h"
 #include "core/space/tree.h"
 
@@ -50,6 +50,7 @@ struct CellComplex {
     struct Copies {
         Lazy<CellTriangles> triangles;    ///< 3D: of that scene, in the order of cell_primitives
         Lazy<std::vector<CellRow>> rows;  ///< 3D
+        Lazy<CentroidGroups<D>> groups;   ///< of that scene
     };
     std::shared_ptr<const Copies> copies = std::make_shared<const Copies>();
     /// Whatever else methods make once for that scene.
@@ -113,6 +114,10 @@ inline std::array<Vec<2>, 2> facet_ends(const CellComplex<2>& cells, const HalfF
 
 inline const CellTriangles& triangles_of(const CellComplex<3>& cells, const Scene<3>& scene) {
     return cells.copies->triangles.of([&] { return CellTriangles(scene, cells.cell_primitives); });
+}
+template <int D>
+const CentroidGroups<D>& centroid_groups_of(const CellComplex<D>& cells, const Scene<D>& scene) {
+    return cells.copies->groups.of([&] { return centroid_groups<D>(scene); });
 }
 inline const std::vector<CellRow>& rows_of(const CellComplex<3>& cells) {
     return cells.copies->rows.of([&] { return cell_rows(cells); });
