@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/raster/workers.h"
+#include "core/base/workers.h"
 
 #if SIGHTLINE_THREADS
 #include <tbb/info.h>
@@ -13,7 +13,11 @@ namespace sightline {
 void run_parts(int count, int threads, const std::function<void(int)>& part) {
 #if SIGHTLINE_THREADS
     if (threads != 1 && count > 1) {
-        const auto all = [&] { tbb::parallel_for(0, count, part, tbb::simple_partitioner()); };
+        // Isolated: a thread that waits for the last part must not begin another task, which may want what this one
+        // holds.
+        const auto all = [&] {
+            tbb::this_task_arena::isolate([&] { tbb::parallel_for(0, count, part, tbb::simple_partitioner()); });
+        };
         // An arena of its own wakes its threads anew each time, which takes longer than most tasks here.
         if (threads > 0 && threads < tbb::info::default_concurrency())
             tbb::task_arena(threads).execute(all);
