@@ -62,7 +62,7 @@ public:
     explicit CellContents(const Problem<3>& problem) {
         const CellTriangles& triangles = triangles_of(*problem.cells, *problem.scene);
         triangles_ = triangles.rows().data();
-        if (!problem.cells->has_boxes()) rows_ = rows_of(*problem.cells).data();
+        if (!problem.cells->has_boxes()) rows_ = cell_rows_of(*problem.cells).data();
         filter_ = ShownFilter(problem.view, triangles);
     }
 
@@ -141,8 +141,8 @@ private:
                   Counters& counters) const {
         const std::uint32_t primitive = held.primitive();
         if (drawn.has(primitive)) return true;
-        const Shown shown = filter_.of(held);
-        const bool culled = shown == Shown::no || (shown == Shown::unsure && !shows(problem, primitive));
+        const Showing shown = filter_.of(held);
+        const bool culled = shown == Showing::no || (shown == Showing::unsure && !shows(problem, primitive));
         return add_met(problem.budget, culled_costs, {primitive, culled}, drawn, counters);
     }
 

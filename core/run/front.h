@@ -7,12 +7,15 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/index.h"
+
 namespace sightline {
 
-/// A heap with four children a node, and beside it two queues for keys that many items share: whole numbers, such as
-/// layers and the solidity 0 of a flood, which come in the order of their stamps and so need no heap. An item that gets
-/// a new key is pushed again; the entry it leaves behind is known by its outdated stamp and dropped when it surfaces
-/// (stamps are never given twice). The papers use a std::set and erase (TVCG 4.2): same order, more memory traffic.
+/// A heap with four children a node, in which an item that gets a new key is moved; and beside it two queues for keys
+/// that many items share: whole numbers, such as layers and the solidity 0 of a flood, which come in the order of their
+/// stamps and so need no heap. Where an item moves to or from a queue, the entry that it leaves behind is known by its
+/// outdated stamp and dropped when it surfaces (stamps are never given twice). The papers use a std::set and erase
+/// (TVCG 4.2): same order, more memory traffic.
 class Front {
 public:
     struct Entry {
@@ -23,6 +26,7 @@ public:
     };
 
     void clear() {
+        for (const Entry& entry : heap_) places_[entry.id] = none;
         heap_.clear();
         for (Queue& queue : queues_) queue.clear();
     }
@@ -31,13 +35,16 @@ public:
         if (is_whole(entry.key))
             for (Queue& queue : queues_)
                 if (queue.accepts(entry)) return queue.entries.push_back(entry);
-        std::size_t hole = heap_.size();
-        heap_.push_back(entry);
-        while (hole > 0 && entry.before(heap_[(hole - 1) / 4])) {
-            heap_[hole] = heap_[(hole - 1) / 4];
-            hole = (hole - 1) / 4;
+        if (entry.id >= places_.size()) places_.resize(entry.id + entry.id / 2 + 64, none);
+        const std::uint32_t place = places_[entry.id];
+        if (place == none) {
+            heap_.push_back(entry);
+            rise(heap_.size() - 1, entry);
+        } else if (entry.before(heap_[place])) {
+            rise(place, entry);
+        } else {
+            sink(place, entry);
         }
-        heap_[hole] = entry;
     }
 
     /// The lowest entry for which is_current holds, or nullptr; drops those before it that are outdated.
@@ -102,12 +109,18 @@ private:
         return heap_.empty() ? nullptr : &heap_.front();
     }
 
-    void pop_heap() {
-        const Entry last = heap_.back();
-        heap_.pop_back();
+    void put(std::size_t place, const Entry& entry) {
+        heap_[place] = entry;
+        places_[entry.id] = static_cast<std::uint32_t>(place);
+    }
+    /// The entry goes to a hole in the heap, or above it.
+    void rise(std::size_t hole, const Entry entry) {
+        for (; hole > 0 && entry.before(heap_[(hole - 1) / 4]); hole = (hole - 1) / 4) put(hole, heap_[(hole - 1) / 4]);
+        put(hole, entry);
+    }
+    /// Or below it.
+    void sink(std::size_t hole, const Entry entry) {
         const std::size_t size = heap_.size();
-        if (size == 0) return;
-        std::size_t hole = 0;
         for (;;) {
             const std::size_t first = 4 * hole + 1;
             if (first >= size) break;
@@ -115,14 +128,21 @@ private:
             const std::size_t end = first + 4 < size ? first + 4 : size;
             for (std::size_t child = first + 1; child < end; ++child)
                 if (heap_[child].before(heap_[least])) least = child;
-            if (!heap_[least].before(last)) break;
-            heap_[hole] = heap_[least];
+            if (!heap_[least].before(entry)) break;
+            put(hole, heap_[least]);
             hole = least;
         }
-        heap_[hole] = last;
+        put(hole, entry);
+    }
+    void pop_heap() {
+        places_[heap_.front().id] = none;
+        const Entry last = heap_.back();
+        heap_.pop_back();
+        if (!heap_.empty()) sink(0, last);
     }
 
     std::vector<Entry> heap_;
+    std::vector<std::uint32_t> places_;  ///< of items in the heap; none
     std::array<Queue, 2> queues_;
 };
 

@@ -49,7 +49,7 @@ struct CellComplex {
     /// Copies of what runs read most, side by side in the order in which they do. Made anew with set_cell_primitives().
     struct Copies {
         Lazy<CellTriangles> triangles;    ///< 3D: of that scene, in the order of cell_primitives
-        Lazy<std::vector<CellRow>> rows;  ///< 3D
+        Lazy<LargeVector<CellRow>> rows;  ///< 3D
         Lazy<CentroidGroups<D>> groups;   ///< of that scene
     };
     std::shared_ptr<const Copies> copies = std::make_shared<const Copies>();
@@ -119,7 +119,7 @@ template <int D>
 const CentroidGroups<D>& centroid_groups_of(const CellComplex<D>& cells, const Scene<D>& scene) {
     return cells.copies->groups.of([&] { return centroid_groups<D>(scene); });
 }
-inline const std::vector<CellRow>& rows_of(const CellComplex<3>& cells) {
+inline const LargeVector<CellRow>& cell_rows_of(const CellComplex<3>& cells) {
     return cells.copies->rows.of([&] { return cell_rows(cells); });
 }
 

@@ -50,7 +50,7 @@ public:
 private:
     static constexpr int plane_bits = 4;
     static constexpr std::uint32_t last_epoch = (1u << (32 - plane_bits)) - 1;
-    std::vector<std::uint32_t> points_;  ///< epoch * 16 + planes that it lies beyond
+    LargeVector<std::uint32_t> points_;  ///< epoch * 16 + planes that it lies beyond
     std::uint32_t epoch_ = 0;
 };
 

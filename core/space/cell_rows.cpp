@@ -7,8 +7,8 @@
 
 namespace sightline {
 
-std::vector<CellRow> cell_rows(const CellComplex<3>& cells) {
-    std::vector<CellRow> rows(cells.has_boxes() ? 0 : cells.cell_count());
+LargeVector<CellRow> cell_rows(const CellComplex<3>& cells) {
+    LargeVector<CellRow> rows(cells.has_boxes() ? 0 : cells.cell_count());
     for (std::uint32_t cell = 0; cell < rows.size(); ++cell) {
         CellRow& row = rows[cell];
         std::ranges::copy(cells.corners_of(cell), row.corners.begin());

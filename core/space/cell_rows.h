@@ -3,10 +3,9 @@
 #pragma once
 
 #include <array>
-#include <span>
-#include <vector>
 
 #include "core/base/index.h"
+#include "core/base/large_pages.h"
 
 namespace sightline {
 
@@ -32,6 +31,6 @@ struct alignas(64) CellRow {
 static_assert(sizeof(CellRow) == 64);
 
 /// Those of all cells; none where they are no tetrahedra.
-std::vector<CellRow> cell_rows(const CellComplex<3>& cells);
+LargeVector<CellRow> cell_rows(const CellComplex<3>& cells);
 
 }  // namespace sightline

@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "core/base/large_pages.h"
 #include "core/scene/scene.h"
 #include "core/scene/view.h"
 
@@ -46,11 +47,11 @@ private:
 
     Vec<3> origin_{0};
     double reach_ = 0;
-    std::vector<CellTriangle> rows_{padding};
+    LargeVector<CellTriangle> rows_{padding};
 };
 
 /// What floats say of whether a view shows a triangle.
-enum class Shown : std::uint8_t { no, unsure, yes };
+enum class Showing : std::uint8_t { no, unsure, yes };
 
 /// A view in floats. `no` and `yes` are what faces(), two-sidedness and in_view() say for sure; unsure is what lies too
 /// close to edge-on for floats, or across the border of the view.
@@ -59,7 +60,7 @@ public:
     ShownFilter() = default;
     ShownFilter(const View<3>& view, const CellTriangles& triangles);
 
-    Shown of(const CellTriangle& t) const {
+    Showing of(const CellTriangle& t) const {
         const std::array<CellTriangle, 4> four{t, t, t, t};
         return of_four(four.data()).at(0);
     }
@@ -67,7 +68,9 @@ public:
     /// Of four, bit i for the i-th; with neither: unsure.
     struct Four {
         int no = 0, yes = 0;
-        Shown at(std::size_t i) const { return no >> i & 1 ? Shown::no : yes >> i & 1 ? Shown::yes : Shown::unsure; }
+        Showing at(std::size_t i) const {
+            return no >> i & 1 ? Showing::no : yes >> i & 1 ? Showing::yes : Showing::unsure;
+        }
     };
     Four of_four(const CellTriangle* t) const {
         __m128 x = _mm_loadu_ps(&t[0].centroid[0]), y = _mm_loadu_ps(&t[1].centroid[0]),

@@ -19,8 +19,8 @@ Vec<D> centroid(const Primitive<D>& primitive) {
 template <int D>
 struct CentroidGroups {
     static constexpr std::uint32_t group_size = 64;
-    std::vector<std::uint32_t> primitives;  ///< at each place
-    std::vector<Vec<D>> centroids;
+    LargeVector<std::uint32_t> primitives;  ///< at each place
+    LargeVector<Vec<D>> centroids;
     std::vector<Box<D>> boxes;  ///< of the centroids of each group
     CellTriangles triangles;    ///< 3D, at each place
 

@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "tests/run/run_support.h"
-#include "tests/scene/soup_scenes.h"
 #include "tests/soak.h"
+#include "tests/space/random_cells.h"
 
 namespace sightline::test {
 namespace {
@@ -28,7 +28,7 @@ void expect_sorted(const Scene<3>& scene, const View<3>& view) {
     for (int again = 0; again < 2; ++again) {
         nearest.begin(problem);
         std::vector<std::uint32_t> order;
-        std::vector<Shown> shown;
+        std::vector<Showing> shown;
         NearestFirst<3> copy;
         std::vector<std::uint32_t> of_copy;
         std::size_t before = 0;
@@ -44,32 +44,45 @@ void expect_sorted(const Scene<3>& scene, const View<3>& view) {
         ASSERT_EQ(of_copy, order);
         for (std::size_t i = 0; i < order.size(); ++i) {
             ASSERT_EQ(order[i], keys[i].second) << i;
-            if (shown[i] != Shown::unsure) {
-                ASSERT_EQ(shown[i] == Shown::yes, shows(problem, order[i]));
+            if (shown[i] != Showing::unsure) {
+                ASSERT_EQ(shown[i] == Showing::yes, shows(problem, order[i]));
             }
         }
     }
 }
 
+/// About the middle of the unit cube, every third seen from both sides.
+Scene<3> mixed_scene(Random& random, std::size_t count) {
+    Scene<3> scene;
+    scene.primitives = random_triangles(random, count);
+    for (std::size_t i = 0; i < count; ++i) scene.two_sided.push_back(i % 3 == 0);
+    return scene;
+}
+
 TEST(NearestFirst, IsASortOfAll) {
     for (int seed = 1; seed <= soak_count(40); ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
-        Scene<3> scene = seed % 2 ? soup(1 + random.below(9000), {0, 0, 0}, 1, random.bits())
-                                  : coplanar(1 + random.below(3000), random.bits());
+        Scene<3> scene = mixed_scene(random, 1 + random.below(9000));
+        if (seed % 2 == 0)  // in one plane
+            for (auto& t : scene.primitives)
+                for (auto& corner : t) corner.z = 0.5;
         if (seed % 3 == 0)  // many at the same distance
             for (auto& t : scene.primitives) t = scene.primitives[random.below(1 + scene.primitives.size() / 50)];
         if (seed % 5 == 0)  // most of them together, and one far away
             for (auto& corner : scene.primitives[0]) corner += Vec<3>(1e6, 0, 0);
         ViewSpec<3> spec;
-        spec.eye = around(random, {0, 0, 0}, seed % 4 ? 2 : 300);
-        spec.look_at = around(random, {0, 0, 0}, 1);
+        for (int i = 0; i < 3; ++i) {
+            spec.eye[i] = random.uniform(-1, 2) * (seed % 4 ? 1 : 300);
+            spec.look_at[i] = random.unit();
+        }
         expect_sorted(scene, make_view(spec, 4.0 / 3));
     }
 }
 
 TEST(NearestFirst, AlsoWhereSquaresLeaveTheRangeOfDoubles) {
     for (const double scale : {1e-100, 1e120}) {
-        Scene<3> scene = soup(3000, {0, 0, 0}, 1, 5);
+        Random random(5);
+        Scene<3> scene = mixed_scene(random, 3000);
         for (auto& t : scene.primitives)
             for (auto& corner : t) corner *= scale;
         scene.primitives[7][0] = Vec<3>(scale > 1 ? 1e155 : 1, 0, 0);

@@ -17,7 +17,7 @@ TEST(CellRows, KnowTheCornersBehindEachFacet) {
     Random random(3);
     for (int i = 0; i < soak_count(30); ++i) {
         const CellComplex<3> cells = random_cells(random);
-        const std::vector<CellRow> rows = cell_rows(cells);
+        const auto rows = cell_rows(cells);
         if (cells.has_boxes()) {
             EXPECT_TRUE(rows.empty());
             continue;

@@ -79,7 +79,7 @@ void NearestFirst<D>::open(std::uint32_t group) {
 }
 
 template <int D>
-bool NearestFirst<D>::extend(std::vector<std::uint32_t>& order, std::vector<Shown>& shown) {
+bool NearestFirst<D>::extend(std::vector<std::uint32_t>& order, std::vector<Showing>& shown) {
     const std::size_t before = order.size();
     for (; shell_ < shell_count_ && order.size() == before; ++shell_) {
         for (std::uint32_t i = group_begin_[shell_]; i < group_begin_[shell_ + 1]; ++i) open(by_shell_[i]);

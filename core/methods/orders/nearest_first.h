@@ -16,7 +16,7 @@ public:
 
     /// Appends the next ones to the order, by the squared distance of their centroids from the eye and then by number,
     /// and what is known of each: whether the view shows it. False: all are in it.
-    bool extend(std::vector<std::uint32_t>& order, std::vector<Shown>& shown);
+    bool extend(std::vector<std::uint32_t>& order, std::vector<Showing>& shown);
 
     std::size_t memory_bytes() const;
 
@@ -24,7 +24,7 @@ private:
     struct Entry {
         double distance2;
         std::uint32_t primitive;
-        Shown shown;
+        Showing shown;
         bool before(const Entry& other) const {
             return distance2 < other.distance2 || (distance2 == other.distance2 && primitive < other.primitive);
         }

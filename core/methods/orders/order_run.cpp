@@ -36,7 +36,7 @@ bool OrderRun<D>::meet_next() {
     while (offset >= primitives_.size()) nearest_.extend(primitives_, shown_);
     const std::uint32_t primitive = primitives_[offset];
     const bool culled =
-        shown_[offset] == Shown::no || (shown_[offset] == Shown::unsure && !shows(this->problem_, primitive));
+        shown_[offset] == Showing::no || (shown_[offset] == Showing::unsure && !shows(this->problem_, primitive));
     return add_met(this->problem_.budget, this->culled_costs_, {primitive, culled}, this->drawn_, this->counters_);
 }
 

@@ -51,7 +51,7 @@ private:
     std::vector<std::uint32_t> primitives_;  ///< the order, as far as it is known
     std::uint32_t count_ = 0;                ///< of the whole order
     NearestFirst<D> nearest_;                ///< goes on with the order
-    std::vector<Shown> shown_;               ///< of those in it, where it is `nearest_` that tells
+    std::vector<Showing> shown_;             ///< of those in it, where it is `nearest_` that tells
 };
 
 extern template class OrderRun<2>;
