@@ -8,7 +8,7 @@
 #include "core/base/error.h"
 #include "core/base/image_size.h"
 #include "core/raster/snap_primitives.h"
-#include "core/raster/workers.h"
+#include "core/base/workers.h"
 
 namespace sightline {
 

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "core/raster/seen_shape.h"
-#include "core/raster/workers.h"
+#include "core/base/workers.h"
 
 namespace sightline {
 

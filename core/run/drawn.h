@@ -74,6 +74,40 @@ public:
         met_.resize(count);
         met_.push_back(met);
     }
+    /// What is appended to the list, one after the other, until end().
+    class Tail {
+    public:
+        /// Whether it was not in the list; from now on it counts as if it were.
+        bool put(std::uint32_t primitive) {
+            std::uint64_t& word = words_[primitive / 64];
+            const bool fresh = !(word >> primitive % 64 & 1);
+            word |= bit(primitive);
+            return fresh;
+        }
+        void append_if(bool appended, Met met) {
+            *next_ = met;
+            next_ += appended;
+        }
+
+    private:
+        friend Drawn;
+        std::uint64_t* words_;
+        Met* next_;
+    };
+    /// Appends behind the first `count`, at most `more`.
+    Tail tail(std::uint32_t count, std::uint32_t more) {
+        met_.resize(std::size_t{count} + more + 1);
+        Tail tail;
+        tail.words_ = words_.data();
+        tail.next_ = met_.data() + count;
+        return tail;
+    }
+    /// How many are in the list.
+    std::uint32_t end(const Tail& tail) {
+        met_.resize(static_cast<std::size_t>(tail.next_ - met_.data()));
+        return static_cast<std::uint32_t>(met_.size());
+    }
+
     /// Several that are not in it, none of them culled.
     void add_all(std::uint32_t count, std::span<const std::uint32_t> primitives) {
         met_.resize(count);

@@ -36,8 +36,9 @@ struct DrawnFrames {
 void note_frame(DrawnFrames& frames, std::uint32_t rendered, double ms);
 
 /// The line above which none of the last frames lies, so that 19 of 20 stay within a budget; one that lies a quarter of
-/// the budget above all others was interrupted, and does not count. The slope is the median of those between two frames. Before the first frame a guess on the safe side, for a slow software
-/// rasteriser: 1 µs a primitive and a quarter of the budget. A function of its arguments alone; never negative.
+/// the budget above all others was interrupted, and does not count. The slope is the median of those between two
+/// frames. Before the first frame a guess on the safe side, for a slow software rasteriser: 1 µs a primitive and a
+/// quarter of the budget. A function of its arguments alone; never negative.
 FrameCost predict_cost(const DrawnFrames& frames, double budget_ms);
 
 }  // namespace sightline

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/large_pages.h"
 #include "core/run/front.h"
 #include "core/run/step.h"
 
@@ -51,7 +52,7 @@ private:
     };
     static constexpr int state_bits = 3;
     static constexpr std::uint32_t last_epoch = (1u << (32 - state_bits)) - 1;
-    std::vector<Packed> marks_;
+    LargeVector<Packed> marks_;
     std::uint32_t epoch_ = 0;
 };
 

@@ -64,69 +64,26 @@ inline constexpr auto words<CulledCost> = std::to_array<std::string_view>({"free
 /// Whether a primitive outside the view counts against the budget.
 const ParameterRow& culled_cost_row();
 
-/// Meets a primitive, once: renders it, or finds it outside the view where is_culled() says so. False when the budget
-/// has no place for it: nothing changed.
-template <typename IsCulled>
-bool meet_unless(IsCulled is_culled, std::uint32_t budget, bool culled_costs, std::uint32_t primitive, Drawn& drawn,
-                 Counters& counters) {
-    if (drawn.has(primitive)) return true;
-    const bool culled = is_culled();
-    const bool costs = !culled || culled_costs;
+/// Appends to what was met, where the budget has place for it; false: nothing changed.
+inline bool add_met(std::uint32_t budget, bool culled_costs, Met met, Drawn& drawn, Counters& counters) {
+    const bool costs = !met.culled() || culled_costs;
     if (costs && counters.spent >= budget) return false;
-    drawn.add(counters.touched_count, {primitive, culled});
+    drawn.add(counters.touched_count, met);
     ++counters.touched_count;
-    counters.rendered_count += !culled;
+    counters.rendered_count += !met.culled();
     counters.spent += costs;
     return true;
 }
 
-/// The same; where the method culls, the view decides.
+/// Meets a primitive, once: renders it, or finds it outside the view when the method culls. False when the budget has
+/// no place for it: nothing changed.
 template <int D>
 bool meet(const Problem<D>& problem, bool culled_costs, std::uint32_t primitive, bool culls, Drawn& drawn,
           Counters& counters) {
-    return meet_unless([&] { return culls && !shows(problem, primitive); }, problem.budget, culled_costs, primitive,
-                       drawn, counters);
+    if (drawn.has(primitive)) return true;
+    const bool culled = culls && !shows(problem, primitive);
+    return add_met(problem.budget, culled_costs, {primitive, culled}, drawn, counters);
 }
-
-/// What cells hold, for a run that meets it cell by cell: 2D, the primitives.
-template <int D>
-class CellContents {
-public:
-    CellContents() = default;
-    explicit CellContents(const Problem<D>&) {}
-    const std::uint32_t* row(const CellComplex<D>& cells, std::uint32_t cell) const {
-        return cells.cell_primitives.data() + cells.cell_primitive_begin[cell];
-    }
-    static std::uint32_t primitive(std::uint32_t held) { return held; }
-    bool shows(const Problem<D>& problem, std::uint32_t held) const { return sightline::shows(problem, held); }
-    /// False: the view does not show it, for sure.
-    bool may_show(std::uint32_t) const { return true; }
-};
-
-/// 3D: floats that say of most triangles whether the view shows them, and the exact tests for the others.
-template <>
-class CellContents<3> {
-public:
-    CellContents() = default;
-    explicit CellContents(const Problem<3>& problem) {
-        const CellTriangles& triangles = problem.cells->triangles->of(*problem.scene, problem.cells->cell_primitives);
-        rows_ = triangles.rows().data();
-        filter_ = ShownFilter(problem.view, triangles);
-    }
-    const CellTriangle* row(const CellComplex<3>& cells, std::uint32_t cell) const {
-        return rows_ + cells.cell_primitive_begin[cell];
-    }
-    static std::uint32_t primitive(const CellTriangle& held) { return held.primitive(); }
-    bool shows(const Problem<3>& problem, const CellTriangle& held) const {
-        const Shown shown = filter_.of(held);
-        return shown == Shown::unsure ? sightline::shows(problem, held.primitive()) : shown == Shown::yes;
-    }
-    bool may_show(const CellTriangle& held) const { return filter_.of(held) != Shown::no; }
-
-private:
-    const CellTriangle* rows_ = nullptr;
-    ShownFilter filter_;
-};
 
 /// Meets several that have not been met; the budget has place for them all.
 inline void meet_all(std::span<const std::uint32_t> primitives, Drawn& drawn, Counters& counters) {

@@ -37,6 +37,11 @@ bool meets_ray(const View<2>& view, int side_a, int side_b, const Vec<2>& a, con
 /// More than products of coordinates lose when they underflow.
 constexpr double smallest_product = 1e-300;
 
+/// Whether q, relative to the eye, lies beyond the plane for sure.
+bool beyond(const ViewPlane& plane, const Vec<3>& q) {
+    return glm::dot(plane.inward, q) < -(glm::dot(plane.uncertainty, glm::abs(q)) + smallest_product);
+}
+
 /// The plane through the eye, a and b, with the inner point on its inner side. The exact normal is the cross product of
 /// the exact differences; each of its components is computed with an error below 4 u (|p| + |r|), where p and r are its
 /// two products and u = 2^-53. A difference q and the three products and two sums with it add less than 4 u to that
@@ -106,16 +111,19 @@ bool in_view(const View<2>& view, std::span<const Vec<2>> cell_corners) {
 
 bool in_view(const View<3>& view, std::span<const Vec<3>> cell_corners) {
     if (view.all_round) return true;
-    const auto beyond = [&](const ViewPlane& plane, const Vec<3>& p) {
-        const Vec<3> q = p - view.eye;
-        return glm::dot(plane.inward, q) < -(glm::dot(plane.uncertainty, glm::abs(q)) + smallest_product);
-    };
     for (const ViewPlane& plane : view.planes) {
         std::size_t outside = 0;
-        while (outside < cell_corners.size() && beyond(plane, cell_corners[outside])) ++outside;
+        while (outside < cell_corners.size() && beyond(plane, cell_corners[outside] - view.eye)) ++outside;
         if (outside == cell_corners.size()) return false;
     }
     return true;
+}
+
+unsigned planes_beyond(const View<3>& view, const Vec<3>& p) {
+    unsigned bits = 0;
+    for (std::size_t i = 0; i < view.planes.size(); ++i)
+        bits |= static_cast<unsigned>(beyond(view.planes[i], p - view.eye)) << i;
+    return bits;
 }
 
 bool in_view(const View<3>& view, const Primitive<3>& triangle) {

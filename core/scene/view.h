@@ -56,6 +56,10 @@ inline bool faces(const View<3>& view, const Primitive<3>& triangle) {
 bool in_view(const View<2>& view, const Primitive<2>& segment);
 bool in_view(const View<3>& view, const Primitive<3>& triangle);
 
+/// Bit i: the point lies beyond plane i of the cone, for sure. in_view() is true of what has no bit that all of its
+/// corners have.
+unsigned planes_beyond(const View<3>& view, const Vec<3>& p);
+
 /// The same for a convex cell: 2D, its corners in order around it; 3D, its corners in any order.
 bool in_view(const View<2>& view, std::span<const Vec<2>> cell_corners);
 bool in_view(const View<3>& view, std::span<const Vec<3>> cell_corners);

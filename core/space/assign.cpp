@@ -28,7 +28,8 @@ bool meets(const CellComplex<2>& cells, std::uint32_t cell, const Primitive<2>& 
 }  // namespace
 
 void assign_primitives(CellComplex<2>& cells, const std::vector<Primitive<2>>& primitives, const Progress& progress) {
-    std::vector<CellPrimitive> pairs;
+    std::vector<std::vector<CellPrimitive>> parts(1);
+    std::vector<CellPrimitive>& pairs = parts[0];
     std::vector<std::uint32_t> reached_for(cells.cell_count(), none);  // last primitive that tried the cell
     std::vector<std::uint32_t> flood;
     cells.unassigned = 0;
@@ -53,7 +54,7 @@ void assign_primitives(CellComplex<2>& cells, const std::vector<Primitive<2>>& p
         }
         cells.unassigned += flood.empty();
     }
-    set_cell_primitives<2>(cells, pairs);
+    set_cell_primitives<2>(cells, parts);
 }
 
 }  // namespace sightline

@@ -3,10 +3,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <mutex>
+#include <numeric>
 #include <string>
 
 #include "core/base/error.h"
 #include "core/base/random.h"
+#include "core/base/workers.h"
 #include "core/space/builders.h"
 #include "core/space/triangle_test.h"
 
@@ -17,6 +20,9 @@ namespace {
 class TetrahedronFlood {
 public:
     explicit TetrahedronFlood(const CellComplex<3>& cells) : cells_(cells), reached_for_(cells.cell_count(), none) {}
+
+    /// Forgets which cell was the last.
+    void restart() { last_leaf_ = last_cell_ = none; }
 
     /// The cells that the triangle meets. They are linked through facets that it reaches, because both the triangle
     /// and the tessellation are convex: it does not matter where the flood begins.
@@ -73,6 +79,7 @@ class TreeDescent {
 public:
     explicit TreeDescent(const CellComplex<3>& cells) : tree_(cells.tree) {}
 
+    void restart() {}
     const std::vector<std::uint32_t>& cells_of(std::uint32_t, const Primitive<3>& triangle) {
         found_.clear();
         const TriangleTest test(triangle);
@@ -158,32 +165,76 @@ bool makes_more(const CellComplex<3>& cells, const std::vector<Primitive<3>>& pr
     return false;
 }
 
+/// A search for each thread that wants one at a time.
+template <typename Search>
+class Searches {
+public:
+    explicit Searches(const CellComplex<3>& cells) : cells_(cells) {}
+
+    std::unique_ptr<Search> take() {
+        {
+            const std::lock_guard lock(mutex_);
+            if (!free_.empty()) {
+                auto search = std::move(free_.back());
+                free_.pop_back();
+                return search;
+            }
+        }
+        return std::make_unique<Search>(cells_);
+    }
+    void give(std::unique_ptr<Search> search) {
+        const std::lock_guard lock(mutex_);
+        free_.push_back(std::move(search));
+    }
+
+private:
+    const CellComplex<3>& cells_;
+    std::mutex mutex_;
+    std::vector<std::unique_ptr<Search>> free_;
+};
+
+/// Parts of the triangles side by side. Each begins its search anew, so what comes out is the same from any number of
+/// threads.
 template <typename Search>
 void assign(CellComplex<3>& cells, const std::vector<Primitive<3>>& primitives, const Progress& progress,
-            std::size_t most) {
+            std::size_t most, int threads) {
     // Making that many takes minutes, a sample seconds.
     if (makes_more<Search>(cells, primitives, most)) refuse_so_many(most);
-    std::vector<CellPrimitive> pairs;
-    Search search(cells);
-    cells.unassigned = 0;
-    for (std::uint32_t primitive = 0; primitive < primitives.size(); ++primitive) {
-        report_assigned(progress, primitive, primitives.size());
-        const std::vector<std::uint32_t>& found = search.cells_of(primitive, primitives[primitive]);
-        if (pairs.size() + found.size() > most) refuse_so_many(most);
-        for (const std::uint32_t cell : found) pairs.push_back({cell, primitive});
-        cells.unassigned += found.empty();
+    constexpr std::size_t part_size = std::size_t{1} << 12, at_a_time = 16;
+    std::vector<std::vector<CellPrimitive>> parts((primitives.size() + part_size - 1) / part_size);
+    std::vector<std::uint32_t> unassigned(parts.size());
+    Searches<Search> searches(cells);
+    const auto assign_part = [&](std::size_t index) {
+        auto search = searches.take();
+        search->restart();
+        const std::size_t end = std::min(primitives.size(), (index + 1) * part_size);
+        for (auto primitive = static_cast<std::uint32_t>(index * part_size); primitive < end; ++primitive) {
+            const std::vector<std::uint32_t>& found = search->cells_of(primitive, primitives[primitive]);
+            for (const std::uint32_t cell : found) parts[index].push_back({cell, primitive});
+            unassigned[index] += found.empty();
+        }
+        searches.give(std::move(search));
+    };
+    std::size_t references = 0;
+    for (std::size_t first = 0; first < parts.size(); first += at_a_time) {
+        report_assigned(progress, first * part_size, primitives.size());
+        const std::size_t count = std::min(at_a_time, parts.size() - first);
+        run_parts(static_cast<int>(count), threads, [&](int i) { assign_part(first + static_cast<std::size_t>(i)); });
+        for (std::size_t i = first; i < first + count; ++i) references += parts[i].size();
+        if (references > most) refuse_so_many(most);
     }
-    set_cell_primitives<3>(cells, pairs);
+    cells.unassigned = std::accumulate(unassigned.begin(), unassigned.end(), 0u);
+    set_cell_primitives<3>(cells, parts, threads);
 }
 
 }  // namespace
 
 void assign_primitives(CellComplex<3>& cells, const std::vector<Primitive<3>>& primitives, const Progress& progress,
-                       std::size_t most) {
+                       std::size_t most, int threads) {
     if (cells.kind == Tessellation::delaunay) {
-        assign<TetrahedronFlood>(cells, primitives, progress, most);
+        assign<TetrahedronFlood>(cells, primitives, progress, most, threads);
     } else {
-        assign<TreeDescent>(cells, primitives, progress, most);
+        assign<TreeDescent>(cells, primitives, progress, most, threads);
     }
 }
 

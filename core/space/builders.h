@@ -28,16 +28,18 @@ extern template CellComplex<3> tree_cells<3>(Tree<3>, Neighbours);
 extern template CellComplex<2> kd_cells<2>(Tree<2>, Neighbours);
 extern template CellComplex<3> kd_cells<3>(Tree<3>, Neighbours);
 
-/// References from cells to triangles; they take 12 bytes each while they are made, 4 when they are there.
+/// References from cells to triangles; they take 12 bytes each while they are made, 4 when they are there, and 32 more
+/// when they are traversed (cell_triangles.h).
 inline constexpr std::size_t most_references = std::size_t{1} << 29;
 
 /// Fills the rows cell -> primitives and `unassigned`. 2D: the cells whose closure meets the primitive, exactly. 3D:
 /// those and at times one that it misses by a rounding error (triangle_test.h).
 void assign_primitives(CellComplex<2>& cells, const std::vector<Primitive<2>>& primitives,
                        const Progress& progress = {});
-/// 3D throws InputError when that makes more than `most` references.
+/// 3D throws InputError when that makes more than `most` references. On so many threads (0: as many as the machine
+/// has); what comes out is the same from any number.
 void assign_primitives(CellComplex<3>& cells, const std::vector<Primitive<3>>& primitives,
-                       const Progress& progress = {}, std::size_t most = most_references);
+                       const Progress& progress = {}, std::size_t most = most_references, int threads = 0);
 
 /// Word of the assignment, before each primitive; what takes time is said only now and then.
 inline void report_assigned(const Progress& progress, std::size_t done, std::size_t count) {
@@ -51,9 +53,9 @@ struct CellPrimitive {
     std::uint32_t cell, primitive;
 };
 
-/// Compresses the pairs, which are sorted by primitive, into rows, and fills rho_max and rho_p95.
+/// Compresses the pairs, which are sorted by primitive from part to part, into rows, and fills rho_max and rho_p95.
 template <int D>
-void set_cell_primitives(CellComplex<D>& cells, std::span<const CellPrimitive> pairs);
+void set_cell_primitives(CellComplex<D>& cells, std::span<const std::vector<CellPrimitive>> parts, int threads = 0);
 
 /// As locate(), but where several cells hold p it is not said which one comes back. Faster.
 template <int D>

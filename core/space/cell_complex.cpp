@@ -2,7 +2,9 @@
 #include "core/space/cell_complex.h"
 
 #include <algorithm>
+#include <utility>
 
+#include "core/base/workers.h"
 #include "core/space/builders.h"
 
 namespace sightline {
@@ -100,15 +102,32 @@ double distance_to_facet(const CellComplex<D>& cells, std::uint32_t facet, const
 }
 
 template <int D>
-void set_cell_primitives(CellComplex<D>& cells, std::span<const CellPrimitive> pairs) {
+void set_cell_primitives(CellComplex<D>& cells, std::span<const std::vector<CellPrimitive>> parts, int threads) {
+    std::size_t count = 0;
+    for (const auto& part : parts) count += part.size();
+    // Runs of parts are counted and written side by side, each to places of its own.
+    const std::size_t cell_count = cells.cell_count();
+    const std::size_t runs = count > 2 * cell_count ? std::min<std::size_t>(parts.size(), 4) : 1;
+    std::vector<std::vector<std::uint32_t>> places(runs, std::vector<std::uint32_t>(cell_count));
+    const auto for_each_run = [&](auto use) {
+        run_parts(static_cast<int>(runs), threads, [&](int index) {
+            const auto run = static_cast<std::size_t>(index);
+            for (std::size_t part = run * parts.size() / runs; part < (run + 1) * parts.size() / runs; ++part)
+                for (const CellPrimitive& pair : parts[part]) use(pair, places[run][pair.cell]);
+        });
+    };
+    for_each_run([](const CellPrimitive&, std::uint32_t& counted) { ++counted; });
     std::vector<std::uint32_t>& begin = cells.cell_primitive_begin;
-    begin.assign(cells.cell_count() + 1, 0);
-    for (const CellPrimitive& pair : pairs) ++begin[pair.cell + 1];
-    for (std::size_t i = 1; i < begin.size(); ++i) begin[i] += begin[i - 1];
-    cells.cell_primitives.resize(pairs.size());
-    std::vector<std::uint32_t> end(begin.begin(), begin.end() - 1);
-    for (const CellPrimitive& pair : pairs) cells.cell_primitives[end[pair.cell]++] = pair.primitive;
-    cells.triangles = std::make_shared<const LazyCellTriangles>();
+    begin.assign(cell_count + 1, 0);
+    for (std::size_t cell = 0; cell < cell_count; ++cell) {
+        std::uint32_t next = begin[cell];
+        for (auto& of_run : places) next += std::exchange(of_run[cell], next);
+        begin[cell + 1] = next;
+    }
+    cells.cell_primitives.resize(count);
+    for_each_run(
+        [&](const CellPrimitive& pair, std::uint32_t& place) { cells.cell_primitives[place++] = pair.primitive; });
+    cells.copies = std::make_shared<const typename CellComplex<D>::Copies>();
     set_solidity_scales(cells);
 }
 
@@ -135,13 +154,13 @@ void set_border_cells(CellComplex<D>& cells) {
     }
 }
 
-#define SIGHTLINE_INSTANTIATE(D)                                                                \
-    template struct CellComplex<D>;                                                             \
-    template std::uint32_t locate<D>(const CellComplex<D>&, const Vec<D>&, std::uint32_t);      \
-    template std::uint32_t any_holding<D>(const CellComplex<D>&, const Vec<D>&, std::uint32_t); \
-    template double distance_to_facet<D>(const CellComplex<D>&, std::uint32_t, const Vec<D>&);  \
-    template void set_cell_primitives<D>(CellComplex<D>&, std::span<const CellPrimitive>);      \
-    template void set_solidity_scales<D>(CellComplex<D>&);                                      \
+#define SIGHTLINE_INSTANTIATE(D)                                                                             \
+    template struct CellComplex<D>;                                                                          \
+    template std::uint32_t locate<D>(const CellComplex<D>&, const Vec<D>&, std::uint32_t);                   \
+    template std::uint32_t any_holding<D>(const CellComplex<D>&, const Vec<D>&, std::uint32_t);              \
+    template double distance_to_facet<D>(const CellComplex<D>&, std::uint32_t, const Vec<D>&);               \
+    template void set_cell_primitives<D>(CellComplex<D>&, std::span<const std::vector<CellPrimitive>>, int); \
+    template void set_solidity_scales<D>(CellComplex<D>&);                                                   \
     template void set_border_cells<D>(CellComplex<D>&);
 SIGHTLINE_INSTANTIATE(2)
 SIGHTLINE_INSTANTIATE(3)

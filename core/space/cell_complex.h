@@ -6,23 +6,16 @@
 #include <span>
 #include <vector>
 
+#include "core/base/lazy.h"
 #include "core/base/made_once.h"
 #include "core/geometry/predicates.h"
 #include "core/space/box_tree.h"
-#include "core/space/cell_triangles.h"
+#include "core/space/cell_rows.h"
+#include "core/space/centroid_groups.h"
 #include "core/space/tessellation.h"
 #include "core/space/tree.h"
 
 namespace sightline {
-
-/// One side of a facet, as a cell sees it.
-struct HalfFacet {
-    std::uint32_t neighbour = none;  ///< the cell on the other side; none at the border of the tessellation
-    std::uint32_t facet_side = 0;    ///< facet * 2, + 1 when the facet's points turn the other way for this cell
-
-    std::uint32_t facet() const { return facet_side >> 1; }
-    bool flipped() const { return facet_side & 1; }
-};
 
 /// Cells are simplices (Delaunay) or boxes (leaves of a tree), so most rows have one length and need no begin array.
 /// Those that do: row i of X is X[X_begin[i], X_begin[i + 1]).
@@ -53,8 +46,13 @@ struct CellComplex {
 
     /// Of the scene that the cells are of; copies share it.
     std::shared_ptr<const SceneBoxes<D>> boxes = std::make_shared<const SceneBoxes<D>>();
-    /// 3D: of that scene, in the order of cell_primitives.
-    std::shared_ptr<const LazyCellTriangles> triangles = std::make_shared<const LazyCellTriangles>();
+    /// Copies of what runs read most, side by side in the order in which they do. Made anew with set_cell_primitives().
+    struct Copies {
+        Lazy<CellTriangles> triangles;    ///< 3D: of that scene, in the order of cell_primitives
+        Lazy<LargeVector<CellRow>> rows;  ///< 3D
+        Lazy<CentroidGroups<D>> groups;   ///< of that scene
+    };
+    std::shared_ptr<const Copies> copies = std::make_shared<const Copies>();
     /// Whatever else methods make once for that scene.
     std::shared_ptr<const MadeOnce> made = std::make_shared<const MadeOnce>();
 
@@ -112,6 +110,17 @@ inline std::array<Vec<2>, 2> facet_ends(const CellComplex<2>& cells, const HalfF
     const Vec<2>&a = cells.points[ends[0]], &b = cells.points[ends[1]];
     if (half.flipped()) return {b, a};
     return {a, b};
+}
+
+inline const CellTriangles& triangles_of(const CellComplex<3>& cells, const Scene<3>& scene) {
+    return cells.copies->triangles.of([&] { return CellTriangles(scene, cells.cell_primitives); });
+}
+template <int D>
+const CentroidGroups<D>& centroid_groups_of(const CellComplex<D>& cells, const Scene<D>& scene) {
+    return cells.copies->groups.of([&] { return centroid_groups<D>(scene); });
+}
+inline const LargeVector<CellRow>& cell_rows_of(const CellComplex<3>& cells) {
+    return cells.copies->rows.of([&] { return cell_rows(cells); });
 }
 
 /// +1 when p lies strictly on the cell's side of its facet, 0 on the facet's line or plane, -1 beyond it. Exact.

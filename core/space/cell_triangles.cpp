@@ -19,7 +19,7 @@ CellTriangles::CellTriangles(const Scene<3>& scene, std::span<const std::uint32_
     if (box.empty()) return;
     origin_ = box.centre();
     reach_ = box.longest_side();
-    rows_.resize(references.size());
+    rows_.resize(references.size() + padding);
     for (std::size_t i = 0; i < references.size(); ++i) {
         const Primitive<3>& triangle = scene.primitives[references[i]];
         const Vec<3> a = triangle[0] - origin_, b = triangle[1] - origin_, c = triangle[2] - origin_;

@@ -2,14 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <xmmintrin.h>
+
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <memory>
-#include <mutex>
 #include <span>
 #include <vector>
 
+#include "core/base/large_pages.h"
 #include "core/scene/scene.h"
 #include "core/scene/view.h"
 
@@ -38,17 +39,19 @@ public:
 
     const Vec<3>& origin() const { return origin_; }
     double reach() const { return reach_; }  ///< no corner is farther from the origin, on any axis
-    std::span<const CellTriangle> rows() const { return rows_; }
+    std::span<const CellTriangle> rows() const { return std::span(rows_).first(rows_.size() - padding); }
     std::size_t memory_bytes() const { return rows_.capacity() * sizeof(CellTriangle); }
 
 private:
+    static constexpr std::size_t padding = 3;  ///< rows behind the last, so that four can be read at once
+
     Vec<3> origin_{0};
     double reach_ = 0;
-    std::vector<CellTriangle> rows_;
+    LargeVector<CellTriangle> rows_{padding};
 };
 
 /// What floats say of whether a view shows a triangle.
-enum class Shown : std::uint8_t { no, unsure, yes };
+enum class Showing : std::uint8_t { no, unsure, yes };
 
 /// A view in floats. `no` and `yes` are what faces(), two-sidedness and in_view() say for sure; unsure is what lies too
 /// close to edge-on for floats, or across the border of the view.
@@ -57,23 +60,45 @@ public:
     ShownFilter() = default;
     ShownFilter(const View<3>& view, const CellTriangles& triangles);
 
-    Shown of(const CellTriangle& t) const {
-        bool sure = true;
-        if (!t.two_sided()) {
-            const float side = t.area[0] * (eye_[0] - t.centroid[0]) + t.area[1] * (eye_[1] - t.centroid[1]) +
-                               t.area[2] * (eye_[2] - t.centroid[2]);
-            const float unsure =
-                (std::abs(t.area[0]) + std::abs(t.area[1]) + std::abs(t.area[2])) * unsure_distance_ + tiny;
-            if (side < -unsure) return Shown::no;
-            sure = side > unsure;
+    Showing of(const CellTriangle& t) const {
+        const std::array<CellTriangle, 4> four{t, t, t, t};
+        return of_four(four.data()).at(0);
+    }
+
+    /// Of four, bit i for the i-th; with neither: unsure.
+    struct Four {
+        int no = 0, yes = 0;
+        Showing at(std::size_t i) const {
+            return no >> i & 1 ? Showing::no : yes >> i & 1 ? Showing::yes : Showing::unsure;
         }
-        std::array<float, 4> inside;
+    };
+    Four of_four(const CellTriangle* t) const {
+        __m128 x = _mm_loadu_ps(&t[0].centroid[0]), y = _mm_loadu_ps(&t[1].centroid[0]),
+               z = _mm_loadu_ps(&t[2].centroid[0]), radius = _mm_loadu_ps(&t[3].centroid[0]);
+        _MM_TRANSPOSE4_PS(x, y, z, radius);
+        __m128 a = _mm_loadu_ps(&t[0].area[0]), b = _mm_loadu_ps(&t[1].area[0]), c = _mm_loadu_ps(&t[2].area[0]),
+               bits = _mm_loadu_ps(&t[3].area[0]);
+        _MM_TRANSPOSE4_PS(a, b, c, bits);
+        const auto one = [](float value) { return _mm_set1_ps(value); };
+        const auto sum = [](__m128 p, __m128 q, __m128 r) { return _mm_add_ps(_mm_add_ps(p, q), r); };
+
+        const __m128 side = sum(_mm_mul_ps(a, _mm_sub_ps(one(eye_[0]), x)), _mm_mul_ps(b, _mm_sub_ps(one(eye_[1]), y)),
+                                _mm_mul_ps(c, _mm_sub_ps(one(eye_[2]), z)));
+        const __m128 sign = one(-0.0f), distance = one(unsure_distance_);
+        const __m128 size = sum(_mm_andnot_ps(sign, a), _mm_andnot_ps(sign, b), _mm_andnot_ps(sign, c));
+        const __m128 unsure = _mm_add_ps(_mm_mul_ps(size, distance), one(tiny));
+        __m128 least = one(std::numeric_limits<float>::infinity());
         for (std::size_t i = 0; i < 4; ++i)
-            inside[i] = x_[i] * t.centroid[0] + y_[i] * t.centroid[1] + z_[i] * t.centroid[2] - offset_[i];
-        const float least = std::min(std::min(inside[0], inside[1]), std::min(inside[2], inside[3]));
+            least = _mm_min_ps(
+                least, _mm_sub_ps(sum(_mm_mul_ps(one(x_[i]), x), _mm_mul_ps(one(y_[i]), y), _mm_mul_ps(one(z_[i]), z)),
+                                  one(offset_[i])));
         // Beyond a plane with all of its corners; or with its centroid, and so with one of them, inside of each.
-        if (least < -(t.radius + unsure_distance_)) return Shown::no;
-        return sure && least > unsure_distance_ ? Shown::yes : Shown::unsure;
+        const int two_sided = _mm_movemask_ps(bits);
+        const int away = _mm_movemask_ps(_mm_cmplt_ps(side, _mm_xor_ps(sign, unsure))) & ~two_sided;
+        const int out = _mm_movemask_ps(_mm_cmplt_ps(least, _mm_xor_ps(sign, _mm_add_ps(radius, distance))));
+        const int seen = _mm_movemask_ps(_mm_cmpgt_ps(side, unsure)) | two_sided;
+        const int in = _mm_movemask_ps(_mm_cmpgt_ps(least, distance));
+        return {away | out, seen & in};
     }
 
 private:
@@ -81,19 +106,6 @@ private:
     std::array<float, 3> eye_{};
     float unsure_distance_ = std::numeric_limits<float>::infinity();
     std::array<float, 4> x_{}, y_{}, z_{}, offset_{};  ///< of the planes of the view; unit normals, inward
-};
-
-/// The triangles of a cell complex, made when they are first asked for. Any thread may ask.
-class LazyCellTriangles {
-public:
-    const CellTriangles& of(const Scene<3>& scene, std::span<const std::uint32_t> references) const {
-        std::call_once(once_, [&] { triangles_ = CellTriangles(scene, references); });
-        return triangles_;
-    }
-
-private:
-    mutable std::once_flag once_;
-    mutable CellTriangles triangles_;
 };
 
 }  // namespace sightline

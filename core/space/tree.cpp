@@ -2,7 +2,10 @@
 #include "core/space/tree.h"
 
 #include <algorithm>
+#include <span>
 #include <utility>
+
+#include "core/base/workers.h"
 
 namespace sightline {
 
@@ -10,18 +13,22 @@ namespace {
 
 /// Vertices come one after the other: a leaf remembers those that differ, as many as it may hold, and splits when
 /// another one comes. The nodes are put into depth-first order at the end, which does not depend on that of the
-/// vertices.
+/// vertices, nor on how they were shared out among builders that are then put together.
 template <int D>
 class Builder {
 public:
-    Builder(const std::vector<Primitive<D>>& primitives, double error_bound, std::uint32_t leaf_capacity)
-        : capacity_(leaf_capacity) {
-        const Box<D> box = bounds<D>(primitives);
-        smallest_side_ = box.longest_side() * error_bound;
+    /// For primitives in the box.
+    Builder(const Box<D>& box, double error_bound, std::uint32_t leaf_capacity)
+        : smallest_side_(box.longest_side() * error_bound), capacity_(leaf_capacity) {
         add_node(root(box));
-        for (const Primitive<D>& p : primitives)
-            for (const Vec<D>& v : p) insert(v);
     }
+
+    void add(std::span<const Primitive<D>> primitives) {
+        for (const Primitive<D>& p : primitives)
+            for (const Vec<D>& v : p) insert(holds(last_leaf_, v) ? last_leaf_ : 0, v);
+    }
+    /// What another builder for the same box was given.
+    void add(const Builder& other) { add_below(0, other, 0); }
 
     Tree<D> take() {
         tree_.nodes.push_back({made_[0].box});
@@ -32,6 +39,7 @@ public:
 private:
     struct Node : Tree<D>::Node {
         std::vector<Vec<D>> held;  ///< sorted
+        bool full = false;         ///< a leaf that holds what it may and cannot split
     };
 
     static Box<D> root(const Box<D>& box) {
@@ -65,10 +73,31 @@ private:
         return child;
     }
 
-    void insert(const Vec<D>& p) {
-        std::uint32_t node = 0;
+    void add_below(std::uint32_t node, const Builder& other, std::uint32_t there) {
+        const std::uint32_t children = other.made_[there].first_child;
+        if (children == none) {
+            for (const Vec<D>& vertex : other.made_[there].held) insert(node, vertex);
+            return;
+        }
+        if (made_[node].first_child == none) split(node);  // more than it may hold, for the other did
+        for (std::uint32_t child = 0; child < Tree<D>::child_count; ++child)
+            add_below(made_[node].first_child + child, other, children + child);
+    }
+
+    /// Whether the way down comes by that node; false too for some points on the root's upper sides.
+    bool holds(std::uint32_t node, const Vec<D>& p) const {
+        const Box<D>& box = made_[node].box;
+        bool inside = true;
+        for (int i = 0; i < D; ++i) inside &= (box.min[i] <= p[i]) & (p[i] < box.max[i]);
+        return inside;
+    }
+
+    /// At a node that holds it or below.
+    void insert(std::uint32_t node, const Vec<D>& p) {
         for (;;) {
             while (made_[node].first_child != none) node = child_at(node, p);
+            last_leaf_ = node;
+            if (made_[node].full) return;
             std::vector<Vec<D>>& held = made_[node].held;
             const auto place = std::lower_bound(held.begin(), held.end(), p, comes_first);
             if (place != held.end() && *place == p) return;
@@ -76,7 +105,8 @@ private:
                 held.insert(place, p);
                 return;
             }
-            if (!can_split(made_[node].box)) return;
+            made_[node].full = !can_split(made_[node].box);
+            if (made_[node].full) return;
             split(node);
         }
     }
@@ -117,7 +147,8 @@ private:
     }
 
     Tree<D> tree_;
-    std::vector<Node> made_;  ///< in the order in which they came
+    std::vector<Node> made_;       ///< in the order in which they came
+    std::uint32_t last_leaf_ = 0;  ///< vertices that follow each other lie close together more often than not
     double smallest_side_ = 0;
     std::size_t capacity_;
 };
@@ -126,7 +157,25 @@ private:
 
 template <int D>
 Tree<D> build_tree(const std::vector<Primitive<D>>& primitives, double error_bound, std::uint32_t leaf_capacity) {
-    return Builder<D>(primitives, error_bound, leaf_capacity).take();
+    constexpr std::size_t few = std::size_t{1} << 15;
+    const std::size_t parts = primitives.size() < few ? 1 : 4;
+    const auto part = [&](std::size_t i) {
+        const std::size_t begin = i * primitives.size() / parts, end = (i + 1) * primitives.size() / parts;
+        return std::span(primitives).subspan(begin, end - begin);
+    };
+    const auto side_by_side = [&](auto use) {
+        run_parts(static_cast<int>(parts), 0, [&](int i) { use(static_cast<std::size_t>(i)); });
+    };
+    std::vector<Box<D>> boxes(parts);
+    side_by_side([&](std::size_t i) {
+        for (const Primitive<D>& p : part(i))
+            for (const Vec<D>& v : p) boxes[i].add(v);
+    });
+    for (const Box<D>& box : boxes) boxes[0].add(box);
+    std::vector<Builder<D>> builders(parts, Builder<D>(boxes[0], error_bound, leaf_capacity));
+    side_by_side([&](std::size_t i) { builders[i].add(part(i)); });
+    for (std::size_t i = 1; i < parts; ++i) builders[0].add(builders[i]);
+    return builders[0].take();
 }
 
 template Tree<2> build_tree<2>(const std::vector<Primitive<2>>&, double, std::uint32_t);

@@ -9,6 +9,8 @@
 #include <map>
 #include <tuple>
 
+#include "core/base/random.h"
+#include "core/base/stopwatch.h"
 #include "core/methods/method_table.h"
 #include "core/scene/make/generators_3d.h"
 #include "core/session/settings.h"
@@ -27,23 +29,41 @@ struct City {
     CellComplex<3> cells;
     std::vector<View<3>> views;
 
-    explicit City(std::size_t triangles) {
+    explicit City(std::size_t triangles, bool shuffled = false) {
         Generated made = generate::city(1, triangles);
         static const double leaf = 0.05 * bounds<3>(generate::city(1, usual).triangles).longest_side();
         settings.error_bound = leaf / bounds<3>(made.triangles).longest_side();
         scene.primitives = std::move(made.triangles);
         scene.two_sided = std::move(made.two_sided);
+        if (shuffled) shuffle();
         cells = build_cells(scene, settings);
         for (const FlightPath<3>& path : made.paths)
             if (path.id == "street")
                 for (std::size_t frame = 0; frame < path.frames.size(); ++frame)
                     views.push_back(make_view(path.frames[frame], 4.0 / 3));
     }
+
+private:
+    void shuffle() {
+        Random random(1);
+        for (std::size_t i = scene.primitives.size(); i > 1; --i) {
+            const std::size_t other = random.below(i);
+            std::swap(scene.primitives[i - 1], scene.primitives[other]);
+            if (!scene.two_sided.empty()) std::swap(scene.two_sided[i - 1], scene.two_sided[other]);
+        }
+    }
 };
 
 const City& city(std::size_t triangles) {
     static std::map<std::size_t, City> made;
     return made.try_emplace(triangles, triangles).first->second;
+}
+
+/// Reads and writes more than the caches hold, as the drawing of a frame does.
+void forget_caches() {
+    static std::vector<char> memory(std::size_t{48} << 20);
+    for (std::size_t i = 0; i < memory.size(); i += 64) ++memory[i];
+    benchmark::ClobberMemory();
 }
 
 /// Each iteration is one frame; they go through the views in turn.
@@ -67,6 +87,35 @@ void frames(benchmark::State& run, const City& city, const char* method_id, std:
     run.counters["rendered"] = static_cast<double>(rendered) / static_cast<double>(count);
     run.counters["met"] = static_cast<double>(met) / static_cast<double>(count);
 }
+
+/// A frame as it comes between two drawings. Arguments: method, budget in per cent, 1: the soup is shuffled.
+void BM_ColdFrame3(benchmark::State& run) {
+    static const City ordered(usual), shuffled(usual, true);
+    constexpr std::array<const char*, 3> methods{"published", "layers", "centroid"};
+    const City& city = run.range(2) ? shuffled : ordered;
+    const Method<3>& method = find_method<3>(method_table<3>(), methods[static_cast<std::size_t>(run.range(0))]);
+    run.SetLabel(std::string(method.id) + (run.range(2) ? ", shuffled" : ""));
+    OwnRun<3> traversal;
+    std::size_t next = 0, steps = 0, rendered = 0;
+    double seconds = 0;
+    for (auto _ : run) {
+        Problem<3> problem = test::problem_of(city.scene, city.cells, city.views[next], city.settings);
+        problem.budget = static_cast<std::uint32_t>(usual / 100 * static_cast<std::size_t>(run.range(1)));
+        forget_caches();
+        Stopwatch watch;
+        traversal.start(problem, method.start);
+        benchmark::DoNotOptimize(traversal->run(none));
+        const double took = watch.milliseconds() / 1e3;
+        run.SetIterationTime(took);
+        seconds += took;
+        next = (next + 1) % city.views.size();
+        steps += traversal->steps();
+        rendered += traversal->counters().rendered_count;
+    }
+    run.counters["ns_per_step"] = seconds * 1e9 / static_cast<double>(steps);
+    run.counters["ns_per_rendered"] = seconds * 1e9 / static_cast<double>(rendered);
+}
+BENCHMARK(BM_ColdFrame3)->ArgsProduct({{0, 1, 2}, {1, 5}, {0, 1}})->UseManualTime()->Unit(benchmark::kMillisecond);
 
 constexpr std::array<const char*, 5> methods{"published", "layers", "centroid", "view", "everything"};
 

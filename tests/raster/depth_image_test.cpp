@@ -9,7 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/raster/band.h"
-#include "core/raster/workers.h"
+#include "core/base/workers.h"
 #include "tests/raster/raster_cases.h"
 #include "tests/soak.h"
 #include "tests/truth/image_judge.h"

@@ -56,10 +56,10 @@ TEST(CellTriangles, SayForSureOnlyWhatIsSo) {
                 ASSERT_EQ(triangles.rows()[i].two_sided(), shows_both_sides(scene, id));
                 const auto& t = scene.primitives[id];
                 const bool shows = (shows_both_sides(scene, id) || faces(view, t)) && in_view(view, t);
-                const Shown shown = filter.of(triangles.rows()[i]);
+                const Showing shown = filter.of(triangles.rows()[i]);
                 ++said[static_cast<std::size_t>(shown)];
-                if (shown != Shown::unsure) {
-                    ASSERT_EQ(shown == Shown::yes, shows) << seed << ' ' << id;
+                if (shown != Showing::unsure) {
+                    ASSERT_EQ(shown == Showing::yes, shows) << seed << ' ' << id;
                 }
             }
         }
@@ -81,7 +81,7 @@ TEST(CellTriangles, SayNothingForSureOutsideTheRangeOfFloats) {
         spec.eye = Vec<3>(3, 0.1, 0.2) * scale;
         spec.look_at = Vec<3>(0);
         const ShownFilter filter(make_view(spec, 1), triangles);
-        for (const CellTriangle& row : triangles.rows()) ASSERT_EQ(filter.of(row), Shown::unsure);
+        for (const CellTriangle& row : triangles.rows()) ASSERT_EQ(filter.of(row), Showing::unsure);
     }
 }
 

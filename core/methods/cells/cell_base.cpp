@@ -12,6 +12,7 @@ template <int D>
 void CellBase<D>::begin_cells(double seed_key, Seeds seeds) {
     marks_.begin(this->problem_.cells->cell_count());
     contents_ = CellContents<D>(this->problem_);
+    in_view_.begin(*this->problem_.cells);
     front_.clear();
     front_is_stale_ = false;
     seeds_.clear();
@@ -144,7 +145,7 @@ void CellBase<D>::rewind_to(Step& step, std::vector<Change>& changes, const Coun
 
 template <int D>
 std::size_t CellBase<D>::memory_bytes() const {
-    return marks_.memory_bytes() + this->drawn_.memory_bytes() +
+    return marks_.memory_bytes() + in_view_.memory_bytes() + this->drawn_.memory_bytes() +
            (rounds_ ? 5 * std::size_t{marks_.size()} + 4 * rounds_->last_read.size() : 0);
 }
 

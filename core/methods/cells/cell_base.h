@@ -6,9 +6,11 @@
 #include "core/methods/cells/cell_parameters.h"
 #include "core/methods/cells/cell_rules.h"
 #include "core/methods/cells/rounds.h"
+#include "core/run/cell_contents.h"
 #include "core/run/front.h"
 #include "core/run/marks.h"
 #include "core/run/run.h"
+#include "core/space/cell_in_view.h"
 
 namespace sightline {
 
@@ -93,6 +95,7 @@ protected:
     CellParameters parameters_;
     Marks marks_;
     CellContents<D> contents_;
+    CellsInView<D> in_view_;
     Front front_;
     bool front_is_stale_ = false;  ///< marks were put back by an undo: rebuild the front before using it
     std::vector<Item> seeds_;

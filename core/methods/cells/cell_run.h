@@ -18,12 +18,6 @@ struct Key {
 
 namespace detail {
 
-inline void prefetch([[maybe_unused]] const void* address) {
-#if defined(__GNUC__)
-    __builtin_prefetch(address);
-#endif
-}
-
 /// Sinks of the traversal: one that records, and one that is compiled away.
 struct RecordingSink {
     static constexpr bool enabled = true;
@@ -52,6 +46,8 @@ struct NoSink {
 ///     KeyExplanation explain(problem, a, key_a, half, digits) const;
 ///     void add_key_lines(std::vector<CodeLine>&, const KeyExplanation*, int digits) const;
 ///     static constexpr std::string_view key_title;
+/// and have, where that takes less time than key() and is the same to the last bit,
+///     double key_value(problem, a, key_a, half) const;
 template <int D, typename Heuristic>
 class CellRun final : public CellBase<D> {
 public:
@@ -176,8 +172,8 @@ private:
             --counters.front_size;
             this->marks_.set(cell, mark);
             ++this->steps_;
+            this->contents_.prefetch_contents(*this->problem_.cells, cell);
             prefetch_step(cell);
-            prefetch_row_begins(cell);
             if constexpr (Sink::enabled) {
                 const Front::Entry* next = this->front_top();
                 sink.recorder.popped(cell_item(cell), mark, next ? cell_item(next->id) : Item{}, next ? next->key : 0);
@@ -188,7 +184,6 @@ private:
             }
         }
         go_on_with(cell, sink);
-        prefetch_rows(cell);
         if constexpr (Sink::enabled) sink.recorder.finished(counters);
         return Stop::none;
     }
@@ -238,10 +233,12 @@ private:
         }
         const bool resumed = counters.partial_cell == cell;
         const bool neighbours_first = this->parameters_.neighbours_before_break == YesNo::yes;
+        if (neighbours_first && !resumed) add_neighbours(cell, sink);  // first, while what the cell holds is fetched
+        prefetch_next(cell);
         const bool done = project(cell);
         // "no" is the papers' break: the budget ends the loop before the neighbours, even at the end of a cell.
         const bool broken = neighbours_first ? !done : counters.spent >= this->problem_.budget;
-        if (neighbours_first ? !resumed : !broken) add_neighbours(cell, sink);
+        if (!neighbours_first && !broken) add_neighbours(cell, sink);
         counters.partial_cell = broken ? cell : none;
         if (!broken) counters.offset = 0;
     }
@@ -258,11 +255,10 @@ private:
     /// Renders at most `count` of those whose class comes before `end`; false where the budget ends it.
     bool render_waiting(std::uint32_t end, std::uint32_t count) {
         for (std::uint32_t place; count > 0 && (place = first_waiting(end)) != none; --count) {
-            const auto& held = this->contents_.row(*this->problem_.cells, 0)[place];
-            const bool met = meet_unless([&] { return !this->contents_.shows(this->problem_, held); },
-                                         this->problem_.budget, this->culled_costs_, this->contents_.primitive(held),
-                                         this->drawn_, this->counters_);
-            if (!met) return false;
+            if (!this->contents_.meet_one(this->problem_, this->culled_costs_,
+                                          this->contents_.held_at(*this->problem_.cells, place), this->drawn_,
+                                          this->counters_))
+                return false;
             heuristic_.waiting.drop_first();
         }
         return true;
@@ -307,18 +303,7 @@ private:
             project_whole(cell);
             return true;
         }
-        const CellComplex<D>& cells = *this->problem_.cells;
-        const auto* const row = this->contents_.row(cells, cell);
-        const std::uint32_t count = cells.count(cell);
-        std::uint32_t& offset = this->counters_.offset;
-        for (; offset < count; ++offset) {
-            const auto& held = row[offset];
-            const bool place =
-                meet_unless([&] { return !this->contents_.shows(this->problem_, held); }, this->problem_.budget,
-                            this->culled_costs_, this->contents_.primitive(held), this->drawn_, this->counters_);
-            if (!place) return false;
-        }
-        return true;
+        return this->contents_.meet(this->problem_, this->culled_costs_, cell, this->drawn_, this->counters_);
     }
 
     /// The gem's project(): all of the cell, which counts as many primitives as it holds, whether they were met before
@@ -333,13 +318,17 @@ private:
             this->meet(primitives[counters.offset], true);
         }
         counters.spent = before;
-        if (cell_in_view(*this->problem_.cells, this->problem_.view, cell))
+        if (this->in_view_.has(*this->problem_.cells, this->problem_.view, cell,
+                               this->problem_.cells->corners_of(cell)))
             counters.spent += static_cast<std::uint32_t>(primitives.size());
     }
 
+    template <typename Sink>
     Key key_of(std::uint32_t a, double key_a, const HalfFacet& half) const {
         if constexpr (requires { heuristic_.key(this->problem_, this->marks_, a, key_a, half); })
             return heuristic_.key(this->problem_, this->marks_, a, key_a, half);
+        else if constexpr (!Sink::enabled && requires { heuristic_.key_value(this->problem_, a, key_a, half); })
+            return heuristic_.key_value(this->problem_, a, key_a, half);
         else
             return heuristic_.key(this->problem_, a, key_a, half);
     }
@@ -347,8 +336,12 @@ private:
     /// fig. 4, lines 6-10.
     template <typename Sink>
     void add_neighbours(std::uint32_t cell, Sink& sink) {
+        const CellComplex<D>& cells = *this->problem_.cells;
         const double key_a = this->marks_[cell].key;
-        for (const HalfFacet& half : this->problem_.cells->facets_of(cell)) {
+        const auto facets = this->contents_.facets_of(cells, cell);
+        std::array<std::uint32_t, 4> place;
+        for (std::size_t i = 0; i < facets.size(); ++i) {
+            const HalfFacet& half = facets[i];
             const std::uint32_t n = half.neighbour;
             if (n == none) continue;
             const Mark before = this->marks_[n];
@@ -357,18 +350,20 @@ private:
             [[maybe_unused]] bool penalty = false;
             if (before.state == CellState::clean) {
                 if (this->parameters_.outside_view == OutsideView::unseen &&
-                    !cell_in_view(*this->problem_.cells, this->problem_.view, n)) {
+                    !this->in_view_.has(cells, this->problem_.view, n,
+                                        this->contents_.corners_behind(cells, cell, i, place))) {
                     this->marks_.set(n, {0, 0, CellState::unseen});
                     rule = Rule::marked_unseen;
                 } else {
-                    const Key key = key_of(cell, key_a, half);
+                    this->contents_.prefetch_cell(cells, n);
+                    const Key key = key_of<Sink>(cell, key_a, half);
                     this->enqueue(n, key.value, false);
                     rule = Rule::enqueued;
                     penalty = key.penalty;
                 }
             } else if (heuristic_.on_reenqueue != OnReenqueue::never) {
                 const OnReenqueue on = heuristic_.on_reenqueue;
-                const Key key = key_of(cell, key_a, half);
+                const Key key = key_of<Sink>(cell, key_a, half);
                 if (on == OnReenqueue::replace || (on == OnReenqueue::min && key.value < before.key) ||
                     (on == OnReenqueue::max && key.value > before.key)) {
                     this->enqueue(n, key.value, true);
@@ -381,34 +376,20 @@ private:
         }
     }
 
-    // The pops jump about in space, so that most of a step's time goes into waiting for memory, one row after the
-    // other. The three functions below ask for it ahead; they change nothing else.
+    // The pops jump about in space, so that most of a step's time would go into waiting for memory, one row after the
+    // other. The functions below ask for it ahead; they change nothing else.
 
-    /// Where the rows of the cell that is likely to be next begin.
-    void prefetch_row_begins(std::uint32_t cell) const {
-        const CellComplex<D>& cells = *this->problem_.cells;
-        const std::uint32_t next = this->front_.likely_next(cell);
-        if (!cells.cell_facet_begin.empty()) detail::prefetch(&cells.cell_facet_begin[next]);
-        detail::prefetch(&cells.cell_primitive_begin[next]);
+    /// While the cell is projected: what those need that are likely to come next.
+    void prefetch_next(std::uint32_t cell) const {
+        const std::uint32_t next = this->front_.likely_next(0, cell);
+        prefetch_step(next);
+        this->contents_.prefetch_contents(*this->problem_.cells, next);
+        prefetch_step(this->front_.likely_next(1, cell));
     }
-
-    /// The rows themselves.
-    void prefetch_rows(std::uint32_t cell) const {
-        const std::uint32_t next = this->front_.likely_next(cell);
-        detail::prefetch(this->problem_.cells->facets_of(next).data());
-        const auto* const row = this->contents_.row(*this->problem_.cells, next);
-        detail::prefetch(row);
-        detail::prefetch(row + 2);
-    }
-
-    /// What the rows of the popped cell point at.
     void prefetch_step(std::uint32_t cell) const {
         const CellComplex<D>& cells = *this->problem_.cells;
-        for (const HalfFacet& half : cells.facets_of(cell)) {
-            if (half.neighbour == none) continue;
-            detail::prefetch(this->marks_.address_of(half.neighbour));
-            detail::prefetch(cells.corners_of(half.neighbour).data());
-            detail::prefetch(cells.points_of_facet(half.facet()).data());
+        for (const HalfFacet& half : this->contents_.facets_of(cells, cell)) {
+            if (half.neighbour != none) detail::prefetch(this->marks_.address_of(half.neighbour));
         }
     }
 
@@ -418,7 +399,7 @@ private:
         } else if constexpr (requires { heuristic_.explain(this->problem_, a, key_a, half, digits); }) {
             return heuristic_.explain(this->problem_, a, key_a, half, digits);
         } else {
-            const Key key = key_of(a, key_a, half);
+            const Key key = key_of<detail::RecordingSink>(a, key_a, half);
             KeyExplanation e;
             e.key = key.value;
             e.parts = {{"key = " + short_number(key.value, digits)}};

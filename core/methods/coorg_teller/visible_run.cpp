@@ -5,7 +5,7 @@
 #include <mutex>
 #include <thread>
 
-#include "core/raster/workers.h"
+#include "core/base/workers.h"
 
 namespace sightline {
 

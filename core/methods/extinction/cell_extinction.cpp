@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/geometry/clip.h"
-#include "core/raster/workers.h"
+#include "core/base/workers.h"
 
 namespace sightline {
 

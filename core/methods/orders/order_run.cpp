@@ -4,30 +4,56 @@
 namespace sightline {
 
 template <int D>
-OrderRun<D>::OrderRun(const Problem<D>& problem, const PrimitiveOrder<D>& order)
-    : Run<D>(problem), order_(order), primitives_(order.primitives(problem)) {}
+OrderRun<D>::OrderRun(const Problem<D>& problem, const PrimitiveOrder<D>& order) : Run<D>(problem), order_(order) {
+    begin_order();
+}
 
 template <int D>
 bool OrderRun<D>::restart(const Problem<D>& problem) {
     this->begin(problem);
-    primitives_ = order_.primitives(problem);
+    begin_order();
     return true;
+}
+
+template <int D>
+void OrderRun<D>::begin_order() {
+    if (order_.primitives) {
+        primitives_ = order_.primitives(this->problem_);
+        count_ = static_cast<std::uint32_t>(primitives_.size());
+    } else {
+        primitives_.clear();
+        shown_.clear();
+        nearest_.begin(this->problem_);
+        count_ = static_cast<std::uint32_t>(this->problem_.primitives().size());
+    }
+}
+
+/// False when the budget has no place for it.
+template <int D>
+bool OrderRun<D>::meet_next() {
+    const std::uint32_t offset = this->counters_.offset;
+    if (order_.primitives) return this->meet(primitives_[offset], order_.culls);
+    while (offset >= primitives_.size()) nearest_.extend(primitives_, shown_);
+    const std::uint32_t primitive = primitives_[offset];
+    const bool culled =
+        shown_[offset] == Showing::no || (shown_[offset] == Showing::unsure && !shows(this->problem_, primitive));
+    return add_met(this->problem_.budget, this->culled_costs_, {primitive, culled}, this->drawn_, this->counters_);
 }
 
 /// One batch of the order, or the rest of the batch that the budget cut.
 template <int D>
 Stop OrderRun<D>::batch(Recorder* recorder) {
     std::uint32_t& offset = this->counters_.offset;
-    if (offset >= primitives_.size()) return Stop::front_empty;
+    if (offset >= count_) return Stop::front_empty;
     if (this->counters_.spent >= this->problem_.budget) return Stop::budget;
     if (offset % order_.batch == 0) {
         ++this->steps_;
         if (recorder) recorder->popped(order_.batch == 1 ? primitive_item(primitives_[offset]) : Item{}, {});
     }
     do {
-        if (!this->meet(primitives_[offset], order_.culls)) break;
+        if (!meet_next()) break;
         ++offset;
-    } while (offset < primitives_.size() && offset % order_.batch != 0);
+    } while (offset < count_ && offset % order_.batch != 0);
     if (recorder) recorder->finished(this->counters_);
     return Stop::none;
 }
@@ -42,7 +68,7 @@ Stop OrderRun<D>::run(std::uint32_t steps, Recorder* recorder) {
 
 template <int D>
 bool OrderRun<D>::finished() const {
-    return this->counters_.spent >= this->problem_.budget || this->counters_.offset >= primitives_.size();
+    return this->counters_.spent >= this->problem_.budget || this->counters_.offset >= count_;
 }
 
 template <int D>
@@ -59,7 +85,8 @@ void OrderRun<D>::rewind_to(Step& step, std::vector<Change>&, const Counters& be
 
 template <int D>
 std::size_t OrderRun<D>::memory_bytes() const {
-    return primitives_.capacity() * sizeof(std::uint32_t) + this->drawn_.memory_bytes();
+    return primitives_.capacity() * sizeof(std::uint32_t) + shown_.capacity() + nearest_.memory_bytes() +
+           this->drawn_.memory_bytes();
 }
 
 template <int D>
@@ -73,7 +100,7 @@ std::uint64_t OrderRun<D>::hash() const {
 
 template <int D>
 Misses OrderRun<D>::misses() const {
-    return this->counters_.offset >= primitives_.size() ? order_.promise : Misses::may;
+    return this->counters_.offset >= count_ ? order_.promise : Misses::may;
 }
 
 template <int D>
@@ -88,11 +115,10 @@ std::vector<CodeLine> OrderRun<D>::code(const CodePlace& at) const {
     const bool in_step = at.in_step(), popping = in_step && *at.substep == 0, rendering = in_step && !popping;
     std::vector<CodeLine> lines;
     lines.push_back({std::string(order_.code), 0, false, {}, std::string(order_.source)});
-    lines.back().values = primitives_.empty() && !order_.when_empty.empty()
-                              ? std::string(order_.when_empty)
-                              : std::to_string(primitives_.size()) + " primitives";
+    lines.back().values = count_ == 0 && !order_.when_empty.empty() ? std::string(order_.when_empty)
+                                                                    : std::to_string(count_) + " primitives";
     lines.push_back({"while some are left:", 0, !in_step && counters.spent < this->problem_.budget, {}, {}});
-    if (!in_step) lines.back().values = std::to_string(primitives_.size() - counters.offset) + " left";
+    if (!in_step) lines.back().values = std::to_string(count_ - counters.offset) + " left";
     lines.push_back({order_.batch == 1 ? "take the next one" : "take the next " + std::to_string(order_.batch),
                      1,
                      popping,

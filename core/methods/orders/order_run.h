@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/methods/orders/nearest_first.h"
 #include "core/run/method.h"
 
 namespace sightline {
@@ -12,6 +13,7 @@ inline constexpr std::uint32_t primitive_batch = 32;
 /// An order of primitives as data.
 template <int D>
 struct PrimitiveOrder {
+    /// Empty: all of them, nearest centroid first.
     std::function<std::vector<std::uint32_t>(const Problem<D>&)> primitives;
     bool culls = true;                      ///< leaves out what lies outside the view
     Misses promise = Misses::may;           ///< of the whole order
@@ -41,10 +43,15 @@ public:
     std::vector<CodeLine> code(const CodePlace&) const override;
 
 private:
+    void begin_order();
     Stop batch(Recorder*);
+    bool meet_next();
 
     PrimitiveOrder<D> order_;
-    std::vector<std::uint32_t> primitives_;  ///< the whole order
+    std::vector<std::uint32_t> primitives_;  ///< the order, as far as it is known
+    std::uint32_t count_ = 0;                ///< of the whole order
+    NearestFirst<D> nearest_;                ///< goes on with the order
+    std::vector<Showing> shown_;             ///< of those in it, where it is `nearest_` that tells
 };
 
 extern template class OrderRun<2>;

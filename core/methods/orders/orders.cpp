@@ -17,18 +17,17 @@ std::vector<std::uint32_t> in_scene_order(const Problem<D>& problem) {
     return order;
 }
 
-/// Those that `keep(primitive)` keeps.
-template <int D, typename Keep>
-std::vector<std::uint32_t> nearest_first(const Problem<D>& problem, Keep keep) {
+/// The visible ones, as NearestFirst orders all.
+template <int D>
+std::vector<std::uint32_t> visible_by_centroid(const Problem<D>& problem) {
+    const auto visible = problem.services.visible_set ? problem.services.visible_set() : nullptr;
+    if (!visible) throw WorkError("method 'perfect' needs the exact visible set, which is not available here");
     std::vector<std::pair<double, std::uint32_t>> keys;
-    keys.reserve(problem.primitives().size());
     std::uint32_t id = 0;
     for (const Primitive<D>& p : problem.primitives()) {
         const std::uint32_t primitive = id++;
-        if (!keep(primitive)) continue;
-        Vec<D> sum(0);
-        for (const Vec<D>& v : p) sum += v;
-        const Vec<D> d = sum / static_cast<double>(D) - problem.view.eye;
+        if (!(*visible)[primitive]) continue;
+        const Vec<D> d = centroid<D>(p) - problem.view.eye;
         keys.emplace_back(glm::dot(d, d), primitive);
     }
     std::sort(keys.begin(), keys.end());
@@ -36,18 +35,6 @@ std::vector<std::uint32_t> nearest_first(const Problem<D>& problem, Keep keep) {
     order.reserve(keys.size());
     for (const auto& key : keys) order.push_back(key.second);
     return order;
-}
-
-template <int D>
-std::vector<std::uint32_t> by_centroid(const Problem<D>& problem) {
-    return nearest_first(problem, [](std::uint32_t) { return true; });
-}
-
-template <int D>
-std::vector<std::uint32_t> visible_by_centroid(const Problem<D>& problem) {
-    const auto visible = problem.services.visible_set ? problem.services.visible_set() : nullptr;
-    if (!visible) throw WorkError("method 'perfect' needs the exact visible set, which is not available here");
-    return nearest_first(problem, [&](std::uint32_t primitive) { return (*visible)[primitive] != 0; });
 }
 
 }  // namespace
@@ -59,7 +46,7 @@ PrimitiveOrder<D> scene_order() {
 
 template <int D>
 PrimitiveOrder<D> centroid_order() {
-    return {by_centroid<D>, true, Misses::may, "order the primitives, nearest centroid first", "TVCG section 4.5"};
+    return {{}, true, Misses::may, "order the primitives, nearest centroid first", "TVCG section 4.5"};
 }
 
 template <int D>

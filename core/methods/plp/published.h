@@ -43,15 +43,20 @@ public:
           scale_(sightline::solidity_scale(problem)),
           forward_(problem.view.forward()) {}
 
+    /// All of them, or those that the key depends on.
+    template <bool all = true>
     SolidityTerms terms(const Problem<D>& problem, std::uint32_t a, double key_a, const HalfFacet& half) const {
         const CellComplex<D>& cells = *problem.cells;
         SolidityTerms t;
         t.handed_on = key_a;
         t.count = cells.count(a);
         t.content = std::min(t.count / scale_, 1.0);
-        const FacetGeometry<D> facet = facet_geometry(cells, half);
-        t.alignment = cosine<D>(
-            parameters_.view_vector == ViewVector::eye ? facet.centroid - problem.view.eye : forward_, facet.normal);
+        if (all || key_a != 0) {
+            const FacetGeometry<D> facet = facet_geometry(cells, half);
+            t.alignment =
+                cosine<D>(parameters_.view_vector == ViewVector::eye ? facet.centroid - problem.view.eye : forward_,
+                          facet.normal);
+        }
         t.angle = t.alignment;
         if (parameters_.transfer_sign == TransferSign::clamp) t.angle = std::max(t.alignment, 0.0);
         if (parameters_.transfer_sign == TransferSign::abs) t.angle = std::abs(t.alignment);
@@ -62,7 +67,8 @@ public:
             t.unpenalised += t.own_content;
         }
         t.key = t.unpenalised;
-        if (parameters_.tests_star_shape) {
+        const bool penalty_matters = parameters_.penalty == Penalty::add || t.key != 0;
+        if (parameters_.tests_star_shape && (all || penalty_matters)) {
             t.star_tested = true;
             t.star_shaped = star_shaped(cells, half, problem.view.eye, cells.centre(half.neighbour));
             if (!t.star_shaped)
@@ -75,6 +81,9 @@ public:
     Key key(const Problem<D>& problem, std::uint32_t a, double key_a, const HalfFacet& half) const {
         const SolidityTerms t = terms(problem, a, key_a, half);
         return {t.key, !t.star_shaped};
+    }
+    double key_value(const Problem<D>& problem, std::uint32_t a, double key_a, const HalfFacet& half) const {
+        return terms<false>(problem, a, key_a, half).key;
     }
     KeyExplanation explain(const Problem<D>& problem, std::uint32_t a, double key_a, const HalfFacet& half,
                            int digits) const {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/raster/workers.h"
+#include "core/base/workers.h"
 
 namespace sightline {
 

@@ -29,7 +29,7 @@ template <>
 class ApparentSize<3> {
 public:
     explicit ApparentSize(const Problem<3>& problem) {
-        const CellTriangles& triangles = problem.cells->triangles->of(*problem.scene, problem.cells->cell_primitives);
+        const CellTriangles& triangles = triangles_of(*problem.cells, *problem.scene);
         const Vec<3> eye = problem.view.eye - triangles.origin();
         eye_ = {static_cast<float>(eye.x), static_cast<float>(eye.y), static_cast<float>(eye.z)};
     }
@@ -48,7 +48,7 @@ private:
 template <int D>
 SizeTerms Tri<D>::size_terms(const Problem<D>& problem, const CellContents<D>& contents, std::uint32_t place,
                              double transmittance) const {
-    const float size = ApparentSize<D>(problem).of(contents.row(*problem.cells, 0)[place]);
+    const float size = ApparentSize<D>(problem).of(contents.held_at(*problem.cells, place));
     return {transmittance, size, waiting_key(size, static_cast<float>(transmittance))};
 }
 
@@ -61,9 +61,10 @@ void Tri<D>::add_waiting(const Problem<D>& problem, const CellContents<D>& conte
     if (count == 0) return;
     const auto lit = static_cast<float>(std::max(transmittance(problem, cell, key), least_transmittance));
     const ApparentSize<D> size(problem);
-    const auto* const row = contents.row(cells, cell);
-    for (std::uint32_t i = 0; i < count; ++i)
-        if (contents.may_show(row[i])) waiting.add(waiting_key(size.of(row[i]), lit), begin + i);
+    for (std::uint32_t place = begin; place < begin + count; ++place) {
+        const auto& held = contents.held_at(cells, place);
+        if (contents.may_show(held)) waiting.add(waiting_key(size.of(held), lit), place);
+    }
 }
 
 template <int D>

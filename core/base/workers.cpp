@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/raster/workers.h"
+#include "core/base/workers.h"
 
 #if SIGHTLINE_THREADS
 #include <tbb/info.h>
