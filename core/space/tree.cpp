@@ -88,7 +88,10 @@ private:
     bool holds(std::uint32_t node, const Vec<D>& p) const {
         const Box<D>& box = made_[node].box;
         bool inside = true;
-        for (int i = 0; i < D; ++i) inside &= (box.min[i] <= p[i]) & (p[i] < box.max[i]);
+        for (int i = 0; i < D; ++i) {
+            inside &= box.min[i] <= p[i];
+            inside &= p[i] < box.max[i];
+        }
         return inside;
     }
 
