@@ -117,7 +117,7 @@ std::vector<VariantLook> variant_looks(std::span<const std::string> variants) {
                             : number - first_alike < apart.size() ? apart[number - first_alike]
                                                                   : number + apart.size());
     }
-    const std::size_t known = numbers.size();
+    constexpr std::size_t look_count = hue_count * shade_count;
     std::set<std::string> others;
     for (const std::string& variant : variants) {
         VariantText text = canonical(variant);
@@ -127,9 +127,9 @@ std::vector<VariantLook> variant_looks(std::span<const std::string> variants) {
     }
     std::set<std::size_t> taken;
     for (const std::string& id : others) {
-        std::size_t number = hash_of(id) % (hue_count * shade_count);
-        while (!taken.insert(number).second) ++number;
-        numbers.emplace(id, known + number);
+        std::size_t number = hash_of(id) % look_count;
+        while (!taken.insert(number).second) number = taken.size() < look_count ? (number + 1) % look_count : number + 1;
+        numbers.emplace(id, look_count + number);
     }
 
     std::map<std::string, VariantLook> looks;

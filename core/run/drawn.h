@@ -128,6 +128,11 @@ public:
         for (std::uint32_t i = begin; i < end; ++i) put(met_[i].primitive());
     }
 
+    /// Puts behind the list what a run on the same way, which has gone farther, has met.
+    void remember(std::span<const Met> all) {
+        if (all.size() > met_.size()) met_.insert(met_.end(), all.begin() + static_cast<std::ptrdiff_t>(met_.size()), all.end());
+    }
+
     /// All that was met, also what an undo has taken back; Run::met() is the part that counts.
     std::span<const Met> all() const { return met_; }
     std::size_t memory_bytes() const {

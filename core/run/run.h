@@ -139,6 +139,8 @@ public:
     const Counters& counters() const { return counters_; }
     std::uint32_t steps() const { return steps_; }  ///< taken
     const Drawn& drawn() const { return drawn_; }
+    /// What a recording of its steps met beyond what it has met itself.
+    void remember(std::span<const Met> all) { drawn_.remember(all); }
     /// What was met so far.
     std::span<const Met> met() const { return drawn_.all().first(counters_.touched_count); }
 

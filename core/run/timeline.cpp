@@ -41,11 +41,13 @@ void Timeline<D>::restore(OwnRun<D>& run, std::uint32_t step) const {
     assert(after != keyframes_.begin());
     const Keyframe<D>& from = *(after - 1);
     const std::uint32_t budget = run->problem().budget;
+    const std::vector<Met> all(run->drawn().all().begin(), run->drawn().all().end());
     // Going forward the run itself may be nearer than any keyframe.
     if (run->steps() > step || run->steps() < from.step) run = OwnRun<D>(from.run->clone());
     run->set_budget(budget);
     if (run->steps() < step) run->run(step - run->steps());
     assert(run->steps() == step);
+    run->remember(all);  // what undone steps met is asked for
 }
 
 template <int D>

@@ -47,7 +47,7 @@ TEST(VariantLook, AllOfTheTableAndTheirVariantsDiffer) {
     for (int i = 0; i < 90; ++i) many.push_back("published penalty_amount=" + std::to_string(1 + 0.1 * i));
     expect_all_differ(many);
     std::vector<std::string> others = methods();
-    for (int i = 0; i < 25; ++i) others.push_back("of_ones_own_" + std::to_string(i));
+    for (int i = 0; i < 24; ++i) others.push_back("of_ones_own_" + std::to_string(i));
     expect_all_differ(others);
 }
 

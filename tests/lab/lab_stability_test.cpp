@@ -80,7 +80,7 @@ void expect_stable(const std::vector<StabilityRow>& rows) {
         return std::count_if(rows.begin(), rows.end(), [&](const StabilityRow& r) { return r.disturbance == d; });
     };
     const auto methods = count(Disturbance::shuffle);
-    EXPECT_EQ(methods, 7) << "the approximate ones";
+    EXPECT_EQ(methods, 12) << "the approximate ones";
     EXPECT_EQ(count(Disturbance::eye), 8 * methods);
     EXPECT_EQ(count(Disturbance::scale), 6 * methods);
     EXPECT_EQ(count(Disturbance::grazing), methods);

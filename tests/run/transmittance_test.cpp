@@ -62,7 +62,7 @@ std::optional<Vec<3>> met_at(const Primitive<3>& t, const Vec<3>& p, const Vec<3
     return at;
 }
 
-/// Held against lines through random points of the cell's outline. A point of a cell is on as many lines as the cell is
+/// Held against lines through random points of the cell's outline. 
 /// long there, so lines are weighted by one over that.
 template <int D>
 void expect_covered_shares(double tolerance) {
@@ -88,10 +88,13 @@ void expect_covered_shares(double tolerance) {
             for (int i = 0; i < D; ++i) reach += box.extent()[i];
             int outline = 0, covered = 0;
             for (int i = 0; i < 60000 && outline < 1500; ++i) {
-                Vec<D> p;
-                for (int axis = 0; axis < D; ++axis) p[axis] = centre[axis] + random.uniform(-reach, reach);
-                p -= d * glm::dot(p - centre, d);
-                if (glm::dot(p - centre, p - centre) > reach * reach / 4) continue;  // a round patch, the same all over
+                Vec<D> p = centre;
+                if constexpr (D == 2) {
+                    p += Vec<2>(-d.y, d.x) * random.uniform(-reach, reach);
+                } else {
+                    const Vec<3> u = glm::normalize(glm::cross(d, Vec<3>(0.3, 0.5, 0.8)));
+                    p += u * random.uniform(-reach, reach) + glm::cross(d, u) * random.uniform(-reach, reach);
+                }
                 double from = -1e9, to = 1e9;
                 for (const HalfFacet& half : lit.cells.facets_of(cell)) {
                     if (lit.cells.is_contact(half.facet())) continue;

@@ -15,7 +15,7 @@ const ParameterRow& maximise_row() {
 KeyExplanation explain_light(const LightTerms& t, int digits) {
     const auto number = [&](double v) { return short_number(v, digits); };
     KeyExplanation e;
-    e.key = 1 - t.transmittance;
+    e.key = t.shade;
     e.parts = {{"1 − T = 1 − ("},     {number(t.share), KeyAbout::angle, "share"},
                {" · "},               {number(t.handed_on), KeyAbout::handed_on, "handed on"},
                {" · (1 − "},          {number(t.opacity), KeyAbout::content, "opacity"},
@@ -25,13 +25,13 @@ KeyExplanation explain_light(const LightTerms& t, int digits) {
             "leaves open, plus what comes through the other facets";
     e.weightiest = weightiest_of(t);
     e.terms = {{"share", t.share, {}},   {"handed_on", t.handed_on, {}},         {"opacity", t.opacity, {}},
-               {"others", t.others, {}}, {"transmittance", t.transmittance, {}}, {"key", e.key, {}}};
+               {"others", t.others, {}}, {"transmittance", t.transmittance(), {}}, {"key", e.key, {}}};
     return e;
 }
 
 std::string weightiest_of(const LightTerms& t) {
     const double arrives = t.share * t.handed_on * (1 - t.opacity);
-    if (t.transmittance == 1) return "nothing is in the way: all its light has come";
+    if (t.shade == 0) return "nothing is in the way: all its light has come";
     const double missing = 1 - t.share - t.others, kept = t.share - arrives;
     if (kept >= missing)
         return "what the cell before keeps back (" + short_number(kept) + " of the light): its transmittance is " +

@@ -15,7 +15,9 @@ struct LightTerms {
     double handed_on = 0;      ///< the transmittance of that cell
     double opacity = 0;        ///< of that cell, as the eye sees it
     double others = 0;         ///< what comes through the other facets
-    double transmittance = 0;  ///< share * handed_on * (1 - opacity) + others
+    double shade = 0;          ///< 1 - share * handed_on * (1 - opacity) - others; exactly 0 where nothing is missing
+
+    double transmittance() const { return 1 - shade; }
 };
 
 /// Light as marks know it: a projected cell is as bright as the key says that it was projected with.
@@ -40,7 +42,7 @@ public:
                     Transmittance transmittance) const {
         const CellComplex<D>& cells = *problem.cells;
         const std::uint32_t b = half.neighbour, last = marks[a].stamp;
-        double all = 0, others = 0;
+        double all = 0, others = 0, missing = 0;  // sums of what is missing are exact where nothing is
         LightTerms t;
         const auto facets = cells.facets_of(b);
         const LitFacet<D>* const lit = &light_->facets[static_cast<std::size_t>(facets.data() - cells.half_facets.data())];
@@ -58,8 +60,12 @@ public:
             const bool gives = mark.state == CellState::projected && mark.stamp <= last;
             if (!gives && !in_view_.holds(problem, n)) continue;
             all += angle;
-            if (!gives) continue;
+            if (!gives) {
+                missing += angle;
+                continue;
+            }
             const double from = transmittance(n, mark.key), opacity = opacity_of(problem, n);
+            missing += angle * (1 - from * (1 - opacity));
             if (facets[i].facet() == half.facet()) {
                 t.share = angle;
                 t.handed_on = from;
@@ -71,12 +77,13 @@ public:
         if (all > 0) {
             t.share /= all;
             t.others = others / all;
+            t.shade = missing / all;
         } else {  // the eye lies in it, or looks in through cells outside the view alone
             t.share = 1;
             t.handed_on = transmittance(a, marks[a].key);
             t.opacity = opacity_of(problem, a);
+            t.shade = 1 - t.handed_on * (1 - t.opacity);
         }
-        t.transmittance = t.share * t.handed_on * (1 - t.opacity) + t.others;
         return t;
     }
 
@@ -112,7 +119,7 @@ public:
         return light_.into(problem, marks, a, half, [](std::uint32_t, double key) { return 1 - key; });
     }
     Key key(const Problem<D>& problem, const Marks& marks, std::uint32_t a, double, const HalfFacet& half) const {
-        return 1 - terms(problem, marks, a, half).transmittance;
+        return terms(problem, marks, a, half).shade;
     }
     KeyExplanation explain(const Problem<D>& problem, const Marks& marks, std::uint32_t a, double,
                            const HalfFacet& half, int digits) const {

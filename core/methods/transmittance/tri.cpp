@@ -74,11 +74,11 @@ KeyExplanation Tri<D>::explain(const Problem<D>& problem, const Marks& marks, st
     const double size = 1 / distance_in_sizes(problem, half.neighbour);
     KeyExplanation e = explain_light(t, digits);
     e.terms.pop_back();
-    e.key = key_at(problem, half.neighbour, t.transmittance);
+    e.key = key_at(problem, half.neighbour, t.transmittance());
     e.parts.front().text = "T = ";
     e.parts.insert(e.parts.begin() + 1, {{"("}});
-    e.parts.back().text = ") = " + short_number(t.transmittance, digits) + ", key = 1 / (" +
-                          short_number(t.transmittance, digits) + " · " +
+    e.parts.back().text = ") = " + short_number(t.transmittance(), digits) + ", key = 1 / (" +
+                          short_number(t.transmittance(), digits) + " · " +
                           (maximise_ == Maximise::count ? "√" : "") + short_number(size, digits) +
                           ") = " + short_number(e.key, digits);
     e.tip += "; the key is one over T times " +

@@ -39,7 +39,7 @@ public:
                            [&](std::uint32_t n, double key) { return transmittance(problem, n, key); });
     }
     Key key(const Problem<D>& problem, const Marks& marks, std::uint32_t a, double, const HalfFacet& half) const {
-        return key_at(problem, half.neighbour, terms(problem, marks, a, half).transmittance);
+        return key_at(problem, half.neighbour, terms(problem, marks, a, half).transmittance());
     }
     KeyExplanation explain(const Problem<D>& problem, const Marks& marks, std::uint32_t a, double,
                            const HalfFacet& half, int digits) const;
