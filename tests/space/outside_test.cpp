@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/run/cplp_support.h"
+#include "tests/soak.h"
 
 namespace sightline {
 namespace {
