@@ -58,7 +58,11 @@ std::string step_line(const StepExplanation& step, bool truth, std::string_view 
                     short_number(step.runner_up_key, step.digits) + ").";
         text += " ";
     } else {
-        text += step.words.empty() ? ": " : ": " + step.words + "; ";
+        text += step.words.empty() ? ": " : ": " + step.words;
+        // What became of it: "node 17, covered: postponed".
+        if (!step.looked_at.empty() && step.item && step.looked_at.front().item == step.item)
+            text += ", " + std::string(step.looked_at.front().words);
+        if (!step.words.empty()) text += "; ";
     }
     text += std::to_string(step.rendered) + " drawn";
     if (!truth || step.rendered == 0) return text + ".";

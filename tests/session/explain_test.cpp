@@ -10,6 +10,7 @@
 #include "core/base/number.h"
 #include "core/methods/cells/seed_cells.h"
 #include "core/methods/plp/published.h"
+#include "core/session/headline.h"
 #include "tests/session/session_support.h"
 #include "tests/soak.h"
 
@@ -300,6 +301,44 @@ TEST(Explain, SeparatingDigitsAreTheFewestThatDo) {
     }
     EXPECT_EQ(separating_digits(0.5, 0.5), 3);
     EXPECT_EQ(separating_digits(0.25, 0.2501), 4);
+}
+
+// Also across a facet that turns away, through which nothing of it comes.
+TEST(Explain, LightNamesWhatTheCellBeforeHas) {
+    Random random(45);
+    for (const char* const method : {"flux", "tri"}) {
+        int turned_away = 0;
+        for (int i = 0; i < test::soak_count(30); ++i) {
+            test::Start start = test::random_start(random);
+            start.settings.method = method;
+            Session<2> session = start.session();
+            session.run();
+            for (std::uint32_t n = 1; n <= session.position(); ++n) {
+                const StepExplanation step = explain_step(session, n);
+                for (const Considered& c : step.looked_at) {
+                    if (!c.key) continue;
+                    if (start.settings.method == "flux" || step.key == 0) {
+                        ASSERT_NEAR(test::term(*c.key, "handed_on"), 1 - step.key, 1e-12) << method << ", step " << n;
+                    }
+                    turned_away += test::term(*c.key, "share") == 0;
+                }
+            }
+        }
+        EXPECT_GT(turned_away, 20) << method;
+    }
+}
+
+TEST(Explain, TheBannerSaysWhatBecameOfABox) {
+    Random random(46);
+    test::Start start = test::random_start(random);
+    start.settings.method = "tri-z";
+    Session<2> session = start.session();
+    session.run();
+    ASSERT_GT(session.position(), 0u);
+    const StepExplanation step = explain_step(session, 1);
+    ASSERT_FALSE(step.looked_at.empty());
+    EXPECT_EQ(step_line(step, false, "Left"), "Left, step 1: node 0, " + std::string(step.looked_at.front().words) +
+                                                  "; " + std::to_string(step.rendered) + " drawn.");
 }
 
 TEST(Explain, TheFormulaShowsEveryTerm) {

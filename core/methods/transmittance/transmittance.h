@@ -87,6 +87,17 @@ public:
         return t;
     }
 
+    /// For people: what the cell `a` holds back also where it gives nothing, through a facet that turns away.
+    template <typename Transmittance>
+    LightTerms told(const Problem<D>& problem, const Marks& marks, std::uint32_t a, LightTerms t,
+                    Transmittance transmittance) const {
+        if (t.share == 0) {
+            t.handed_on = transmittance(a, marks[a].key);
+            t.opacity = opacity_of(problem, a);
+        }
+        return t;
+    }
+
     double opacity_of(const Problem<D>& problem, std::uint32_t cell) const {
         if (problem.cells->count(cell) == 0) return 0;
         return light_->opacity.of(cell, nearest_direction<D>(problem.view.eye - problem.cells->centre(cell)));
@@ -123,7 +134,9 @@ public:
     }
     KeyExplanation explain(const Problem<D>& problem, const Marks& marks, std::uint32_t a, double,
                            const HalfFacet& half, int digits) const {
-        return explain_light(terms(problem, marks, a, half), digits);
+        return explain_light(light_.told(problem, marks, a, terms(problem, marks, a, half),
+                                         [](std::uint32_t, double key) { return 1 - key; }),
+                             digits);
     }
     void add_key_lines(std::vector<CodeLine>& lines, const KeyExplanation* explained, int digits) const {
         add_light_lines(lines, explained, digits);

@@ -70,7 +70,9 @@ void Tri<D>::add_waiting(const Problem<D>& problem, const CellContents<D>& conte
 template <int D>
 KeyExplanation Tri<D>::explain(const Problem<D>& problem, const Marks& marks, std::uint32_t a, double,
                                const HalfFacet& half, int digits) const {
-    const LightTerms t = terms(problem, marks, a, half);
+    const LightTerms t =
+        light_.told(problem, marks, a, terms(problem, marks, a, half),
+                    [&](std::uint32_t n, double key) { return transmittance(problem, n, key); });
     const double size = 1 / distance_in_sizes(problem, half.neighbour);
     KeyExplanation e = explain_light(t, digits);
     e.terms.pop_back();

@@ -22,7 +22,7 @@ template <int D>
 class Tri {
 public:
     static constexpr double seed_key = 0;
-    static constexpr std::string_view key_title = "1 / (T · √size)";
+    static constexpr std::string_view key_title = "key by light and size";
     static constexpr OnReenqueue on_reenqueue = OnReenqueue::replace;
     static constexpr bool stamps_pops = true;
     static constexpr Seeds seeds = Seeds::hull;

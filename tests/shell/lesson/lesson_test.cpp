@@ -8,6 +8,7 @@
 #include "core/session/headline.h"
 #include "shell/commands/teach.h"
 #include "shell/desk/conceal.h"
+#include "shell/desk/faults.h"
 #include "shell/pane/cell_words.h"
 #include "shell/pane/side_by_side.h"
 #include "shell/panels/panel.h"
@@ -86,6 +87,7 @@ TEST_F(Lessons, OfTheProjectShowTheNumbersThatTheySpeakOf) {
                 asked += !beat.ask.empty();
                 EXPECT_EQ(bench->teaching->next()->ask, beat.ask);
                 next_beat(*bench);
+                update_faults(*bench);  // as the window does when nothing moves
                 for (const std::string& words : beat.shows) {
                     ++shown;
                     EXPECT_NE(on_the_screen().find(words), std::string::npos)
