@@ -60,7 +60,7 @@ constexpr Expectation wrong_fails{"published", Expect::fail, "wrong", Bound::at_
 constexpr Expectation varied{"published penalty=add", Expect::pass, "detour", Bound::at_most, 3, "no way round"};
 constexpr Expectation layers_passes{"layers", Expect::pass, "coverage", Bound::at_least, 0.5, "most is drawn"};
 constexpr Expectation cells_fail{"cells border=none", Expect::fail, "unassigned", Bound::at_most, 0, "none is lost"};
-constexpr Expectation flux{"flux", Expect::pending, "coverage", Bound::at_least, 0.9, "all is drawn"};
+constexpr Expectation advisor{"advisor", Expect::pending, "coverage", Bound::at_least, 0.9, "all is drawn"};
 
 std::vector<GalleryEntry> entries() {
     const double nan = std::numeric_limits<double>::quiet_NaN(), never = std::numeric_limits<double>::infinity();
@@ -71,7 +71,7 @@ std::vector<GalleryEntry> entries() {
              "It teaches.",
              "two < three",
              {judge(coverage_passes, true, 0.75), judge(wrong_fails, true, 0.25), judge(varied, true, 2),
-              judge(flux, false, nan)},
+              judge(advisor, false, nan)},
              {},
              "./run viewer2d --state first.json"},
             {"3d:second",
@@ -93,10 +93,10 @@ TEST(LabGalleryPage, MarksWhoSurvivesWhat) {
     const std::string html = gallery_page(all, "Measured at home.");
     EXPECT_NE(html.find("<b>2 scenes, 8 expectations, 1 pending, 2 surprises</b>"), std::string::npos);
     EXPECT_NE(html.find("Measured at home."), std::string::npos);
-    // Columns: published, layers | cells | flux. Nobody asks for the other methods here.
+    // Columns: published, layers | cells | advisor. Nobody asks for the other methods here.
     const std::string heads = between(html, "<span class=up>", "</thead>");
     EXPECT_EQ(occurrences(heads, "class=up"), 4u) << heads;
-    for (const char* pair : {"published layers", "layers cells", "cells flux"}) {
+    for (const char* pair : {"published layers", "layers cells", "cells advisor"}) {
         const std::string text = pair;
         const std::size_t space = text.find(' ');
         EXPECT_LT(heads.find(">" + text.substr(0, space) + "<"), heads.find(">" + text.substr(space + 1) + "<"));
@@ -133,7 +133,7 @@ TEST(LabGalleryPage, TellsEachSceneInWords) {
 
 TEST(LabGalleryPage, SaysWhenAPendingMethodHasCome) {
     std::vector<GalleryEntry> all = entries();
-    all[0].verdicts = {judge(flux, true, 0.95)};
+    all[0].verdicts = {judge(advisor, true, 0.95)};
     const std::string html = gallery_page(all, "");
     EXPECT_NE(html.find("SURPRISE: it exists now"), std::string::npos);
 }

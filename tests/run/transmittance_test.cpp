@@ -62,8 +62,7 @@ std::optional<Vec<3>> met_at(const Primitive<3>& t, const Vec<3>& p, const Vec<3
     return at;
 }
 
-/// Held against lines through random points of the cell's outline. 
-/// long there, so lines are weighted by one over that.
+/// Held against random lines along the direction.
 template <int D>
 void expect_covered_shares(double tolerance) {
     Random random(90 + D);
