@@ -31,7 +31,8 @@ public:
     explicit Light(const Problem<D>& problem)
         : light_(cell_light(problem)),
           eye_((problem.view.eye - light_->origin) / light_->unit),
-          in_view_(problem.cells->cell_count()) {}
+          in_view_(problem.cells->cell_count()),
+          directions_(problem.cells->cell_count(), unknown) {}
 
     const CellLight<D>& of_scene() const { return *light_; }
 
@@ -100,13 +101,19 @@ public:
 
     double opacity_of(const Problem<D>& problem, std::uint32_t cell) const {
         if (problem.cells->count(cell) == 0) return 0;
-        return light_->opacity.of(cell, nearest_direction<D>(problem.view.eye - problem.cells->centre(cell)));
+        std::uint8_t& direction = directions_[cell];
+        if (direction == unknown)
+            direction = static_cast<std::uint8_t>(
+                nearest_direction<D>(problem.view.eye - problem.cells->centre(cell)));
+        return light_->opacity.of(cell, direction);
     }
 
 private:
     std::shared_ptr<const CellLight<D>> light_;
     Vec<D> eye_;
     SeenCells<D> in_view_;
+    static constexpr std::uint8_t unknown = 255;
+    mutable std::vector<std::uint8_t> directions_;  ///< a cache: that of each cell in which the eye lies
 };
 
 /// What makes the cell as dark as it is, for people.
