@@ -128,7 +128,8 @@ std::vector<VariantLook> variant_looks(std::span<const std::string> variants) {
     std::set<std::size_t> taken;
     for (const std::string& id : others) {
         std::size_t number = hash_of(id) % look_count;
-        while (!taken.insert(number).second) number = taken.size() < look_count ? (number + 1) % look_count : number + 1;
+        while (!taken.insert(number).second)
+            number = taken.size() < look_count ? (number + 1) % look_count : number + 1;
         numbers.emplace(id, look_count + number);
     }
 

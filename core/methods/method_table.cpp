@@ -6,8 +6,8 @@
 #include "core/methods/cells/cell_method.h"
 #include "core/methods/coorg_teller/coorg_teller.h"
 #include "core/methods/cplp/cplp.h"
-#include "core/methods/feedback/feedback_run.h"
 #include "core/methods/extinction/extinction.h"
+#include "core/methods/feedback/feedback_run.h"
 #include "core/methods/formula/formula_heuristic.h"
 #include "core/methods/image_space/image_methods.h"
 #include "core/methods/layers/layers.h"
@@ -54,6 +54,7 @@ std::vector<Method<D>> rows() {
     for (Method<D>& method : object_space_methods<D>()) table.push_back(std::move(method));
     table.push_back(cell_method<D, Extinction<D>>(
         "extinction", "extinction", "cells by the optical depth between them and the eye (what the gem wishes for)"));
+    table.back().prepare = [](const Problem<D>& problem) { cell_extinction(problem); };
     table.insert(table.end(), by_light.begin(), by_light.end());
     table.push_back(feedback_method<D>());
     table.push_back(listed_method<D>());  // last: colours follow the order

@@ -7,8 +7,8 @@
 
 #include "core/base/error.h"
 #include "core/base/image_size.h"
-#include "core/raster/snap_primitives.h"
 #include "core/base/workers.h"
+#include "core/raster/snap_primitives.h"
 
 namespace sightline {
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "core/raster/seen_shape.h"
 #include "core/base/workers.h"
+#include "core/raster/seen_shape.h"
 
 namespace sightline {
 

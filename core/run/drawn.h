@@ -65,8 +65,6 @@ public:
         met_.clear();
     }
     bool has(std::uint32_t primitive) const { return words_[primitive / 64] >> primitive % 64 & 1; }
-    /// Where it is written down whether a primitive was met; to be fetched ahead.
-    const void* address_of(std::uint32_t primitive) const { return &words_[primitive / 64]; }
 
     /// Appends behind the first `count`; what stood there, a recording's undone future, is replaced.
     void add(std::uint32_t count, Met met) {
@@ -130,7 +128,8 @@ public:
 
     /// Puts behind the list what a run on the same way, which has gone farther, has met.
     void remember(std::span<const Met> all) {
-        if (all.size() > met_.size()) met_.insert(met_.end(), all.begin() + static_cast<std::ptrdiff_t>(met_.size()), all.end());
+        if (all.size() > met_.size())
+            met_.insert(met_.end(), all.begin() + static_cast<std::ptrdiff_t>(met_.size()), all.end());
     }
 
     /// All that was met, also what an undo has taken back; Run::met() is the part that counts.

@@ -53,11 +53,7 @@ const Inversions& Session<D>::followed_inversions() const {
     if (!inversions_) inversions_.emplace(reference().cell_share, reference().visible, run_->seeds());
     const auto count = [&](std::uint32_t cell) { return cells_->count(cell); };
     if (inversions_->followed() == recorded()) return *inversions_;
-    // What undone steps met is known to a run that undoes by marks; another has to be where they are done.
-    if (run_->undoes_by_marks() || run_->steps() == recorded())
-        inversions_->follow(timeline_, run_->drawn().all(), count);
-    else
-        inversions_->follow(timeline_, copy_at(*this, recorded()).met(), count);
+    inversions_->follow(timeline_, run_->drawn().all(), count);
     return *inversions_;
 }
 

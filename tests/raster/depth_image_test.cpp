@@ -8,8 +8,8 @@
 #include <numeric>
 
 #include "core/base/error.h"
-#include "core/raster/band.h"
 #include "core/base/workers.h"
+#include "core/raster/band.h"
 #include "tests/raster/raster_cases.h"
 #include "tests/soak.h"
 #include "tests/truth/image_judge.h"

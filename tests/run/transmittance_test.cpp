@@ -166,8 +166,8 @@ void expect_light() {
                                    : glm::length(point(1) - point(0)) * glm::length(point(2) - point(1));
                     }
                     const double r = glm::length(away);
-                    const double angle = -area * glm::dot(facet.normal, away) / glm::length(facet.normal) / r /
-                                         (D == 2 ? r : r * r);
+                    const double angle =
+                        -area * glm::dot(facet.normal, away) / glm::length(facet.normal) / r / (D == 2 ? r : r * r);
                     if (angle <= 0) continue;
                     const std::uint32_t n = half.neighbour;
                     if (n != none && !projected.count(n) && !cell_in_view(lit.cells, lit.view, n)) continue;
@@ -257,10 +257,9 @@ void expect_feedback(const char* parameters) {
         Problem<D> problem = lit.problem();
         problem.services.image = lit.settings.reference_size;
         const auto run = lit.method().start(problem);
-        const Truth truth =
-            make_truths<D>(lit.scene, std::array<const CellComplex<D>*, 1>{&lit.cells}, lit.view,
-                           lit.settings.reference_size, {}, false)
-                .front();
+        const Truth truth = make_truths<D>(lit.scene, std::array<const CellComplex<D>*, 1>{&lit.cells}, lit.view,
+                                           lit.settings.reference_size, {}, false)
+                                .front();
         while (run->misses() == Misses::may && run->run(1) == Stop::steps) {
         }
         std::vector<std::uint8_t> rendered = rendered_mask(run->met(), lit.scene.primitives.size());

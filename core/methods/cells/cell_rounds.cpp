@@ -25,7 +25,8 @@ void CellBase<D>::complete_in_rounds(const RoundForm& form) {
 template <int D>
 bool CellBase<D>::first_phase_ended() const {
     const Counters& counters = this->counters_;
-    return counters.spent >= this->problem_.budget || (counters.front_size == 0 && counters.partial_cell == none && !more_waits());
+    return counters.spent >= this->problem_.budget ||
+           (counters.front_size == 0 && counters.partial_cell == none && !more_waits());
 }
 
 template <int D>

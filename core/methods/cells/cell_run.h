@@ -224,7 +224,8 @@ private:
     void go_on_with(std::uint32_t cell, Sink& sink) {
         Counters& counters = this->counters_;
         if constexpr (waits) {
-            const bool rendered = render_waiting(heuristic_.waiting.class_of(static_cast<float>(this->marks_[cell].key)), none);
+            const bool rendered =
+                render_waiting(heuristic_.waiting.class_of(static_cast<float>(this->marks_[cell].key)), none);
             counters.partial_cell = rendered ? none : cell;
             if (!rendered) return;
             heuristic_.add_waiting(this->problem_, this->contents_, cell, this->marks_[cell].key);

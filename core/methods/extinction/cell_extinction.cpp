@@ -5,8 +5,8 @@
 #include <array>
 #include <cmath>
 
-#include "core/geometry/clip.h"
 #include "core/base/workers.h"
+#include "core/geometry/clip.h"
 
 namespace sightline {
 

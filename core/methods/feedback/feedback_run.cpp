@@ -23,8 +23,7 @@ std::vector<float> largest_sizes(const Scene<D>& scene, const BoxTree<D>& tree) 
             continue;
         }
         for (const std::uint32_t primitive : tree.primitives_of(static_cast<std::uint32_t>(node)))
-            largest[node] =
-                std::max(largest[node], static_cast<float>(primitive_size(scene.primitives[primitive])));
+            largest[node] = std::max(largest[node], static_cast<float>(primitive_size(scene.primitives[primitive])));
     }
     return largest;
 }
@@ -344,11 +343,10 @@ Misses FeedbackRun<D>::misses() const {
 
 template <int D>
 Method<D> feedback_method() {
-    Method<D> row{"tri-z", "depth feedback",
-                  "nearest first against a small picture of what is drawn: what that covers is postponed",
-                  [](const Problem<D>& problem) -> std::unique_ptr<Run<D>> {
-                      return std::make_unique<FeedbackRun<D>>(problem);
-                  }};
+    Method<D> row{
+        "tri-z", "depth feedback",
+        "nearest first against a small picture of what is drawn: what that covers is postponed",
+        [](const Problem<D>& problem) -> std::unique_ptr<Run<D>> { return std::make_unique<FeedbackRun<D>>(problem); }};
     row.pops = Kind::node;
     row.needs.cells = false;
     row.needs.boxes = true;

@@ -80,9 +80,9 @@ private:
     void sync();
 
     const BoxTree<D>* tree_ = nullptr;
-    bool pixels_ = false;    ///< maximise=pixels
-    bool reduced_ = false;   ///< the picture has fewer pixels than the reference
-    double pixel_angle_ = 0; ///< of the middle pixel of the reference: radians, 3D: steradians
+    bool pixels_ = false;     ///< maximise=pixels
+    bool reduced_ = false;    ///< the picture has fewer pixels than the reference
+    double pixel_angle_ = 0;  ///< of the middle pixel of the reference: radians, 3D: steradians
     std::shared_ptr<const std::vector<float>> largest_;  ///< per node, for maximise=pixels
 
     Marks marks_;
@@ -98,9 +98,9 @@ private:
     std::size_t covered_next_ = 0;
 
     Screen<D> screen_;
-    std::vector<Met> shown_;           ///< what the picture shows, in order
+    std::vector<Met> shown_;             ///< what the picture shows, in order
     std::uint32_t shown_refreshed_ = 0;  ///< and what boxes are tested against
-    std::vector<SideSeen> facing_;     ///< scratch
+    std::vector<SideSeen> facing_;       ///< scratch
     std::vector<std::uint32_t> found_;
 };
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/text.h"
 #include "core/methods/feedback/feedback_run.h"
+#include "core/run/opened_to.h"
 
 namespace sightline {
 
@@ -25,9 +26,7 @@ Verdict FeedbackRun<D>::why_not(const Item& item) const {
                                some_of(D == 2 ? "segment" : "triangle", seen.hidden_by, most_hiders)};
     }
     if (state != CellState::clean) return {};
-    std::uint32_t above = 0;
-    while (above != item.id && marks_[above].state == CellState::projected && tree_->nodes[above].first_child != none)
-        above = tree_->child_at(above, tree_->nodes[item.id].begin);
+    const std::uint32_t above = opened_to(*tree_, marks_, item.id);
     const Item box{above, Kind::node};
     switch (marks_[above].state) {
         case CellState::unseen:
@@ -60,8 +59,8 @@ std::vector<CodeLine> FeedbackRun<D>::code(const CodePlace& at) const {
     add("its rectangle lies behind what the small picture shows: postpone it", 1,
         in_step && rule == FeedbackRule::covered, popped);
     add("it has halves: put them into the front", 1, in_step && rule == FeedbackRule::opened, popped);
-    add("else draw it into the small picture, and render what wins a pixel", 1,
-        in_step && rule == FeedbackRule::drawn, counted(at.rendered, "primitive") + " of " + popped);
+    add("else draw it into the small picture, and render what wins a pixel", 1, in_step && rule == FeedbackRule::drawn,
+        counted(at.rendered, "primitive") + " of " + popped);
     if (reduced_) add("or is too small to win one, where nothing covers it", 2, false);
     if (pixels_) add("but postpone what shows at few pixels", 2, false);
     lines.push_back(budget_line(*this, 1, "", false, in_step));

@@ -92,7 +92,6 @@ private:
     /// The image stays that of the occluders.
     bool is_fixed() const { return method_.test == BoxMethod::Test::fixed || method_.test == BoxMethod::Test::opacity; }
     void enqueue(std::uint32_t node, Recorder*);
-    std::uint32_t nearest_marked_above(std::uint32_t node) const;
     const Front::Entry* front_top();
     void sync();
     void refresh_if_due();

@@ -3,6 +3,7 @@
 #include "core/methods/image_space/box_run.h"
 
 #include "core/base/text.h"
+#include "core/run/opened_to.h"
 
 namespace sightline {
 
@@ -15,15 +16,6 @@ bool is_own(const Step& step, const Change& change) { return change.item() == st
 template <int D>
 std::string BoxRun<D>::popped_words(const Step& step) const {
     return step.item ? Run<D>::popped_words(step) : "a batch of occluders";
-}
-
-/// The box of that kind that holds the node, or the node itself.
-template <int D>
-std::uint32_t BoxRun<D>::nearest_marked_above(std::uint32_t node) const {
-    std::uint32_t at = 0;
-    while (at != node && marks_[at].state == CellState::projected && tree_->nodes[at].first_child != none)
-        at = tree_->child_at(at, tree_->nodes[node].begin);
-    return at;
 }
 
 template <int D>
@@ -40,7 +32,7 @@ Verdict BoxRun<D>::why_not(const Item& item) const {
                               some_of(D == 2 ? "segment" : "triangle", seen.hidden_by, most_hiders)};
     }
     if (state != CellState::clean) return {};
-    const std::uint32_t above = nearest_marked_above(item.id);
+    const std::uint32_t above = opened_to(*tree_, marks_, item.id);
     const Item box{above, Kind::node};
     switch (marks_[above].state) {
         case CellState::unseen:
@@ -95,7 +87,6 @@ std::vector<CodeLine> BoxRun<D>::code(const CodePlace& at) const {
 
 #define SIGHTLINE_INSTANTIATE(D)                                                 \
     template std::string BoxRun<D>::popped_words(const Step&) const;             \
-    template std::uint32_t BoxRun<D>::nearest_marked_above(std::uint32_t) const; \
     template Verdict BoxRun<D>::why_not(const Item&) const;                      \
     template std::vector<CodeLine> BoxRun<D>::code(const CodePlace&) const;
 SIGHTLINE_INSTANTIATE(2)

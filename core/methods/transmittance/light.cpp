@@ -74,9 +74,8 @@ CellLight<D>::CellLight(const Scene<D>& scene, const CellComplex<D>& cells, int 
 
 template <int D>
 std::shared_ptr<const CellLight<D>> cell_light(const Problem<D>& problem) {
-    return problem.cells->made->template of<CellLight<D>>("light", [&] {
-        return CellLight<D>(*problem.scene, *problem.cells, problem.services.threads);
-    });
+    return problem.cells->made->template of<CellLight<D>>(
+        "light", [&] { return CellLight<D>(*problem.scene, *problem.cells, problem.services.threads); });
 }
 
 template struct CellLight<2>;

@@ -22,16 +22,13 @@ struct LitFacet {
 template <int D>
 struct CellLight {
     Vec<D> origin{};
-    double unit = 1;                     ///< a power of 2 near the size of the tessellation
-    std::vector<LitFacet<D>> facets{};   ///< as CellComplex::half_facets
+    double unit = 1;                    ///< a power of 2 near the size of the tessellation
+    std::vector<LitFacet<D>> facets{};  ///< as CellComplex::half_facets
     CellOpacity<D> opacity{};
     double usual_size = 1;  ///< nine primitives in ten are no larger: square root of the area, 2D: length
 
     CellLight() = default;
     CellLight(const Scene<D>& scene, const CellComplex<D>& cells, int threads);
-    std::size_t memory_bytes() const {
-        return facets.capacity() * sizeof(LitFacet<D>) + opacity.memory_bytes();
-    }
 };
 
 /// Made once for the cells of the problem.

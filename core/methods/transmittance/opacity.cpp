@@ -80,7 +80,8 @@ double covered_share(const Scene<2>& scene, const CellComplex<2>& cells, std::ui
         const auto [begin, end] = part_inside(cells, cell, segment);
         if (!(begin < end)) continue;
         const Vec<2> along = segment[1] - segment[0];
-        const double from = glm::dot(across, segment[0] + along * begin), to = glm::dot(across, segment[0] + along * end);
+        const double from = glm::dot(across, segment[0] + along * begin),
+                     to = glm::dot(across, segment[0] + along * end);
         parts.emplace_back(std::min(from, to), std::max(from, to));
     }
     std::sort(parts.begin(), parts.end());

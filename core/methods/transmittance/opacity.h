@@ -33,7 +33,6 @@ public:
     double of(std::uint32_t cell, std::size_t direction) const {
         return shares_[cell * opacity_directions<D>().size() + direction] / 255.0;
     }
-    std::size_t memory_bytes() const { return shares_.capacity(); }
 
 private:
     std::vector<std::uint8_t> shares_;  ///< a row of directions for each cell

@@ -16,15 +16,20 @@ KeyExplanation explain_light(const LightTerms& t, int digits) {
     const auto number = [&](double v) { return short_number(v, digits); };
     KeyExplanation e;
     e.key = t.shade;
-    e.parts = {{"1 − T = 1 − ("},     {number(t.share), KeyAbout::angle, "share"},
-               {" · "},               {number(t.handed_on), KeyAbout::handed_on, "handed on"},
-               {" · (1 − "},          {number(t.opacity), KeyAbout::content, "opacity"},
-               {") + "},              {number(t.others), KeyAbout::own, "other facets"},
+    e.parts = {{"1 − T = 1 − ("},
+               {number(t.share), KeyAbout::angle, "share"},
+               {" · "},
+               {number(t.handed_on), KeyAbout::handed_on, "handed on"},
+               {" · (1 − "},
+               {number(t.opacity), KeyAbout::content, "opacity"},
+               {") + "},
+               {number(t.others), KeyAbout::own, "other facets"},
                {") = " + number(e.key)}};
-    e.tip = "share of the light that this facet lets in, times the transmittance handed on, times what the cell before "
-            "leaves open, plus what comes through the other facets";
+    e.tip =
+        "share of the light that this facet lets in, times the transmittance handed on, times what the cell before "
+        "leaves open, plus what comes through the other facets";
     e.weightiest = weightiest_of(t);
-    e.terms = {{"share", t.share, {}},   {"handed_on", t.handed_on, {}},         {"opacity", t.opacity, {}},
+    e.terms = {{"share", t.share, {}},   {"handed_on", t.handed_on, {}},           {"opacity", t.opacity, {}},
                {"others", t.others, {}}, {"transmittance", t.transmittance(), {}}, {"key", e.key, {}}};
     return e;
 }
@@ -39,19 +44,21 @@ std::string weightiest_of(const LightTerms& t) {
     return "light that its other facets keep back or have not let in yet (" + short_number(missing) + ")";
 }
 
-void add_light_lines(std::vector<CodeLine>& lines, const KeyExplanation* e, int digits) {
-    const auto add = [&](std::string text, std::string_view name) {
-        lines.push_back({std::move(text), 1, false, {}, {}});
-        if (!e) return;
-        for (const Term& term : e->terms)
-            if (term.name == name) lines.back().values = short_number(term.value, digits);
-    };
-    lines.push_back({"key(n, c): how much of its light n lacks", 0, false, {}, {}});
-    add("share = angle of the facet / angle of all facets of n that turn to the eye", "share");
-    add("opacity = covered share of c, as the eye sees it", "opacity");
-    add("others = the same sum over the other facets of n", "others");
-    add("T = share · T of c · (1 − opacity) + others", "transmittance");
+void add_term_line(std::vector<CodeLine>& lines, std::string text, const KeyExplanation* e, std::string_view name,
+                   int digits) {
+    lines.push_back({std::move(text), 1, false, {}, {}});
+    if (!e) return;
+    for (const Term& term : e->terms)
+        if (term.name == name) lines.back().values = short_number(term.value, digits);
 }
 
+void add_light_lines(std::vector<CodeLine>& lines, const KeyExplanation* e, int digits) {
+    lines.push_back({"key(n, c): how much of its light n lacks", 0, false, {}, {}});
+    add_term_line(lines, "share = angle of the facet / angle of all facets of n that turn to the eye", e, "share",
+                  digits);
+    add_term_line(lines, "opacity = covered share of c, as the eye sees it", e, "opacity", digits);
+    add_term_line(lines, "others = the same sum over the other facets of n", e, "others", digits);
+    add_term_line(lines, "T = share · T of c · (1 − opacity) + others", e, "transmittance", digits);
+}
 
 }  // namespace sightline

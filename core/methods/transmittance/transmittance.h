@@ -11,11 +11,11 @@ namespace sightline {
 
 /// What comes into a cell, as shares of what would if nothing were in the way.
 struct LightTerms {
-    double share = 0;          ///< the angle of the facet to the cell just projected, of that of all that turn to the eye
-    double handed_on = 0;      ///< the transmittance of that cell
-    double opacity = 0;        ///< of that cell, as the eye sees it
-    double others = 0;         ///< what comes through the other facets
-    double shade = 0;          ///< 1 - share * handed_on * (1 - opacity) - others; exactly 0 where nothing is missing
+    double share = 0;      ///< the angle of the facet to the cell just projected, of that of all that turn to the eye
+    double handed_on = 0;  ///< the transmittance of that cell
+    double opacity = 0;    ///< of that cell, as the eye sees it
+    double others = 0;     ///< what comes through the other facets
+    double shade = 0;      ///< 1 - share * handed_on * (1 - opacity) - others; exactly 0 where nothing is missing
 
     double transmittance() const { return 1 - shade; }
 };
@@ -45,8 +45,11 @@ public:
         const std::uint32_t b = half.neighbour, last = marks[a].stamp;
         double all = 0, others = 0, missing = 0;  // sums of what is missing are exact where nothing is
         LightTerms t;
+        t.handed_on = transmittance(a, marks[a].key);
+        t.opacity = opacity_of(problem, a);
         const auto facets = cells.facets_of(b);
-        const LitFacet<D>* const lit = &light_->facets[static_cast<std::size_t>(facets.data() - cells.half_facets.data())];
+        const LitFacet<D>* const lit =
+            &light_->facets[static_cast<std::size_t>(facets.data() - cells.half_facets.data())];
         for (std::size_t i = 0; i < facets.size(); ++i) {
             const double angle = angle_of(lit[i], eye_);
             if (angle == 0) continue;
@@ -65,15 +68,13 @@ public:
                 missing += angle;
                 continue;
             }
-            const double from = transmittance(n, mark.key), opacity = opacity_of(problem, n);
-            missing += angle * (1 - from * (1 - opacity));
-            if (facets[i].facet() == half.facet()) {
+            const double given =
+                n == a ? t.handed_on * (1 - t.opacity) : transmittance(n, mark.key) * (1 - opacity_of(problem, n));
+            missing += angle * (1 - given);
+            if (facets[i].facet() == half.facet())
                 t.share = angle;
-                t.handed_on = from;
-                t.opacity = opacity;
-            } else {
-                others += angle * from * (1 - opacity);
-            }
+            else
+                others += angle * given;
         }
         if (all > 0) {
             t.share /= all;
@@ -81,20 +82,7 @@ public:
             t.shade = missing / all;
         } else {  // the eye lies in it, or looks in through cells outside the view alone
             t.share = 1;
-            t.handed_on = transmittance(a, marks[a].key);
-            t.opacity = opacity_of(problem, a);
             t.shade = 1 - t.handed_on * (1 - t.opacity);
-        }
-        return t;
-    }
-
-    /// For people: what the cell `a` holds back also where it gives nothing, through a facet that turns away.
-    template <typename Transmittance>
-    LightTerms told(const Problem<D>& problem, const Marks& marks, std::uint32_t a, LightTerms t,
-                    Transmittance transmittance) const {
-        if (t.share == 0) {
-            t.handed_on = transmittance(a, marks[a].key);
-            t.opacity = opacity_of(problem, a);
         }
         return t;
     }
@@ -103,8 +91,7 @@ public:
         if (problem.cells->count(cell) == 0) return 0;
         std::uint8_t& direction = directions_[cell];
         if (direction == unknown)
-            direction = static_cast<std::uint8_t>(
-                nearest_direction<D>(problem.view.eye - problem.cells->centre(cell)));
+            direction = static_cast<std::uint8_t>(nearest_direction<D>(problem.view.eye - problem.cells->centre(cell)));
         return light_->opacity.of(cell, direction);
     }
 
@@ -119,17 +106,24 @@ private:
 /// What makes the cell as dark as it is, for people.
 std::string weightiest_of(const LightTerms& terms);
 KeyExplanation explain_light(const LightTerms& terms, int digits);
+/// A line of the key, with the value of the explanation's term of that name.
+void add_term_line(std::vector<CodeLine>& lines, std::string text, const KeyExplanation* explained,
+                   std::string_view name, int digits);
 void add_light_lines(std::vector<CodeLine>& lines, const KeyExplanation* explained, int digits);
 
-/// `flux`: the key is the shade, 1 − T.
-template <int D>
-class Flux {
-public:
+/// What all that order by light say of themselves (cells/cell_run.h).
+struct LitHeuristic {
     static constexpr double seed_key = 0;
-    static constexpr std::string_view key_title = "shade 1 − T";
     static constexpr OnReenqueue on_reenqueue = OnReenqueue::replace;
     static constexpr bool stamps_pops = true;
     static constexpr Seeds seeds = Seeds::hull;  ///< light comes in through all that an eye outside looks at
+};
+
+/// `flux`: the key is the shade, 1 − T.
+template <int D>
+class Flux : public LitHeuristic {
+public:
+    static constexpr std::string_view key_title = "shade 1 − T";
 
     explicit Flux(const Problem<D>& problem) : light_(problem) {}
 
@@ -141,9 +135,7 @@ public:
     }
     KeyExplanation explain(const Problem<D>& problem, const Marks& marks, std::uint32_t a, double,
                            const HalfFacet& half, int digits) const {
-        return explain_light(light_.told(problem, marks, a, terms(problem, marks, a, half),
-                                         [](std::uint32_t, double key) { return 1 - key; }),
-                             digits);
+        return explain_light(terms(problem, marks, a, half), digits);
     }
     void add_key_lines(std::vector<CodeLine>& lines, const KeyExplanation* explained, int digits) const {
         add_light_lines(lines, explained, digits);

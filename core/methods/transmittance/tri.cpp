@@ -45,13 +45,6 @@ private:
 
 }  // namespace
 
-template <int D>
-SizeTerms Tri<D>::size_terms(const Problem<D>& problem, const CellContents<D>& contents, std::uint32_t place,
-                             double transmittance) const {
-    const float size = ApparentSize<D>(problem).of(contents.held_at(*problem.cells, place));
-    return {transmittance, size, waiting_key(size, static_cast<float>(transmittance))};
-}
-
 /// What the view does not show for sure never waits.
 template <int D>
 void Tri<D>::add_waiting(const Problem<D>& problem, const CellContents<D>& contents, std::uint32_t cell,
@@ -70,9 +63,7 @@ void Tri<D>::add_waiting(const Problem<D>& problem, const CellContents<D>& conte
 template <int D>
 KeyExplanation Tri<D>::explain(const Problem<D>& problem, const Marks& marks, std::uint32_t a, double,
                                const HalfFacet& half, int digits) const {
-    const LightTerms t =
-        light_.told(problem, marks, a, terms(problem, marks, a, half),
-                    [&](std::uint32_t n, double key) { return transmittance(problem, n, key); });
+    const LightTerms t = terms(problem, marks, a, half);
     const double size = 1 / distance_in_sizes(problem, half.neighbour);
     KeyExplanation e = explain_light(t, digits);
     e.terms.pop_back();
@@ -80,11 +71,9 @@ KeyExplanation Tri<D>::explain(const Problem<D>& problem, const Marks& marks, st
     e.parts.front().text = "T = ";
     e.parts.insert(e.parts.begin() + 1, {{"("}});
     e.parts.back().text = ") = " + short_number(t.transmittance(), digits) + ", key = 1 / (" +
-                          short_number(t.transmittance(), digits) + " · " +
-                          (maximise_ == Maximise::count ? "√" : "") + short_number(size, digits) +
-                          ") = " + short_number(e.key, digits);
-    e.tip += "; the key is one over T times " +
-             std::string(maximise_ == Maximise::count ? "the square root of " : "") +
+                          short_number(t.transmittance(), digits) + " · " + (maximise_ == Maximise::count ? "√" : "") +
+                          short_number(size, digits) + ") = " + short_number(e.key, digits);
+    e.tip += "; the key is one over T times " + std::string(maximise_ == Maximise::count ? "the square root of " : "") +
              "what a primitive of usual size would look like there";
     e.terms.push_back({"apparent_size", size, {}});
     e.terms.push_back({"key", e.key, {}});
@@ -96,14 +85,9 @@ void Tri<D>::add_key_lines(std::vector<CodeLine>& lines, const KeyExplanation* e
     const std::size_t heading = lines.size();
     add_light_lines(lines, e, digits);
     lines[heading].text = "key(n, c): how little light n gets, and how small things look there";
-    const auto add = [&](std::string text, std::string_view name) {
-        lines.push_back({std::move(text), 1, false, {}, {}});
-        if (!e) return;
-        for (const Term& term : e->terms)
-            if (term.name == name) lines.back().values = short_number(term.value, digits);
-    };
-    add("size = usual size of a primitive / distance of n", "apparent_size");
-    add(maximise_ == Maximise::count ? "key = 1 / (T · √size)" : "key = 1 / (T · size)", "key");
+    add_term_line(lines, "size = usual size of a primitive / distance of n", e, "apparent_size", digits);
+    add_term_line(lines, maximise_ == Maximise::count ? "key = 1 / (T · √size)" : "key = 1 / (T · size)", e, "key",
+                  digits);
 }
 
 template class Tri<2>;

@@ -7,25 +7,14 @@
 
 namespace sightline {
 
-/// What a primitive's place in the order comes from.
-struct SizeTerms {
-    double transmittance = 0;  ///< of the cell that it was found in
-    double apparent_size = 0;  ///< the size of what the eye sees of it over its distance: an angle, for a small one
-    double key = 0;
-};
-
 /// `tri`: the key of a cell is 1 / (T sqrt(u / r)), with maximise=pixels 1 / (T u / r): r is the distance of its centre
-/// and u the usual size of a primitive, so that u / r is what a primitive of that size would look like there. Primitives
-/// of projected cells wait with keys of the same form, from what they do look like, and are rendered when no cell that
-/// waits comes before them. So a small one waits until the front has passed where larger ones might be.
+/// and u the usual size of a primitive, so that u / r is what a primitive of that size would look like there.
+/// Primitives of projected cells wait with keys of the same form, from what they do look like, and are rendered when no
+/// cell that waits comes before them. So a small one waits until the front has passed where larger ones might be.
 template <int D>
-class Tri {
+class Tri : public LitHeuristic {
 public:
-    static constexpr double seed_key = 0;
     static constexpr std::string_view key_title = "key by light and size";
-    static constexpr OnReenqueue on_reenqueue = OnReenqueue::replace;
-    static constexpr bool stamps_pops = true;
-    static constexpr Seeds seeds = Seeds::hull;
 
     explicit Tri(const Problem<D>& problem)
         : light_(problem),
@@ -55,9 +44,6 @@ public:
     mutable Waiting waiting;
 
     void add_waiting(const Problem<D>& problem, const CellContents<D>& contents, std::uint32_t cell, double key) const;
-    /// Of what the reference of a cell at that place stands for.
-    SizeTerms size_terms(const Problem<D>& problem, const CellContents<D>& contents, std::uint32_t place,
-                         double transmittance) const;
 
 private:
     /// What no light reaches comes last, but by size.

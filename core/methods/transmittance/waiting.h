@@ -43,11 +43,6 @@ public:
         return at.places.back();
     }
     void drop_first() { classes_[lowest_].places.pop_back(); }
-    std::size_t memory_bytes() const {
-        std::size_t bytes = classes_.capacity() * sizeof(Class);
-        for (const Class& each : classes_) bytes += each.places.capacity() * sizeof(std::uint32_t);
-        return bytes;
-    }
 
 private:
     struct Class {
