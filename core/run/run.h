@@ -115,6 +115,8 @@ public:
     virtual Verdict why_waiting(const Item&) const { return {}; }
     virtual std::vector<CodeLine> code(const CodePlace&) const { return {}; }
     virtual std::span<const Field<D>> fields() const { return {}; }
+    /// What is drawn in place of objects: those that are not named here are drawn as they are. Rising by object.
+    virtual std::span<const StandIn> stand_ins() const { return {}; }
     /// All tiles of the image, row by row; empty where none was read so far.
     virtual std::vector<ReadTile> tiles() const { return {}; }
     /// The tree whose boxes it walks; nullptr: it walks none.

@@ -54,6 +54,13 @@ inline Item primitive_item(std::uint32_t primitive) { return {primitive, Kind::p
 /// The index of an item of that kind; none for any other.
 inline std::uint32_t id_of(const Item& item, Kind kind) { return item.kind == kind ? item.id : none; }
 
+/// A coarser level of detail in place of an object.
+struct StandIn {
+    std::uint32_t object = none;  ///< of all_objects(scene)
+    std::uint8_t level = 0;       ///< 1 is the finest that is coarser than the object
+    bool operator==(const StandIn&) const = default;
+};
+
 /// How far an item has come (the gem's NS_CLEAN, NS_ENQUEUED, NS_PROJECTED, NS_UNSEEN); unseen: outside the view;
 /// hidden: popped and found hidden, which cells are only while they wait.
 enum class CellState : std::uint8_t { clean, enqueued, projected, unseen, hidden };

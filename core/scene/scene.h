@@ -13,6 +13,7 @@
 #include "core/geometry/vec.h"
 #include "core/scene/flight_path.h"
 #include "core/scene/objects.h"
+#include "core/scene/rooms.h"
 
 namespace sightline {
 
@@ -43,6 +44,7 @@ struct Scene {
     /// which their corners turn counter-clockwise.
     std::vector<std::uint8_t> two_sided;
     Objects objects;      ///< that the file names; empty: none, see connected_parts()
+    Rooms<D> rooms;       ///< that the scene marks; empty: it is all outside
     int up_axis = D - 1;  ///< 3D: the axis that points up
     Vec<D> origin{};      ///< added to a coordinate gives that of the file
     std::optional<ViewSpec<D>> start_view;

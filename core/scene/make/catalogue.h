@@ -30,6 +30,8 @@ struct Generated {
     std::vector<Primitive<3>> triangles;
     std::vector<std::uint8_t> two_sided;  ///< as Scene::two_sided
     std::vector<FlightPath<3>> paths;     ///< the last is "test", of 8 frames
+    Objects objects{};                    ///< empty: those parts that hang together
+    Rooms<3> rooms{};
 };
 
 /// 2D scenes have one size. 3D: `triangles` is what to come close to; scenes of a fixed size ignore it.

@@ -191,6 +191,8 @@ Scene<3> make_scene(const CatalogueRow<3>& row, std::size_t triangles) {
     scene.seed = row.seed;
     scene.primitives = std::move(made.triangles);
     scene.two_sided = std::move(made.two_sided);
+    scene.objects = std::move(made.objects);
+    scene.rooms = std::move(made.rooms);
     // Large scenes are clean as made, which is tested: a check here would take longer and more memory than making them.
     if (row.triangles == 0) clean(scene, Recentre::no, row.id);
     scene.start_view = row.view;
