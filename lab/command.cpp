@@ -29,6 +29,8 @@ std::span<const Command> commands() {
                 compare_command},
         Command{"object-space", "measures culling by occluders plane by plane, beside the tables of Coorg and Teller",
                 object_space_command},
+        Command{"viewpoint", "measures the choice of a technique by viewpoint beside each technique alone",
+                viewpoint_command},
         Command{"reduce", "shrinks a scene to the fewest primitives for which an expression still holds",
                 reduce_command},
         Command{"sets", "writes per frame and per object what is visible, rendered and missed, for other programs",

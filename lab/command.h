@@ -28,6 +28,7 @@ int merge_command(int argc, const char* const* argv, const MethodTables& tables)
 int stability_command(int argc, const char* const* argv, const MethodTables& tables);
 int cells_command(int argc, const char* const* argv, const MethodTables& tables);
 int compare_command(int argc, const char* const* argv, const MethodTables& tables);
+int viewpoint_command(int argc, const char* const* argv, const MethodTables& tables);
 int object_space_command(int argc, const char* const* argv, const MethodTables& tables);
 int sets_command(int argc, const char* const* argv, const MethodTables& tables);
 int reduce_command(int argc, const char* const* argv, const MethodTables& tables);

@@ -31,7 +31,7 @@ public:
     }
 
 private:
-    static constexpr std::size_t most = 4;
+    static constexpr std::size_t most = 8;
     mutable std::mutex mutex_;
     mutable std::vector<std::pair<std::string, std::shared_ptr<const void>>> kept_;
 };

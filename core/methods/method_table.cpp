@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/methods/by_viewpoint/by_viewpoint.h"
 #include "core/methods/cells/cell_method.h"
 #include "core/methods/coorg_teller/coorg_teller.h"
 #include "core/methods/cplp/cplp.h"
@@ -57,6 +58,7 @@ std::vector<Method<D>> rows() {
     table.back().prepare = [](const Problem<D>& problem) { cell_extinction(problem); };
     table.insert(table.end(), by_light.begin(), by_light.end());
     table.push_back(feedback_method<D>());
+    table.push_back(viewpoint_method<D>(table));
     table.push_back(listed_method<D>());  // last: colours follow the order
     return table;
 }

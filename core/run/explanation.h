@@ -148,4 +148,47 @@ struct TestedPlane {
     double distance = 0;  ///< of the eye; positive where it is satisfied. own: of the box's nearest corner
 };
 
+/// A technique that a method by viewpoint may choose, and what it is expected to cost here.
+struct TechniqueFact {
+    std::string name;  ///< as a variant is written
+    double cull_ms = 0, draw_ms = 0;
+    double drawn = 0;  ///< primitives
+    double ms() const { return cull_ms + draw_ms; }
+};
+
+/// One decision on the way to a technique, and what the frame would cost after it.
+struct Decision {
+    std::string sentence;
+    double ms = 0;
+};
+
+/// A region of eyes, and what is chosen in it for the directions of the eye at hand.
+template <int D>
+struct RegionFact {
+    Box<D> box;                      ///< of a room: around it
+    std::uint32_t technique = none;  ///< none: not worked out so far
+    bool room = false;
+};
+
+/// An interval of directions, and what is chosen in it in the region of the eye at hand.
+struct DirectionFact {
+    std::array<double, 2> azimuth{}, elevation{};  ///< degrees: from and to
+    std::uint32_t technique = none;                ///< none: not worked out so far
+};
+
+/// What a method that chooses by viewpoint knows of where the eye stands and looks.
+template <int D>
+struct ViewpointFact {
+    std::string region, interval;  ///< in words
+    std::vector<TechniqueFact> techniques;
+    std::uint32_t chosen = none;  ///< by the entry
+    std::uint32_t done = none;    ///< what the run does: the one before, where changing does not pay
+    std::vector<Decision> decisions;
+    std::vector<RegionFact<D>> map;
+    std::vector<DirectionFact> rose;
+    std::uint32_t region_here = none, interval_here = none;  ///< places in map and rose
+    std::vector<std::uint32_t> occluders;                    ///< primitives: candidates of the entry
+    std::size_t known = 0, entries = 0;                      ///< of the table
+};
+
 }  // namespace sightline

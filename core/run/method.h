@@ -36,10 +36,10 @@ struct Method {
     std::function<std::unique_ptr<Run<D>>(const Problem<D>&)> start;
     Kind pops = Kind::cell;
     /// Makes what all frames of a scene share; not while a frame is timed.
-    void (*prepare)(const Problem<D>&) = nullptr;
+    std::function<void(const Problem<D>&)> prepare{};
     Needs needs{};
     Misses promise = Misses::may;  ///< of a run that came to its end, unless the parameters take it back
-    bool (*takes_back)(const Parameters&) = nullptr;
+    std::function<bool(const Parameters&)> takes_back{};
     /// Whether a budget in primitives is a fair question; false: measured without one.
     bool budgeted = true;
     /// A budget selects a prefix of one order, and a larger one goes on where it ended; false: it changes the order.

@@ -24,8 +24,10 @@ struct Field {
     std::string_view name;   ///< as conditions write it
     std::string_view title;  ///< on scales
     std::string_view help;
+    std::optional<double> (*read)(const Run<D>&, const Item&);  ///< of the run that the work is left to
+
     /// Nothing where the item has none.
-    std::optional<double> (*value)(const Run<D>&, const Item&);
+    std::optional<double> value(const Run<D>& run, const Item& item) const { return read(run.worker(), item); }
 };
 
 /// A method implements run, clone, hash and finished; the rest has an answer that is right for any method, if a plain
@@ -51,7 +53,7 @@ public:
     /// same, the parameters need not be.
     virtual bool restart(const Problem<D>&) { return false; }
     /// A larger budget goes on where a smaller one ended.
-    void set_budget(std::uint32_t budget) { problem_.budget = budget; }
+    virtual void set_budget(std::uint32_t budget) { problem_.budget = budget; }
 
     // Going back and forth in what was recorded.
     /// False: move() never succeeds, so that going back needs a keyframe.
@@ -137,14 +139,19 @@ public:
     /// Of the polygon of a primitive; nothing: it never is one.
     virtual std::optional<OccluderRegion<D>> occluder_region(std::uint32_t /*primitive*/) const { return std::nullopt; }
 
+    /// Of a method that chooses a technique by viewpoint.
+    virtual std::optional<ViewpointFact<D>> viewpoint() const { return std::nullopt; }
+
     const Problem<D>& problem() const { return problem_; }
-    const Counters& counters() const { return counters_; }
-    std::uint32_t steps() const { return steps_; }  ///< taken
-    const Drawn& drawn() const { return drawn_; }
+    /// The run that it leaves the work to, which meets primitives and counts them; itself where it does that.
+    virtual const Run& worker() const { return *this; }
+    const Counters& counters() const { return worker().counters_; }
+    virtual std::uint32_t steps() const { return steps_; }  ///< taken
+    const Drawn& drawn() const { return worker().drawn_; }
     /// What a recording of its steps met beyond what it has met itself.
-    void remember(std::span<const Met> all) { drawn_.remember(all); }
+    virtual void remember(std::span<const Met> all) { drawn_.remember(all); }
     /// What was met so far.
-    std::span<const Met> met() const { return drawn_.all().first(counters_.touched_count); }
+    std::span<const Met> met() const { return drawn().all().first(counters().touched_count); }
 
 protected:
     Run(const Run&) = default;
