@@ -13,13 +13,13 @@ namespace {
 /// The line of the gem's listing that decides about a cell in the front.
 enum class RoundLine : std::uint8_t { draw, colour, test, read, drop, project };
 
-struct Decision {
+struct RoundDecision {
     RoundLine line = RoundLine::test;
     std::string words;
 };
 
 /// `place`: of the cell in the front.
-Decision decision_of(const Change& change, std::uint32_t place, bool image_of_ids) {
+RoundDecision decision_of(const Change& change, std::uint32_t place, bool image_of_ids) {
     const std::string cell = item_name(change.item());
     const std::string other = change.via == none ? std::string() : item_name(cell_item(change.via));
     switch (Rule{change.rule}) {
@@ -57,11 +57,11 @@ void CellBase<D>::add_round_lines(std::vector<CodeLine>& lines, const CodePlace&
     if (here)
         for (CodeLine& line : lines) line.lit = false;
     const std::uint32_t substep = in_round ? *at.substep : 0, first_test = form.first_test_substep();
-    std::optional<Decision> decision;
+    std::optional<RoundDecision> decision;
     std::uint32_t tests = 0;
     for (const Change& change : in_round ? at.changes : std::span<const Change>{})
         if (is_test(change) && first_test + tests++ == substep) decision = decision_of(change, tests - 1, ids);
-    if (in_round && substep >= first_test && !decision) decision = Decision{RoundLine::project, {}};
+    if (in_round && substep >= first_test && !decision) decision = RoundDecision{RoundLine::project, {}};
     const auto add = [&](RoundLine which, std::string text, std::string_view source, bool also = false) {
         lines.push_back({std::move(text), 1, also || (decision && decision->line == which), {}, std::string(source)});
         if (lines.back().lit && decision) lines.back().values = decision->words;
