@@ -7,6 +7,7 @@
 #include <set>
 
 #include "core/base/random.h"
+#include "core/geometry/predicates.h"
 #include "core/scene/make/catalogue.h"
 #include "core/scene/make/generators_3d.h"
 #include "tests/scene/cast_rays.h"
@@ -210,6 +211,95 @@ TEST(Campus, TheWalkLeavesARoomFollowsTheCorridorAndRisesAboveTheRoofs) {
             EXPECT_LT(std::sqrt(glm::dot(step, step)), 2.0) << i;
             EXPECT_GT(glm::dot(direction(walk[i - 1]), direction(walk[i])), 0.9) << i;
         }
+    }
+}
+
+/// How far along the way the segment is met; infinity: it is not.
+double met_at(const Primitive<2>& s, const Vec<2>& eye, const Vec<2>& way) {
+    const auto cross = [](const Vec<2>& a, const Vec<2>& b) { return a.x * b.y - a.y * b.x; };
+    const Vec<2> along = s[1] - s[0];
+    const double det = cross(way, along);
+    if (det == 0) return std::numeric_limits<double>::infinity();
+    const double t = cross(s[0] - eye, along) / det, u = cross(s[0] - eye, way) / det;
+    return t > 0 && u >= 0 && u <= 1 ? t : std::numeric_limits<double>::infinity();
+}
+
+TEST(Campus, ItsPlanHasTheSameRoomsOnTheGround) {
+    const Scene<2> plan = make_scene(*find_in_catalogue<2>("campus"));
+    const Generated made = campus_of(14);
+    EXPECT_EQ(plan.dropped, Dropped{});
+    std::size_t on_ground = 0;
+    for (const Room<3>& room : made.rooms.all) {
+        if (room.shape.min.z > 1) continue;
+        ++on_ground;
+        const auto same = std::find_if(plan.rooms.all.begin(), plan.rooms.all.end(),
+                                       [&](const Room<2>& other) { return other.name == room.name; });
+        ASSERT_NE(same, plan.rooms.all.end()) << room.name;
+        Box<2> box;
+        for (const Vec<2>& p : same->shape) box.add(p);
+        EXPECT_EQ(box.min, Vec<2>(room.shape.min.x, room.shape.min.y)) << room.name;
+        EXPECT_EQ(box.max, Vec<2>(room.shape.max.x, room.shape.max.y)) << room.name;
+    }
+    EXPECT_EQ(plan.rooms.all.size(), on_ground);
+}
+
+TEST(Campus, RoomsOfThePlanAreClosedButAtTheirPortals) {
+    const Scene<2> plan = make_scene(*find_in_catalogue<2>("campus"));
+    Random random(4);
+    std::size_t through = 0, closed = 0;
+    for (std::uint32_t r = 0; r < plan.rooms.all.size(); ++r) {
+        const std::vector<Vec<2>>& shape = plan.rooms.all[r].shape;
+        ASSERT_EQ(shape.size(), 4u);
+        Box<2> box;
+        for (std::size_t i = 0; i < 4; ++i) {
+            box.add(shape[i]);
+            EXPECT_GT(orient(shape[i], shape[(i + 1) % 4], shape[(i + 2) % 4]), 0) << plan.rooms.all[r].name;
+        }
+        for (int i = 0; i < 500; ++i) {
+            Vec<2> eye, way;
+            for (int a = 0; a < 2; ++a) {
+                eye[a] = random.uniform(box.min[a], box.max[a]);
+                way[a] = random.uniform(-1, 1);
+            }
+            double leaves = std::numeric_limits<double>::infinity();
+            for (int a = 0; a < 2; ++a)
+                leaves = std::min(leaves, ((way[a] > 0 ? box.max[a] : box.min[a]) - eye[a]) / way[a]);
+            const Vec<2> at = eye + leaves * way;
+            const bool in_portal =
+                std::any_of(plan.rooms.portals.begin(), plan.rooms.portals.end(), [&](const Portal<2>& portal) {
+                    Box<2> gap;
+                    for (const Vec<2>& p : portal.corners) gap.add(p);
+                    return (portal.rooms[0] == r || portal.rooms[1] == r) && at.x > gap.min.x - 1e-9 &&
+                           at.x < gap.max.x + 1e-9 && at.y > gap.min.y - 1e-9 && at.y < gap.max.y + 1e-9;
+                });
+            double nearest = std::numeric_limits<double>::infinity(), on_border = nearest;
+            for (const Primitive<2>& s : plan.primitives) {
+                const double t = met_at(s, eye, way);
+                nearest = std::min(nearest, t);
+                if (t > leaves * (1 - 1e-9) && t < leaves * (1 + 1e-9)) on_border = t;
+            }
+            ++(in_portal ? through : closed);
+            if (in_portal)
+                EXPECT_FALSE(std::isfinite(on_border)) << plan.rooms.all[r].name;
+            else
+                EXPECT_LE(nearest, leaves * (1 + 1e-9)) << plan.rooms.all[r].name;
+        }
+    }
+    EXPECT_GT(through, 1'000u);
+    EXPECT_GT(closed, 10'000u);
+}
+
+TEST(Campus, LinesOfThePlanDoNotCross) {
+    for (const std::uint64_t seed : {14u, 15u, 16u}) {
+        const std::vector<Primitive<2>> all = find_in_catalogue<2>("campus")->generate(seed);
+        std::size_t crossings = 0;
+        for (std::size_t i = 0; i < all.size(); ++i)
+            for (std::size_t j = i + 1; j < all.size(); ++j) {
+                const auto &a = all[i], &b = all[j];
+                crossings += orient(a[0], a[1], b[0]) * orient(a[0], a[1], b[1]) < 0 &&
+                             orient(b[0], b[1], a[0]) * orient(b[0], b[1], a[1]) < 0;
+            }
+        EXPECT_EQ(crossings, 0u) << seed;
     }
 }
 

@@ -263,6 +263,51 @@ BuildingPlan hall_plan(double length, double depth, PlannedUse use) {
     return plan;
 }
 
+void campus_walls(Sketch& sketch, Rooms<2>& rooms, const BuildingPlan& plan, const std::string& place) {
+    const auto gaps_in = [&](const PlanWall& wall, bool outside_only) {
+        std::vector<Opening> gaps;
+        for (const PlannedOpening& o : plan.openings) {
+            if (!lies_on(wall, o) || (outside_only && o.to != none)) continue;
+            const WallOpening gap = opening_in(wall, o, 0, 0);
+            if (gap.x0 > 0 && gap.x1 < wall.length()) gaps.push_back({(gap.x0 + gap.x1) / 2, gap.x1 - gap.x0});
+        }
+        std::sort(gaps.begin(), gaps.end(), [](const Opening& a, const Opening& b) { return a.at < b.at; });
+        return gaps;
+    };
+    const auto first = static_cast<std::uint32_t>(rooms.all.size());
+    for (std::size_t i = 0; i < plan.rooms.size(); ++i) {
+        const PlannedRoom& room = plan.rooms[i];
+        for (const PlanWall& wall : walls_of(room.floor)) {
+            const bool upright = wall.a.x == wall.b.x;
+            // Of two rooms beside each other the first has the wall between them, and a corridor has only its ends.
+            if (room.use == PlannedUse::corridor ? !upright : upright && wall.a.x == room.floor.x0 && wall.a.x > 0)
+                continue;
+            sketch.wall(wall.a, wall.b, gaps_in(wall, false));
+        }
+        const RoomPlan& r = room.floor;
+        const std::string kind = room.use == PlannedUse::corridor ? "corridor " : "room ";
+        rooms.all.push_back({place + kind + std::to_string(100 + i),
+                             {sketch.frame.at({r.x0, r.y0}), sketch.frame.at({r.x1, r.y0}),
+                              sketch.frame.at({r.x1, r.y1}), sketch.frame.at({r.x0, r.y1})}});
+    }
+    for (const PlannedOpening& o : plan.openings)
+        rooms.portals.push_back(
+            {{first + o.from, o.to == none ? none : first + o.to}, {sketch.frame.at(o.p), sketch.frame.at(o.q)}});
+    constexpr double t = campus_facade;
+    for (const PlanWall& wall : walls_of({0, 0, plan.length, plan.depth})) {
+        const Vec<2> along = wall.along(), outward(-along.y, along.x);
+        const std::vector<Opening> gaps = gaps_in(wall, true);
+        std::vector<Opening> outer = gaps;
+        for (Opening& gap : outer) gap.at += t;
+        sketch.wall(wall.a + (outward - along) * t, wall.b + (outward + along) * t, outer);
+        for (const Opening& gap : gaps)
+            for (const double side : {-0.5, 0.5}) {
+                const Vec<2> p = wall.a + along * (gap.at + side * gap.width);
+                sketch.line(p, p + outward * t);
+            }
+    }
+}
+
 void campus_shell(NamedModel& made, const BuildingPlan& plan, NumberedNames& names) {
     for (int storey = 0; storey < plan.storeys; ++storey) add_storey(made, plan, storey, names);
     add_outside(made, plan, names);

@@ -75,4 +75,8 @@ BuildingPlan hall_plan(double length, double depth, PlannedUse use);
 /// multiple of 90 degrees.
 void campus_shell(NamedModel& made, const BuildingPlan& plan, NumberedNames& names);
 
+/// The same at the height of an eye on the ground, where windows are open: inner walls once, the faces of the facade,
+/// and the sides of the openings in it. Marks the rooms.
+void campus_walls(Sketch& sketch, Rooms<2>& rooms, const BuildingPlan& plan, const std::string& place);
+
 }  // namespace sightline

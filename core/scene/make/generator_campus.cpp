@@ -3,6 +3,7 @@
 #include <array>
 #include <tuple>
 
+#include "core/scene/make/campus_plan.h"
 #include "core/scene/make/campus_things.h"
 #include "core/scene/make/furniture.h"
 #include "core/scene/make/generators_3d.h"
@@ -12,48 +13,6 @@
 namespace sightline::generate {
 
 namespace {
-
-// A campus is a square between the middle lines of four streets, with one more street through its middle, along x.
-constexpr double campus_side = 128, campus_half = campus_side / 2, kerb_edge = 60, middle_street = 4;
-constexpr double kerb_height = 0.125;
-
-struct Site {
-    Vec<2> corner;
-    int quarter_turns;
-    double length, depth;  ///< 0: as offices are deep
-    int rooms_in_row, storeys;
-    PlannedUse use = PlannedUse::office;
-};
-
-/// The first one is where the walk begins.
-constexpr std::array<Site, 8> sites = {{
-    {{-46, 11}, 0, 32, 0, 6, 2},
-    {{-2, 11}, 0, 24, 0, 5, 2},
-    {{30, 11}, 0, 24, 16, 0, 1, PlannedUse::hall},
-    {{-46, 38}, 0, 18, 0, 3, 1},
-    {{8, 38}, 0, 11, 0, 2, 4},
-    {{-28, -40}, 1, 17, 0, 3, 1},
-    {{-10, -24}, 0, 20, 0, 4, 1},
-    {{34, -22}, 0, 8, 6, 0, 1, PlannedUse::kiosk},
-}};
-
-BuildingPlan plan_of(const Site& site, Random& random) {
-    return site.depth > 0 ? hall_plan(site.length, site.depth, site.use)
-                          : offices_plan(random, site.length, site.rooms_in_row, site.storeys);
-}
-
-Random stream(std::uint64_t seed, int what, int which) { return Plot{what, which}.random(seed); }
-
-/// Where no tree may stand: buildings with what is before their doors, and the way of the walk.
-bool is_free(const Vec<2>& p) {
-    for (const Site& site : sites) {
-        const double deep = site.depth > 0 ? site.depth : 12.25;
-        const Vec<2> low = site.quarter_turns == 0 ? site.corner : site.corner - Vec<2>(deep, 0);
-        const Vec<2> high = low + (site.quarter_turns == 0 ? Vec<2>(site.length, deep) : Vec<2>(deep, site.length));
-        if (p.x > low.x - 3.5 && p.x < high.x + 3.5 && p.y > low.y - 3.5 && p.y < high.y + 3.5) return false;
-    }
-    return !(p.x > -15 && p.x < -4 && p.y > 0 && p.y < 26);
-}
 
 void add_ground(NamedModel& made, NumberedNames& names) {
     constexpr double s = campus_half, k = kerb_edge, m = middle_street;
@@ -97,44 +56,34 @@ void furnish_building(NamedModel& made, const BuildingPlan& plan, NumberedNames&
         for (std::size_t i = 0; i < plan.rooms.size(); ++i) {
             if (made.model.full()) return;
             const Inside floor(made.model, {0, 0, campus_step + campus_storey * storey});
-            furnish_planned(made, names, stream(seed, 10 + site, 100 * storey + static_cast<int>(i)), plan.rooms[i]);
+            furnish_planned(made, names, campus_stream(seed, 10 + site, 100 * storey + static_cast<int>(i)),
+                            plan.rooms[i]);
         }
 }
 
-void add_outdoors(NamedModel& made, NumberedNames& names, Random random) {
-    const auto place = [&](const std::string& kind, const Vec<2>& at, double height, double degrees, auto build) {
-        const Inside frame(made.model, {at.x, at.y, height}, degrees);
-        made.add(names.next(kind), build);
-    };
-    for (double x = -58; x < 60; x += 14)
-        for (const double side : {-1.0, 1.0}) {
-            const double y = side * (middle_street + 0.5);
-            place("lamp post", {x, y}, kerb_height, side < 0 ? 180 : 0, [](Model& m) { street_lamp(m); });
-            if (is_free({x + 4, y + side})) place("bench", {x + 4, y + side}, kerb_height, side < 0 ? 180 : 0, bench);
-            for (const double aside : {2.0, 7.0, 9.5})
-                if (is_free({x + aside, y})) place("bollard", {x + aside, y}, kerb_height, 0, bollard);
-        }
-    for (double x = -52; x < 56; x += 6.5)
-        for (const double side : {-1.0, 1.0}) {
-            const bool parked = random.below(10) < 7;
-            const double y = side * (middle_street - 1.1), edge = side * 61.5;
-            if (parked && (x < -18 || x > -2)) place("car", {x, y}, 0, side < 0 ? 0 : 180, parked_car);
-            if (random.below(2) == 0) place("car", {x, edge}, 0, side < 0 ? 180 : 0, parked_car);
-        }
-    for (int j = 0; j < 14; ++j)
-        for (int i = 0; i < 14; ++i) {
-            const double x = -54 + 8.3 * i + random.uniform(-1.5, 1.5);
-            const double y = -54 + 8.3 * j + random.uniform(-1.5, 1.5);
-            const std::uint64_t kind = random.below(8);
-            Random own(random.bits());
-            if (std::abs(y) < middle_street + 2 || !is_free({x, y})) continue;
-            if (kind < 6)
-                place(kind < 3 ? "oak" : "fir", {x, y}, kerb_height, 0, [&](Model& m) { garden_tree(m, own); });
-            else
-                place("hedge", {x, y}, kerb_height, 0, [](Model& m) {
-                    m.box({-1.5, -0.4, 0}, {1.5, 0.4, 1.1}, all_sides & ~bottom_side);
-                });
-        }
+void add_outdoors(NamedModel& made, NumberedNames& names, std::uint64_t seed) {
+    for (const OutdoorThing& thing : outdoor_things(seed)) {
+        const bool on_road = thing.kind == OutdoorKind::car;
+        const Inside frame(made.model, {thing.at.x, thing.at.y, on_road ? 0 : kerb_height}, thing.degrees);
+        made.add(names.next(std::string(word(thing.kind))), [&](Model& m) {
+            Random own = thing.own;
+            switch (thing.kind) {
+                case OutdoorKind::lamp:
+                    return street_lamp(m);
+                case OutdoorKind::bench:
+                    return bench(m);
+                case OutdoorKind::bollard:
+                    return bollard(m);
+                case OutdoorKind::car:
+                    return parked_car(m);
+                case OutdoorKind::oak:
+                case OutdoorKind::fir:
+                    return garden_tree(m, own);
+                case OutdoorKind::hedge:
+                    return m.box({-1.5, -0.4, 0}, {1.5, 0.4, 1.1}, all_sides & ~bottom_side);
+            }
+        });
+    }
 }
 
 /// One campus about the origin, or as much of it as has `wanted` triangles: building after building, and when the next
@@ -144,11 +93,11 @@ NamedModel one_campus(std::uint64_t seed, std::size_t wanted) {
     made.model.wanted = wanted;
     NumberedNames outside;
     add_ground(made, outside);
-    for (std::size_t i = 0; i < sites.size() && !made.model.full(); ++i) {
-        const Site& site = sites[i];
+    for (std::size_t i = 0; i < campus_sites().size() && !made.model.full(); ++i) {
+        const CampusSite& site = campus_sites()[i];
         const int number = static_cast<int>(i);
-        Random random = stream(seed, 1, number);
-        const BuildingPlan plan = plan_of(site, random);
+        Random random = campus_stream(seed, 1, number);
+        const BuildingPlan plan = site_plan(site, random);
         NumberedNames names{"building " + std::to_string(i + 1) + " / "};
         const Inside frame(made.model, {site.corner.x, site.corner.y, kerb_height}, 90.0 * site.quarter_turns);
         NamedModel shell;
@@ -169,7 +118,7 @@ NamedModel one_campus(std::uint64_t seed, std::size_t wanted) {
         add_all(made.rooms.portals, shell.rooms.portals);
         furnish_building(made, plan, names, seed, number);
     }
-    add_outdoors(made, outside, stream(seed, 2, 0));
+    add_outdoors(made, outside, seed);
     return made;
 }
 
@@ -211,9 +160,9 @@ void add_copy(Generated& made, const NamedModel& campus, const Plot& plot, std::
 
 /// Out of the first room of the first building, along its corridor into the street and up over the roofs.
 FlightPath<3> campus_walk(std::uint64_t seed) {
-    const Site& site = sites[0];
-    Random random = stream(seed, 1, 0);
-    const BuildingPlan plan = plan_of(site, random);
+    const CampusSite& site = campus_sites()[0];
+    Random random = campus_stream(seed, 1, 0);
+    const BuildingPlan plan = site_plan(site, random);
     const double door = site.corner.x + plan.rooms[1].door, south = site.corner.y;
     const double corridor = south + plan.depth / 2, inside = 1.7 + kerb_height + campus_step, low = 1.7;
     const std::vector<Vec<3>> on_foot = {{door, south + 1.2, inside},
