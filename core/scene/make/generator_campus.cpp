@@ -176,11 +176,15 @@ FlightPath<3> campus_walk(std::uint64_t seed) {
                                          {30, 0, low}};
     FlightPath<3> path = along("walk", on_foot, 168, 4, 60);
     const std::vector<Vec<3>> over = {{30, 0, low}, {36, 0, 3}, {46, -3, 14}, {54, -24, 40}, {56, -56, 70}};
-    const Vec<3> middle(-10, 20, 0);
+    // Turning on the way up, from straight on past the north to the middle of the campus.
+    const Vec<3> north(30, 45, 0), middle(-10, 20, 0);
     const std::vector<ViewSpec<3>> up = along("", over, 73, 6, 60).frames;
     for (std::size_t i = 1; i < up.size(); ++i) {
-        const double share = static_cast<double>(i) / static_cast<double>(up.size() - 1);
-        path.frames.push_back({up[i].eye, up[i].look_at * (1 - share) + middle * share, 60});
+        const double turn = 2 * static_cast<double>(i) / static_cast<double>(up.size() - 1);
+        const double part = turn < 1 ? turn : turn - 1, share = part * part * (3 - 2 * part);
+        const Vec<3> ahead(up[i].look_at.x, up[i].look_at.y, low);
+        const Vec<3> from = turn < 1 ? ahead : north, to = turn < 1 ? north : middle;
+        path.frames.push_back({up[i].eye, from * (1 - share) + to * share, 60});
     }
     return path;
 }
