@@ -1,5 +1,5 @@
-// Table 1 of the paper on algorithm selection: as printed, tied to the methods that are here, and shown in the
-// documents. SPDX-License-Identifier: GPL-3.0-or-later
+// Table 1 of the paper on algorithm selection: as printed, tied to the methods that are here, and in the documents.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/methods/techniques.h"
 
 #include <gtest/gtest.h>

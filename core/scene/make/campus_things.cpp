@@ -248,7 +248,7 @@ void furnish_planned(NamedModel& made, NumberedNames& names, Random random, cons
     }
 }
 
-void parked_car(Model& m) {
+void simple_car(Model& m) {
     for (const double x : {-1.3, 1.2})
         for (const double side : {-1.0, 1.0})
             m.turned_solid({x, side * 0.62, 0.3}, {0, side, 0}, {{0.3, 0}, {0.3, 0.2}, {0, 0.22}}, 8);

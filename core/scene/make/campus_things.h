@@ -11,7 +11,7 @@ namespace sightline {
 void furnish_planned(NamedModel& made, NumberedNames& names, Random random, const PlannedRoom& room);
 
 /// 4.3 long and 1.7 wide, about the frame's origin, its front toward -x. The inside is empty and cannot be seen.
-void parked_car(Model& model);
+void simple_car(Model& model);
 /// About the frame's origin, 1.8 long in x.
 void bench(Model& model);
 /// A round post, 0.9 high.

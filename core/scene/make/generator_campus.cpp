@@ -75,7 +75,7 @@ void add_outdoors(NamedModel& made, NumberedNames& names, std::uint64_t seed) {
                 case OutdoorKind::bollard:
                     return bollard(m);
                 case OutdoorKind::car:
-                    return parked_car(m);
+                    return simple_car(m);
                 case OutdoorKind::oak:
                 case OutdoorKind::fir:
                     return garden_tree(m, own);
