@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/base/glossary.h"
+#include "core/methods/techniques.h"
 #include "core/scene/make/catalogue.h"
 #include "core/session/settings_table.h"
 #include "shell/commands/command_table.h"
@@ -72,6 +73,8 @@ void add_words(const Workbench<D>& bench, std::string_view command, const std::s
         for (const Panel<D>& panel : panel_table<D>()) words.emplace_back(panel.id);
     if (command == "glossary")
         for (const GlossaryEntry& entry : glossary()) words.emplace_back(entry.term);
+    if (command == "techniques")
+        for (const Technique& technique : techniques()) words.emplace_back(technique.id);
     if (command == "open")
         for (const CatalogueRow<D>& row : catalogue<D>()) words.emplace_back(row.id);
     if (command == "open" || command == "compare" || command == "lesson") add_files(typed, words);

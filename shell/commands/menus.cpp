@@ -110,7 +110,7 @@ std::vector<Menu> make_menus() {
          menu_rows<D>({"compare penalty", "compare distance", "compare perfect order", "compare view only", "compare ?",
                        "-", "difference", "swap", "align step", "align drawn", "compare off", "-", "show trade-off"})},
         {"Lesson", menu_rows<D>({"lesson", "next", "previous", "truth", "answer ?", "speaker", "lesson end"})},
-        {"Help", menu_rows<D>({"help", "show words", "console", "-", "show why", "what-if"})},
+        {"Help", menu_rows<D>({"help", "show words", "show techniques", "console", "-", "show why", "what-if"})},
     };
     all.insert(all.begin() + 4,
                Menu{D == 3 ? "Fly" : "Path",

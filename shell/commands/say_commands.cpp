@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/error.h"
 #include "core/base/glossary.h"
+#include "core/methods/techniques.h"
 #include "core/session/explain.h"
 #include "core/session/explain_box.h"
 #include "core/session/explain_primitive.h"
@@ -163,6 +164,26 @@ void say_glossary(Workbench<D>& bench, Text text) {
     for (const GlossaryEntry& entry : glossary()) say(entry);
 }
 
+/// All, or what there is to know of one.
+template <int D>
+void say_techniques(Workbench<D>& bench, Text text) {
+    if (text.empty()) {
+        for (const Row& row : technique_rows(bench)) bench.say(as_line(row));
+        return;
+    }
+    const Technique* const technique = find_technique(text);
+    if (!technique) throw InputError("there is no technique '" + text + "'; techniques lists them");
+    const Suitability found = suitability(*technique, bench.session.scene());
+    const auto say = [&](std::string_view a, std::string_view b) { bench.say(std::string(a) + std::string(b)); };
+    say(technique->name, technique->is_here() ? ": method " + std::string(technique->method) : ": not here");
+    say(technique->in_table ? "DAS, table 1: " : "Added here to table 1 of DAS: ", technique->category);
+    bench.say("Scenes: " + needs_words(*technique) + ". Finds: " + finds_words(*technique) + ".");
+    bench.say("This scene: " + std::string(word(found.suits)) + "; " + found.reason + ".");
+    if (!technique->is_here()) say("Not here: ", std::string(technique->absent) + ".");
+    say("Source: ", std::string(technique->source) + ".");
+    if (!technique->note.empty()) say("Note: ", std::string(technique->note) + ".");
+}
+
 /// What all panels say, for readers of the screen and for scripts.
 template <int D>
 void panels(Workbench<D>& bench, Text text) {
@@ -197,6 +218,8 @@ std::span<const Command<D>> say_commands() {
         Command<D>{"markers", "List markers", "",
                    "list penalties, inversions, the first wrong pixel, budget ticks, pops and bookmarks", "",
                    markers<D>},
+        Command<D>{"techniques", "Techniques", "[NAME]",
+                   "list which techniques suit this scene and why, or say all about one", "", say_techniques<D>},
         Command<D>{"glossary", "Glossary", "[TERM]", "explain the terms used here", "", say_glossary<D>},
         Command<D>{"panels", "Panels as text", "[FILE]", "print the text of all panels", "F12=panels.txt", panels<D>,
                    "", written},

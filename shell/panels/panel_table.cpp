@@ -31,6 +31,8 @@ std::span<const Panel<D>> panel_table() {
                  Body::rows, true},
         Panel<D>{"front", "Front", "the cells in the front, first to last", right, lab, front_rows<D>},
         Panel<D>{"breakpoints", "Breakpoints", "breakpoints and marked steps", right, lab, breakpoint_rows<D>},
+        Panel<D>{"techniques", "Techniques", "which techniques suit this scene, and which of them are here", right, lab,
+                 technique_rows<D>},
         Panel<D>{"settings", "Settings", "every setting with its source", Column::left, lab, settings_rows<D>,
                  Body::widgets},
     };

@@ -31,6 +31,8 @@ std::vector<Row> compare_rows(const Workbench<D>& bench);
 template <int D>
 std::vector<Row> trade_off_rows(const Workbench<D>& bench);
 template <int D>
+std::vector<Row> technique_rows(const Workbench<D>& bench);
+template <int D>
 std::vector<Row> settings_rows(const Workbench<D>& bench);
 
 }  // namespace sightline

@@ -325,6 +325,7 @@ const std::vector<Golden>& goldens() {
         {"soda", {"29c6a75cbc62619f", "d34b6ee6c25fcda7", "ebdc50d234a6e335"}},
         {"blocks", {"b67e9885bf606872", "d5d344e6a5a56bbd", "a706f56b853a6885"}},
         {"tetra", {"692a372cc10b881d", "b3ddce2ea6def704", "cf52ee6a26114d95"}},
+        {"campus", {"722b8f28c1253806", "45207e2d3988f8ae", "55c68e57d4f920e1"}},
     };
     return table;
 }

@@ -38,7 +38,7 @@ TEST(SceneCatalogue, ScenesAreTheSameBitsEverywhere) {
         {"cars", "544a2cde0c9a9902"},       {"jungle", "2a4864800813fba8"},  {"terrain", "52b9c0877c7b5eeb"},
         {"wallholes", "44038285407b72d8"},  {"wall2", "e2f51f4e69f6b71e"},   {"statue", "f2d920ec92201485"},
         {"forget", "b2e3f4f0d36a1c6e"},     {"field", "31059c2b3288e503"},   {"soda", "0a604f7fb755bbcf"},
-        {"blocks", "b9827a830c1c6a4f"},     {"tetra", "e9c60dc4655e4176"},
+        {"blocks", "b9827a830c1c6a4f"},     {"tetra", "e9c60dc4655e4176"},   {"campus", "b0fd18b10163da70"},
     };
     for (const CatalogueRow<2>& row : catalogue()) {
         const auto found = golden.find(row.id);

@@ -22,10 +22,10 @@ Scene<3> scene_of(const CatalogueRow<3>& row, std::size_t triangles) {
 // Golden: a change here changes every recorded number of the scene.
 TEST(SceneGenerated, ScenesAreTheSameBitsEverywhere) {
     const std::map<std::string, std::string> golden = {
-        {"bottleneck", "85e0a78cd8f3db19"}, {"wall2", "bed3d800b0a3f398"}, {"city", "d0afa59a9614ee98"},
-        {"cars", "dc96f90584c63dc3"},       {"room", "22e202fa55219732"},  {"jungle", "a31b63d6163c5a4d"},
-        {"plant", "5c038434752d1cf5"},      {"soda", "29e7bcaeddbbe3af"},  {"blocks", "2564b183e70e570c"},
-        {"tetra", "958a15bd9f6b52a7"},
+        {"bottleneck", "85e0a78cd8f3db19"}, {"wall2", "bed3d800b0a3f398"},  {"city", "d0afa59a9614ee98"},
+        {"cars", "dc96f90584c63dc3"},       {"room", "22e202fa55219732"},   {"jungle", "a31b63d6163c5a4d"},
+        {"plant", "5c038434752d1cf5"},      {"soda", "29e7bcaeddbbe3af"},   {"blocks", "2564b183e70e570c"},
+        {"tetra", "958a15bd9f6b52a7"},      {"campus", "120d7137803a63a1"},
     };
     EXPECT_EQ(golden.size(), catalogue<3>().size());
     for (const CatalogueRow<3>& row : catalogue<3>()) {
@@ -136,13 +136,19 @@ TEST(SceneGenerated, EyesSeeFrontsAndStandInTheOpen) {
             const std::size_t rays = 500 / path.frames.size() + 1;
             for (const ViewSpec<3>& frame : path.frames) {
                 const View<3> view = make_view(frame, 4.0 / 3, scene.up_axis);
-                for (const Primitive<3>& t : scene.primitives) nearest = std::min(nearest, distance_to(t, view.eye));
+                std::vector<Primitive<3>> fronts;
+                for (std::size_t k = 0; k < scene.primitives.size(); ++k) {
+                    const Primitive<3>& t = scene.primitives[k];
+                    nearest = std::min(nearest, distance_to(t, view.eye));
+                    if (shows_both_sides(scene, k) || faces(view, t)) fronts.push_back(t);
+                }
                 for (std::size_t i = 0; i < rays; ++i) {
-                    const Hit hit = cast(scene.primitives, view.eye, random_ray(random, view));
+                    const Vec<3> ray = random_ray(random, view);
+                    const Hit hit = cast(scene.primitives, view.eye, ray);
                     if (!std::isfinite(hit.distance)) continue;
                     ++hits;
-                    const bool both = !scene.two_sided.empty() && scene.two_sided[hit.triangle];
-                    backs += !both && !faces(view, scene.primitives[hit.triangle]);
+                    // A thin wall may be a front toward either side, in one place.
+                    backs += cast(fronts, view.eye, ray).distance > hit.distance * (1 + 1e-9);
                 }
             }
             EXPECT_GT(hits, 100u);

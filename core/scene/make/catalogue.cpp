@@ -216,6 +216,21 @@ std::span<const CatalogueRow<2>> catalogue<2>() {
          {{"visible_share == 0 && count > 0", "behind a large triangle"}},
          0,
          {}},
+        {"campus",
+         14,
+         "Campus",
+         "In a room walls and doors decide what is seen, on the lawn facades and trees do, so no one technique is best "
+         "everywhere.",
+         campus,
+         {{-38, 12.5}, {-38, 18}, 90},
+         0.05,
+         "published",
+         "10%",
+         {},
+         {{"visible_share == 0 && count > 0", "the first that cannot be seen"}},
+         0,
+         {},
+         rooms_of_campus},
     };
     return rows;
 }
@@ -241,6 +256,7 @@ Scene<2> make_scene(const CatalogueRow<2>& row) {
     scene.seed = row.seed;
     scene.primitives = row.generate(row.seed);
     clean(scene, Recentre::no, row.id);
+    if (row.rooms) scene.rooms = row.rooms(row.seed);
     scene.start_view = row.view;
     return scene;
 }

@@ -160,6 +160,20 @@ std::span<const CatalogueRow<3>> catalogue<3>() {
          {{"visible_share == 0 && count > 0", "behind a large tetrahedron"}},
          3'602,
          {"walk", "line", "test"}},
+        {"campus",
+         14,
+         "Campus",
+         "In a room walls and doors decide what is seen, in the street large facades do, and above the roofs nearly "
+         "all of it is seen, so no one technique is best everywhere.",
+         generate::campus,
+         {{-30, 0, 1.7}, {20, 1, 2.4}, 60},
+         0.05,
+         "published",
+         "10%",
+         {},
+         {{"step:100", "along the street"}, {"visible_share == 0 && count > 0", "the first that cannot be seen"}},
+         75'000,
+         {"walk", "test"}},
     };
     return rows;
 }

@@ -37,6 +37,10 @@ std::vector<Primitive<2>> soda(std::uint64_t seed);
 std::vector<Primitive<2>> blocks(std::uint64_t seed);
 /// 900 triangles, none touching another; about 180 x 180.
 std::vector<Primitive<2>> tetra(std::uint64_t seed);
+/// Buildings of furnished rooms between streets and trees, at the height of an eye; -64..64 x -64..64.
+std::vector<Primitive<2>> campus(std::uint64_t seed);
+/// Its rooms and corridors.
+Rooms<2> rooms_of_campus(std::uint64_t seed);
 
 /// A city of houses with closed outlines and inner walls, for benchmarks of any size: exactly `segments` of them, of
 /// which no two cross (walls may end on one another). The last house may be cut short. Cost: linear.

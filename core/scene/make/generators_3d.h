@@ -28,6 +28,10 @@ Generated soda(std::uint64_t seed, std::size_t triangles);
 Generated blocks(std::uint64_t seed, std::size_t triangles);
 /// Tetrahedra on a plane, none touching another: 900 of them unless asked otherwise. Paths "walk" and "line".
 Generated tetra(std::uint64_t seed, std::size_t triangles);
+/// Furnished buildings of many rooms, which are marked, between streets, lawn and trees: about 3,500 named objects and
+/// 75k triangles. Of a larger one there are copies, which fill squares. Path "walk": out of a room, along a corridor,
+/// into the street and up over the roofs.
+Generated campus(std::uint64_t seed, std::size_t triangles);
 /// The 2D scene of this name as a hall: two blocks full of crates from floor to ceiling, a gap between them, hidden
 /// crates behind and a house front beyond the gap. One size. Path "test".
 Generated bottleneck(std::uint64_t seed, std::size_t);

@@ -100,6 +100,21 @@ TEST_F(EachCommand, glossary) {
     EXPECT_THROW(run("glossary frontier"), InputError);
 }
 
+TEST_F(EachCommand, techniques) {
+    run("techniques");
+    EXPECT_EQ(said.at(0).find("Suits: "), 0u);
+    EXPECT_NE(std::find(said.begin(), said.end(), "  Hierarchical z-buffer: hzb"), said.end());
+    run("techniques portals");
+    EXPECT_NE(
+        std::find(said.begin(), said.end(), "This scene: does not suit; it needs rooms, and the scene marks none."),
+        said.end());
+    run("techniques hom");
+    EXPECT_EQ(said.at(0), "HOMs: method hom");
+    EXPECT_EQ(said.at(1), "DAS, table 1: Visibility / Point Visibility / Image Space Techniques");
+    EXPECT_EQ(said.back().find("Note: section 2.1.2"), 0u);
+    EXPECT_THROW(run("techniques frontier"), InputError);
+}
+
 /// What is written as JSON is what is said.
 TEST_F(Explained, AsJson) {
     run("run; explain cell 26 " + file("cell.json") + "; explain primitive 10 " + file("primitive.json"));
