@@ -17,6 +17,7 @@
 #include "core/draw/shown_boxes.h"
 #include "core/draw/shown_world.h"
 #include "core/methods/cells/facet_geometry.h"
+#include "core/run/drawn_levels.h"
 #include "core/session/explain.h"
 
 namespace sightline {
@@ -158,7 +159,7 @@ private:
         const auto& segments = session_.scene().primitives;
         const bool tell = set_.show_visibility == Switch::on;
         const Reference& reference = session_.reference();
-        const std::vector<std::uint8_t> rendered = rendered_mask(session_.met(), segments.size());
+        const std::vector<std::uint8_t> rendered = found_mask(session_.traversal());
         const auto look = [&](std::size_t p) {
             if (!tell) return rendered[p] ? Look::rendered : Look::other;
             if (rendered[p]) return reference.visible[p] ? Look::rendered : Look::wasted;
