@@ -39,8 +39,9 @@ template <int D>
 std::size_t Levels<D>::memory_bytes() const {
     std::size_t bytes = (objects.of.capacity() + rows.first.capacity() + rows.ids.capacity() + first.capacity()) *
                             sizeof(std::uint32_t) +
-                        boxes.capacity() * sizeof(Box<D>) + levels.capacity() * sizeof(Level) +
-                        primitives.capacity() * sizeof(Primitive<D>) + two_sided.capacity() + facing.memory_bytes();
+                        (boxes.capacity() + group_boxes.capacity()) * sizeof(Box<D>) +
+                        levels.capacity() * sizeof(Level) + primitives.capacity() * sizeof(Primitive<D>) +
+                        two_sided.capacity() + facing.memory_bytes();
     for (const std::string& name : objects.names) bytes += sizeof(name) + (name.size() > 15 ? name.capacity() : 0);
     return bytes;
 }
@@ -64,10 +65,13 @@ Levels<D> build_levels(const Scene<D>& scene, int threads) {
             for (const std::uint32_t id : primitives)
                 for (const Vec<D>& corner : scene.primitives[id]) made.boxes[object].add(corner);
             const std::size_t before = out.levels.size();
-            if (primitives.size() >= least_object<D>) append_levels(scene, primitives, out);
+            if (primitives.size() >= least_object) append_levels(scene, primitives, out);
             level_count[object] = static_cast<std::uint32_t>(out.levels.size() - before);
         }
     });
+    made.group_boxes.resize((count + Levels<D>::group_size - 1) / Levels<D>::group_size);
+    for (std::uint32_t object = 0; object < count; ++object)
+        made.group_boxes[object / Levels<D>::group_size].add(made.boxes[object]);
     std::size_t levels = 0, primitives = 0;
     for (const ObjectLevels<D>& part : of_parts) levels += part.levels.size(), primitives += part.primitives.size();
     made.levels.reserve(levels);

@@ -144,7 +144,7 @@ void append_levels(const Scene<2>& scene, std::span<const std::uint32_t> object,
     }
     std::sort(inner.begin(), inner.end(), std::greater<>());
     const std::size_t least = all.chains.size();
-    for (std::size_t count = object.size(); count > least_object<2> / 2 && count > least;) {
+    for (std::size_t count = object.size(); count > least_object / 2 && count > least;) {
         const std::size_t kept = std::max(count / 2, least) - least;
         if (kept >= inner.size()) return;
         // Those of an equal error go together.

@@ -237,7 +237,7 @@ void append_levels(const Scene<3>& scene, std::span<const std::uint32_t> object,
         }
         error = out.levels.back().error;
         count = left;
-        if (count <= least_object<3> / 2) return;
+        if (count <= least_object / 2) return;
     }
 }
 

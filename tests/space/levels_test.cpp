@@ -156,7 +156,7 @@ void expect_the_same_from_any_threads(const Scene<D>& scene) {
     ASSERT_EQ(one.first.size(), std::size_t{one.object_count()} + 1);
     for (std::uint32_t object = 0; object < one.object_count(); ++object) {
         EXPECT_FALSE(one.primitives_of(object).empty());
-        if (one.primitives_of(object).size() < least_object<D>) {
+        if (one.primitives_of(object).size() < least_object) {
             EXPECT_TRUE(one.of(object).empty());
         }
     }

@@ -29,12 +29,18 @@ void LevelsRun<D>::begin_objects() {
     target_ms_ = parameters.number(frame_ms_row());
     marks_.begin(levels_->object_count());
     std::vector<std::pair<double, std::uint32_t>> far_to_near;
-    for (std::uint32_t object = 0; object < levels_->object_count(); ++object) {
-        const auto corners = levels_->boxes[object].corners();
-        if (in_view(problem.view, std::span<const Vec<D>>(corners)))
-            far_to_near.emplace_back(-squared_distance(levels_->boxes[object], problem.view.eye), object);
-        else
-            marks_.set(object, {0, 0, CellState::unseen});
+    constexpr std::uint32_t size = Levels<D>::group_size;
+    for (std::uint32_t group = 0; group < levels_->group_boxes.size(); ++group) {
+        const auto around = levels_->group_boxes[group].corners();
+        if (!in_view(problem.view, std::span<const Vec<D>>(around))) continue;
+        const bool whole = all_in_view(problem.view, std::span<const Vec<D>>(around));
+        const std::uint32_t end = std::min(levels_->object_count(), (group + 1) * size);
+        for (std::uint32_t object = group * size; object < end; ++object) {
+            const Box<D>& box = levels_->boxes[object];
+            const auto corners = box.corners();
+            if (whole || in_view(problem.view, std::span<const Vec<D>>(corners)))
+                far_to_near.emplace_back(-squared_distance(box, problem.view.eye), object);
+        }
     }
     std::sort(far_to_near.begin(), far_to_near.end());
     order_.clear();
@@ -47,6 +53,14 @@ void LevelsRun<D>::begin_objects() {
     frames_.clear();
     if (target_ms_ > 0) frames_.push_back(frame_with(0));
     stand_ins_at_ = none;
+}
+
+/// Those that are not in the order lie outside the view.
+template <int D>
+Mark LevelsRun<D>::mark(const Item& item) const {
+    if (item.kind != Kind::object) return {};
+    const Mark mark = marks_[item.id];
+    return mark.state == CellState::clean ? Mark{0, 0, CellState::unseen} : mark;
 }
 
 template <int D>

@@ -31,7 +31,8 @@ public:
     std::unique_ptr<Run<D>> clone() const override { return std::make_unique<LevelsRun>(*this); }
     std::size_t memory_bytes() const override;
     std::uint64_t hash() const override;
-    Mark mark(const Item& item) const override { return item.kind == Kind::object ? marks_[item.id] : Mark{}; }
+    using Run<D>::mark;
+    Mark mark(const Item& item) const override;
     std::vector<std::pair<Item, Mark>> front() const override { return waiting_items(marks_, Kind::object); }
     Misses misses() const override;
     std::span<const StandIn> stand_ins() const override;

@@ -64,7 +64,7 @@ std::string LevelsRun<D>::popped_words(const Step& step) const {
 template <int D>
 Verdict LevelsRun<D>::why_not(const Item& item) const {
     if (item.kind == Kind::cell) return {"no-cells", "the method takes objects, not cells"};
-    if (item.kind == Kind::object && marks_[item.id].state == CellState::unseen)
+    if (item.kind == Kind::object && mark(item).state == CellState::unseen)
         return {"outside-view", "its box lies outside the view"};
     return {};
 }
