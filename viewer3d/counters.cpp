@@ -58,7 +58,9 @@ std::vector<Counter> counters(const Session<3>& session, const std::string& titl
     std::vector<Counter> all{{title, "", true}};
     all.push_back({std::to_string(session.counters().drawn()) + " triangles",
                    as_wide(session.scene().primitives.size(), " triangles")});
-    const std::string steps = session.method().orders_cells() ? " cells" : " batches";
+    const std::string steps = session.method().orders_cells()         ? " cells"
+                              : session.method().pops == Kind::object ? " objects"
+                                                                      : " batches";
     all.push_back({std::to_string(session.traversal().steps()) + steps, as_wide(session.cells().cell_count(), steps)});
     const bool measured = !session.flying() || session.has_reference();
     const std::string later = "…";

@@ -143,6 +143,10 @@ Stop LevelsRun<D>::next(Recorder* recorder) {
     const std::uint8_t level = choose(object);
     const LevelRule rule = level > 0 ? LevelRule::coarser : enough ? LevelRule::enough : LevelRule::as_it_is;
     if (recorder) recorder->changed({object, Kind::object}, before, static_cast<std::uint8_t>(rule), level);
+    Mark after = before;
+    after.state = CellState::projected;
+    marks_.set(object, after);
+    --counters.front_size;
     take(object, level);
     counters.partial_cell = draw(object) ? none : object;
     return Stop::none;
@@ -151,10 +155,6 @@ Stop LevelsRun<D>::next(Recorder* recorder) {
 /// The object at the next place gets its level.
 template <int D>
 void LevelsRun<D>::take(std::uint32_t object, std::uint8_t level) {
-    Mark mark = marks_[object];
-    mark.state = CellState::projected;
-    marks_.set(object, mark);
-    --this->counters_.front_size;
     level_of_.push_back(level);
     stand_ins_at_ = none;
     if (target_ms_ == 0) return;
