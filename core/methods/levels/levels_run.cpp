@@ -30,11 +30,18 @@ void LevelsRun<D>::begin_objects() {
     marks_.begin(levels_->object_count());
     std::vector<std::pair<double, std::uint32_t>> far_to_near;
     constexpr std::uint32_t size = Levels<D>::group_size;
+    whole_groups_.assign(levels_->group_boxes.size(), 0);
+    if constexpr (D == 3) facing_.resize(problem.primitives().size());
     for (std::uint32_t group = 0; group < levels_->group_boxes.size(); ++group) {
         const auto around = levels_->group_boxes[group].corners();
         if (!in_view(problem.view, std::span<const Vec<D>>(around))) continue;
         const bool whole = all_in_view(problem.view, std::span<const Vec<D>>(around));
+        whole_groups_[group] = whole;
         const std::uint32_t end = std::min(levels_->object_count(), (group + 1) * size);
+        if constexpr (D == 3) {
+            const std::uint32_t first = levels_->rows.first[group * size], after = levels_->rows.first[end];
+            levels_->facing.tell(problem.view.eye, first, std::span(facing_).subspan(first, after - first));
+        }
         for (std::uint32_t object = group * size; object < end; ++object) {
             const Box<D>& box = levels_->boxes[object];
             const auto corners = box.corners();
@@ -183,17 +190,18 @@ bool LevelsRun<D>::draw_as_it_is(std::uint32_t object) {
     const Problem<D>& problem = this->problem_;
     Counters& counters = this->counters_;
     const auto primitives = levels_->primitives_of(object);
-    const auto corners = levels_->boxes[object].corners();
-    const bool whole = all_in_view(problem.view, std::span<const Vec<D>>(corners));
-    facing_.assign(primitives.size(), D == 2 ? SideSeen::seen : SideSeen::unsure);
-    if constexpr (D == 3) levels_->facing.tell(problem.view.eye, levels_->rows.first[object], facing_);
+    bool whole = whole_groups_[object / Levels<D>::group_size];
+    if (!whole) {
+        const auto corners = levels_->boxes[object].corners();
+        whole = all_in_view(problem.view, std::span<const Vec<D>>(corners));
+    }
+    const std::uint32_t first = levels_->rows.first[object];
     found_.clear();
     for (std::size_t i = counters.offset; i < primitives.size(); ++i) {
-        if (facing_[i] == SideSeen::away) continue;
-        const bool shown = !whole                         ? shows(problem, primitives[i])
-                           : facing_[i] == SideSeen::seen ? true
-                                                          : turns_a_seen_side(problem, primitives[i]);
-        if (!shown) continue;
+        const SideSeen side = D == 2 ? SideSeen::seen : facing_[first + i];
+        if (side == SideSeen::away || (side == SideSeen::unsure && !turns_a_seen_side(problem, primitives[i])))
+            continue;
+        if (!whole && !in_view(problem.view, problem.primitives()[primitives[i]])) continue;
         if (found_.size() == problem.budget - counters.spent) {
             counters.offset = static_cast<std::uint32_t>(i);
             meet_all(found_, this->drawn_, counters);
@@ -248,8 +256,9 @@ std::span<const StandIn> LevelsRun<D>::stand_ins() const {
 
 template <int D>
 std::size_t LevelsRun<D>::memory_bytes() const {
-    return marks_.memory_bytes() + this->drawn_.memory_bytes() + order_.capacity() * sizeof(std::uint32_t) +
-           level_of_.capacity() + frames_.capacity() * sizeof(FrameDrawing) + stand_ins_.capacity() * sizeof(StandIn);
+    return marks_.memory_bytes() + whole_groups_.capacity() + this->drawn_.memory_bytes() +
+           order_.capacity() * sizeof(std::uint32_t) + level_of_.capacity() + facing_.capacity() +
+           frames_.capacity() * sizeof(FrameDrawing) + stand_ins_.capacity() * sizeof(StandIn);
 }
 
 template <int D>

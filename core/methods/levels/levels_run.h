@@ -74,7 +74,8 @@ private:
     std::vector<std::uint32_t> order_;        ///< those in view, the farthest first; step s takes order_[s - 1]
     std::vector<std::uint8_t> level_of_;      ///< per place in the order, for those taken
     std::vector<FrameDrawing> frames_;        ///< with a target: after each step, the first before all
-    std::vector<SideSeen> facing_;            ///< scratch
+    std::vector<std::uint8_t> whole_groups_;  ///< 1 for groups of objects that lie in the view as a whole
+    std::vector<SideSeen> facing_;            ///< 3D: per place of rows.ids, of the groups of objects in view
     std::vector<std::uint32_t> found_;        ///< scratch
     mutable std::vector<StandIn> stand_ins_;  ///< made when asked for
     mutable std::uint32_t stand_ins_at_ = 0;  ///< the number of steps that they were made after, `none`: anew
