@@ -12,23 +12,23 @@
 namespace sightline {
 namespace {
 
-Vec<2> random_point(Random& random, const Primitive<2>& s) { return s[0] + (s[1] - s[0]) * random.uniform(0, 1); }
-Vec<3> random_point(Random& random, const Primitive<3>& t) {
+Vec<2> point_on(Random& random, const Primitive<2>& s) { return s[0] + (s[1] - s[0]) * random.uniform(0, 1); }
+Vec<3> point_on(Random& random, const Primitive<3>& t) {
     double u = random.uniform(0, 1), v = random.uniform(0, 1);
     if (u + v > 1) u = 1 - u, v = 1 - v;
     return t[0] + (t[1] - t[0]) * u + (t[2] - t[0]) * v;
 }
 
-double distance_to(const Vec<2>& p, const Vec<2>& a, const Vec<2>& b) {
+double away_from(const Vec<2>& p, const Vec<2>& a, const Vec<2>& b) {
     const double t = std::clamp(glm::dot(p - a, b - a) / glm::dot(b - a, b - a), 0.0, 1.0);
     return glm::length(p - (a + (b - a) * t));
 }
-double distance_to(const Vec<3>& p, const Vec<3>& a, const Vec<3>& b) {
+double away_from(const Vec<3>& p, const Vec<3>& a, const Vec<3>& b) {
     const double t = std::clamp(glm::dot(p - a, b - a) / glm::dot(b - a, b - a), 0.0, 1.0);
     return glm::length(p - (a + (b - a) * t));
 }
-double distance_to(const Vec<2>& p, const Primitive<2>& s) { return distance_to(p, s[0], s[1]); }
-double distance_to(const Vec<3>& p, const Primitive<3>& t) {
+double away_from(const Vec<2>& p, const Primitive<2>& s) { return away_from(p, s[0], s[1]); }
+double away_from(const Vec<3>& p, const Primitive<3>& t) {
     const Vec<3> normal = glm::cross(t[1] - t[0], t[2] - t[0]);
     const double length = glm::length(normal);
     if (length > 0) {
@@ -38,12 +38,12 @@ double distance_to(const Vec<3>& p, const Primitive<3>& t) {
             inside = inside && glm::dot(glm::cross(t[(i + 1) % 3] - t[i], foot - t[i]), normal) >= 0;
         if (inside) return std::abs(glm::dot(n, p - t[0]));
     }
-    return std::min({distance_to(p, t[0], t[1]), distance_to(p, t[1], t[2]), distance_to(p, t[2], t[0])});
+    return std::min({away_from(p, t[0], t[1]), away_from(p, t[1], t[2]), away_from(p, t[2], t[0])});
 }
 template <int D>
-double distance_to(const Vec<D>& p, const std::vector<Primitive<D>>& all) {
+double away_from(const Vec<D>& p, const std::vector<Primitive<D>>& all) {
     double nearest = std::numeric_limits<double>::infinity();
-    for (const Primitive<D>& primitive : all) nearest = std::min(nearest, distance_to(p, primitive));
+    for (const Primitive<D>& primitive : all) nearest = std::min(nearest, away_from(p, primitive));
     return nearest;
 }
 
@@ -124,16 +124,15 @@ void expect_errors() {
             const auto coarse = level_primitives(levels, level);
             double largest = 0;
             for (int i = 0; i < 300; ++i) {
-                const Vec<D> of_object = random_point(random, scene.primitives[random.below(scene.primitives.size())]);
-                const Vec<D> of_level = random_point(random, coarse[random.below(coarse.size())]);
+                const Vec<D> of_object = point_on(random, scene.primitives[random.below(scene.primitives.size())]);
+                const Vec<D> of_level = point_on(random, coarse[random.below(coarse.size())]);
                 largest =
-                    std::max({largest, distance_to<D>(of_object, coarse), distance_to<D>(of_level, scene.primitives)});
+                    std::max({largest, away_from<D>(of_object, coarse), away_from<D>(of_level, scene.primitives)});
                 for (const Primitive<D>& p : coarse)
                     for (const Vec<D>& corner : p) ASSERT_TRUE(levels.boxes[0].contains(corner));
             }
             if (D == 2)  // of chains the points that are left out are the farthest
-                for (const Primitive<D>& p : scene.primitives)
-                    largest = std::max(largest, distance_to<D>(p[0], coarse));
+                for (const Primitive<D>& p : scene.primitives) largest = std::max(largest, away_from<D>(p[0], coarse));
             ASSERT_LE(largest, level.error * (1 + 1e-9) + 1e-12);
             if (level.error > 0) nearest_to_bound = std::max(nearest_to_bound, largest / level.error);
             ++checked;

@@ -38,7 +38,8 @@ public:
     std::span<const StandIn> stand_ins() const override;
     std::shared_ptr<const Levels<D>> levels() const override { return levels_; }
 
-    std::string_view rule_words(std::uint8_t rule) const override;
+    /// Nothing but the object itself, of which the sentence of the step tells all.
+    std::vector<Considered> considered(const Step&, std::span<const Change>, int) const override { return {}; }
     std::string popped_words(const Step& step) const override;
     Verdict why_not(const Item& item) const override;
     Verdict why_drawn(const Item& item) const override;

@@ -35,18 +35,6 @@ double LevelsRun<D>::error_pixels(std::uint32_t object, std::uint32_t level) con
 }
 
 template <int D>
-std::string_view LevelsRun<D>::rule_words(std::uint8_t rule) const {
-    switch (LevelRule{rule}) {
-        case LevelRule::coarser:
-            return "drawn at a coarser level";
-        case LevelRule::enough:
-            return "drawn as it is: the frame is quick enough";
-        default:
-            return "drawn as it is: no level looks alike";
-    }
-}
-
-template <int D>
 std::string LevelsRun<D>::popped_words(const Step& step) const {
     const std::uint32_t object = step.item.id, place = place_of(object);
     if (place == none || place >= level_of_.size()) return object_name(object);
@@ -152,7 +140,6 @@ std::span<const Field<D>> LevelsRun<D>::fields() const {
     template std::uint32_t LevelsRun<D>::place_of(std::uint32_t) const;             \
     template std::string LevelsRun<D>::object_name(std::uint32_t) const;            \
     template double LevelsRun<D>::error_pixels(std::uint32_t, std::uint32_t) const; \
-    template std::string_view LevelsRun<D>::rule_words(std::uint8_t) const;         \
     template std::string LevelsRun<D>::popped_words(const Step&) const;             \
     template Verdict LevelsRun<D>::why_not(const Item&) const;                      \
     template Verdict LevelsRun<D>::why_drawn(const Item&) const;                    \
