@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "core/run/drawn_levels.h"
 #include "core/run/drive.h"
 
 namespace sightline::lab {
@@ -23,7 +24,7 @@ OneRun one_run(std::span<const Method<D>> methods, const Scene<D>& scene, const 
     drive(settings.budget, *made);
     OneRun run;
     run.order = rendered_ids(made->met());
-    run.rendered = rendered_mask(made->met(), scene.primitives.size());
+    run.rendered = found_mask(*made);
     run.steps = made->steps();
     for (std::uint32_t cell = 0; cell < cells.cell_count(); ++cell)
         run.not_finite += !std::isfinite(made->mark(cell).key);

@@ -2,6 +2,7 @@
 #include <limits>
 
 #include "core/base/error.h"
+#include "core/run/drawn_levels.h"
 #include "core/session/explanation_json.h"
 #include "core/session/report.h"
 #include "python/convert.h"
@@ -29,7 +30,7 @@ py::array_t<StepRow> step_rows(const Session<D>& session) {
     for (std::uint32_t step = 1; step <= session.position(); ++step) {
         const Step& s = session.timeline().steps[step - 1];
         rows.push_back({static_cast<std::uint8_t>(s.item.kind), s.item.id, s.key, s.runner_up.id, s.runner_up_key,
-                        s.after.rendered_count, s.after.front_size});
+                        s.after.drawn(), s.after.front_size});
     }
     return array_of(std::move(rows));
 }
@@ -96,7 +97,7 @@ template <int D>
 std::vector<std::uint32_t> visible_ids(const Session<D>& session, bool also_rendered) {
     const std::vector<std::uint8_t>& visible = session.reference().visible;
     std::vector<std::uint8_t> out(visible.size());
-    if (!also_rendered) out = rendered_mask(session.met(), visible.size());
+    if (!also_rendered) out = found_mask(session.traversal());
     std::vector<std::uint32_t> ids;
     for (std::size_t i = 0; i < visible.size(); ++i)
         if (visible[i] && !out[i]) ids.push_back(static_cast<std::uint32_t>(i));
@@ -244,8 +245,7 @@ void bind_results(py::class_<ScriptSession<D>>& session) {
     if constexpr (D == 3)
         session
             .def_property_readonly(
-                "wrong_pixels",
-                [](const Self& self) { return wrong_pixels(self.session.reference(), self.session.met()); },
+                "wrong_pixels", [](const Self& self) { return self.session.wrong_pixels(); },
                 "share of the pixels that show another triangle than the exact image")
             .def_property_readonly(
                 "pixels", [](const Self& self) { return array_of(self.session.reference().pixels); },

@@ -56,9 +56,11 @@ std::vector<Counter> counters(const Session<3>& session, const std::string& titl
         return std::string(std::to_string(most).size(), '8') + unit;
     };
     std::vector<Counter> all{{title, "", true}};
-    all.push_back({std::to_string(session.counters().rendered_count) + " triangles",
+    all.push_back({std::to_string(session.counters().drawn()) + " triangles",
                    as_wide(session.scene().primitives.size(), " triangles")});
-    const std::string steps = session.method().orders_cells() ? " cells" : " batches";
+    const std::string steps = session.method().orders_cells()         ? " cells"
+                              : session.method().pops == Kind::object ? " objects"
+                                                                      : " batches";
     all.push_back({std::to_string(session.traversal().steps()) + steps, as_wide(session.cells().cell_count(), steps)});
     const bool measured = !session.flying() || session.has_reference();
     const std::string later = "…";
@@ -67,8 +69,7 @@ std::vector<Counter> counters(const Session<3>& session, const std::string& titl
             {"coverage " + (measured ? share_text(coverage(session.reference(), session.visible_rendered())) : later),
              "coverage 0.888"});
     if (tells_truth(session))
-        all.push_back({"wrong pixels " + (measured ? percent(wrong_pixels(session.reference(), session.met())) : later),
-                       "wrong pixels 88.8 %"});
+        all.push_back({"wrong pixels " + (measured ? percent(session.wrong_pixels()) : later), "wrong pixels 88.8 %"});
     // A frame that is stepped through was recorded on the way, which takes longer than flying.
     const std::string how = session.flying() ? " ms" : " ms recorded";
     all.push_back({"traversal " + short_number(session.times().traverse) + how, "traversal 88.8" + how});

@@ -86,7 +86,7 @@ void EyePictures::update(const Session<3>& session, std::uint64_t revision) {
         draw(*exact_, exact_image(session));
     }
     if (shows_missed(settings)) {
-        const Pixels pixels = wrong_picture(session.reference(), session.met(), session.scene());
+        const Pixels pixels = wrong_picture(session.reference(), session.wrong_mask(), session.scene());
         upload(missed_, pixels);
     }
 }

@@ -37,7 +37,7 @@ Pick3d pick(const SolidList& list, const Vec<2>& plane) {
             if (!t || *t >= nearest_triangle) continue;
             if (list.slice && glm::dot(list.slice->normal, ray.from + ray.along * *t) > list.slice->offset) continue;
             nearest_triangle = *t;
-            found.primitive = list.triangles[i];
+            found.primitive = list.triangles[i] < list.levels_from ? list.triangles[i] : none;
         }
     const double nearest = std::min(nearest_face, nearest_triangle);
     if (nearest < far) found.point = ray.from + ray.along * nearest;

@@ -153,7 +153,7 @@ void Picture3d::update(const Ui& ui) {
             panes_[i].update(ui, session, options, frame, picture, moving, eyes_[i].insets(ui, picture, session));
         // A new frame of a flight: what it was drawn for says what the next one will leave for its traversal.
         if (drawn && session.flying() && bench_.run != drawn_run_)
-            note_frame(drawn_frames_[i], session.counters().rendered_count, drawing.milliseconds());
+            note_frame(drawn_frames_[i], session.counters().drawn(), drawing.milliseconds());
         if (const Budget& budget = session.settings().budget; budget.kind == Budget::Kind::milliseconds)
             (i == 0 ? bench_.session : bench_.other->session)
                 .set_frame_cost(predict_cost(drawn_frames_[i], budget.value));

@@ -29,7 +29,7 @@ std::string caption(std::span<const PanelSource<D>> panels) {
         const Session<D>& s = panels[i].session;
         text += panels.size() > 1 ? " (" + std::string(1, panel_letter(i)) + ") step " : " Step ";
         text += std::to_string(s.position()) + ": ";
-        text += std::to_string(s.counters().rendered_count) + " rendered";
+        text += std::to_string(s.counters().drawn()) + " rendered";
         if (const auto share = coverage(s.reference(), s.visible_rendered()))
             text += ", coverage ε = " + short_number(*share);
         text += ".";

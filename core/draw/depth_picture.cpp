@@ -7,6 +7,7 @@
 #include "core/draw/palette.h"
 #include "core/draw/shown_boxes.h"
 #include "core/raster/query.h"
+#include "core/run/drawn_levels.h"
 #include "core/space/box_tree.h"
 
 namespace sightline {
@@ -75,7 +76,9 @@ std::size_t show_tiles(std::span<const ReadTile> tiles, Pixels& pixels) {
 
 DepthPicture depth_picture(const Session<3>& session, bool blocks) {
     DepthImage image(image_size<3>(session.settings().reference_size));
-    draw_depth(image, session.scene(), session.problem().view, rendered_ids(session.met()));
+    std::vector<std::uint32_t> ids;
+    drawn_ids(session.traversal(), ids);
+    draw_depth(image, *drawn_scene(session.traversal(), session.shared_scene()), session.problem().view, ids);
     const float nearest = *std::max_element(image.nearness.begin(), image.nearness.end());
     DepthPicture picture{{image.width, image.height, {}}, {}};
     picture.pixels.colours.reserve(image.nearness.size());

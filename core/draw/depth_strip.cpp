@@ -6,6 +6,7 @@
 #include "core/base/text.h"
 #include "core/draw/eye_strip.h"
 #include "core/draw/shown_boxes.h"
+#include "core/run/drawn_levels.h"
 #include "core/space/box_tree.h"
 
 namespace sightline {
@@ -137,7 +138,13 @@ private:
 PixelLine line_so_far(const Session<2>& session) {
     const View<2>& view = session.problem().view;
     PixelLine line(view, pixels_of_line(view, image_size<2>(session.settings().reference_size).width));
-    draw_line(line, session.scene().primitives, view, rendered_ids(session.met()));
+    std::vector<std::uint32_t> ids;
+    drawn_ids(session.traversal(), ids);
+    const std::shared_ptr<const Scene<2>> drawn = drawn_scene(session.traversal(), session.shared_scene());
+    draw_line(line, drawn->primitives, view, ids);
+    for (std::uint32_t& id : line.ids)
+        if (id != none && id >= session.scene().primitives.size())
+            id = session.traversal().levels()->primitives_of(drawn->objects.of[id]).front();
     return line;
 }
 

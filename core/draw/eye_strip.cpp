@@ -191,9 +191,13 @@ EyeStrip eye_strip(const Session<2>& session) {
     strip.concealed = session.settings().show_visibility == Switch::off;
     ItemBuffer exact;
     if (!strip.concealed) exact = item_buffer(session.scene().primitives, session.problem().view, strip.pixels);
+    const bool by_objects = !session.traversal().stand_ins().empty();
+    const auto object_of = [&](std::uint32_t p) { return session.traversal().levels()->objects.of[p]; };
     for (int pixel = 0; pixel < strip.pixels; ++pixel) {
         const auto at = static_cast<std::size_t>(strip.pixels - 1 - pixel);  // a line of pixels begins at the right
-        const std::uint32_t seen = strip.concealed ? none : exact.ids[at], drawn = line.ids[at];
+        const std::uint32_t seen = strip.concealed ? none : exact.ids[at];
+        std::uint32_t drawn = line.ids[at];
+        if (by_objects && seen != none && drawn != none && object_of(seen) == object_of(drawn)) drawn = seen;
         if (strip.pieces.empty() || strip.pieces.back().exact != seen || strip.pieces.back().drawn != drawn)
             strip.pieces.push_back({pixel, pixel, seen, drawn});
         ++strip.pieces.back().end;

@@ -6,6 +6,7 @@
 #include "core/draw/pixels.h"
 #include "core/draw/solid_palette.h"
 #include "core/draw/wrong_picture.h"
+#include "core/run/drawn_levels.h"
 
 namespace sightline {
 
@@ -25,7 +26,13 @@ SolidList seen_by_culling_eye(const Session<3>& session, std::vector<std::uint32
 
 }  // namespace
 
-SolidList image_so_far(const Session<3>& session) { return seen_by_culling_eye(session, rendered_ids(session.met())); }
+SolidList image_so_far(const Session<3>& session) {
+    std::vector<std::uint32_t> ids;
+    drawn_ids(session.traversal(), ids);
+    SolidList list = seen_by_culling_eye(session, std::move(ids));
+    list.scene = drawn_scene(session.traversal(), session.shared_scene());
+    return list;
+}
 
 SolidList exact_image(const Session<3>& session) {
     // At the size of the reference nothing can be seen but what shows at the centre of one of its pixels.
@@ -55,9 +62,9 @@ std::vector<Figure::Inset> make_insets(const Session<3>& session) {
     if (set.inset == Inset::image || set.inset == Inset::both) solid(title_of_image, image_so_far(session));
     if (set.inset == Inset::exact) solid(title_of_exact, exact_image(session));
     if (set.inset == Inset::missed || set.inset == Inset::both)
-        insets.push_back(
-            {title_of_missed, aspect, nullptr,
-             std::make_shared<const Pixels>(wrong_picture(session.reference(), session.met(), session.scene()))});
+        insets.push_back({title_of_missed, aspect, nullptr,
+                          std::make_shared<const Pixels>(
+                              wrong_picture(session.reference(), session.wrong_mask(), session.scene()))});
     if (shows_depth(set)) {
         DepthPicture depth = depth_picture(session, set.inset == Inset::pyramid);
         insets.push_back(

@@ -13,6 +13,7 @@
 #include "core/draw/solid_cells.h"
 #include "core/draw/solid_palette.h"
 #include "core/draw/solid_triangles.h"
+#include "core/run/drawn_levels.h"
 
 namespace sightline {
 
@@ -206,7 +207,9 @@ SolidList make_solid(const Session<3>& session, const PictureOptions3& options) 
     list.camera = picture_camera(session, options.aspect);
     list.styles = solid_styles(set.palette);
     list.background = colours(set.palette).background;
-    list.scene = session.shared_scene();
+    list.scene = drawn_scene(session.traversal(), session.shared_scene());
+    if (list.scene != session.shared_scene())
+        list.levels_from = static_cast<std::uint32_t>(session.scene().primitives.size());
     list.slice = slice_of(session);
     const bool outside = seen_from_outside(session);
     const bool by_planes = session.traversal().tests_planes();

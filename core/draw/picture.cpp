@@ -17,6 +17,7 @@
 #include "core/draw/shown_boxes.h"
 #include "core/draw/shown_world.h"
 #include "core/methods/cells/facet_geometry.h"
+#include "core/run/drawn_levels.h"
 #include "core/session/explain.h"
 
 namespace sightline {
@@ -159,15 +160,24 @@ private:
         const bool tell = set_.show_visibility == Switch::on;
         const Reference& reference = session_.reference();
         const std::vector<std::uint8_t> rendered = rendered_mask(session_.met(), segments.size());
+        std::vector<std::uint8_t> stood_in(segments.size());
+        for_stood_in(session_.traversal(), [&](std::uint32_t p) { stood_in[p] = 1; });
         const auto look = [&](std::size_t p) {
             if (!tell) return rendered[p] ? Look::rendered : Look::other;
             if (rendered[p]) return reference.visible[p] ? Look::rendered : Look::wasted;
-            return reference.visible[p] ? Look::missed : Look::other;
+            return reference.visible[p] && !stood_in[p] ? Look::missed : Look::other;
         };
         // What matters most comes last, on top.
         for (const Look layer : {Look::other, Look::wasted, Look::rendered, Look::missed})
             for (std::size_t p = 0; p < segments.size(); ++p)
                 if (look(p) == layer) list_.add(ShapeKind::polyline, index(layer), {segments[p][0], segments[p][1]});
+        for (const StandIn& stand_in : session_.traversal().stand_ins()) {
+            const std::shared_ptr<const Levels<2>> levels = session_.traversal().levels();
+            const Level& level = levels->at(stand_in.object, stand_in.level);
+            for (std::uint32_t i = level.begin; i < level.end; ++i)
+                list_.add(ShapeKind::polyline, index(Look::rendered),
+                          {levels->primitives[i][0], levels->primitives[i][1]});
+        }
     }
 
     void cone(const ViewSpec<2>& spec, Look look) {

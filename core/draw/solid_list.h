@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/index.h"
 #include "core/draw/pixels.h"
 #include "core/scene/scene.h"
 #include "core/scene/view.h"
@@ -40,6 +41,7 @@ struct SolidList {
         bool operator==(const Run&) const = default;
     };
     std::shared_ptr<const Scene<3>> scene;
+    std::uint32_t levels_from = none;  ///< from here on its triangles are those of levels that stand in for objects
     std::vector<std::uint32_t> triangles;
     std::vector<Run> runs;
     std::optional<Slice> slice;

@@ -110,7 +110,7 @@ std::vector<VariantLook> variant_looks(std::span<const std::string> variants) {
     std::map<std::string, std::size_t> numbers;
     // From 14 on most numbers look like one before them to some eyes; these do not.
     constexpr std::size_t first_alike = 14;
-    constexpr std::array<std::size_t, 5> apart{19, 21, 16, 17, 22};
+    constexpr std::array<std::size_t, 6> apart{19, 21, 16, 17, 22, 86};  // 86: the colour of 14 with another marker
     for (const std::string& id : ids_of_tables()) {
         const std::size_t number = numbers.size();
         numbers.emplace(id, number < first_alike                  ? number

@@ -23,16 +23,20 @@ Colour shaded(const Primitive<3>& triangle, bool right) {
 
 }  // namespace
 
-Pixels wrong_picture(const Reference& reference, std::span<const Met> met, const Scene<3>& scene) {
+Pixels wrong_picture(const Reference& reference, std::span<const std::uint8_t> wrong, const Scene<3>& scene) {
     constexpr Colour nothing{255, 255, 255};
-    const std::vector<std::uint8_t> rendered = rendered_mask(met, reference.visible.size());
     Pixels pixels{reference.image.width, reference.image.height, {}};
     pixels.colours.reserve(reference.image.ids.size());
     std::uint32_t before = none;
+    bool right_before = true;
     Colour colour = nothing;
-    for (const std::uint32_t id : reference.image.ids) {
-        if (id != before) colour = id == none ? nothing : shaded(scene.primitives[id], rendered[id]);
+    for (std::size_t pixel = 0; pixel < reference.image.ids.size(); ++pixel) {
+        const std::uint32_t id = reference.image.ids[pixel];
+        const bool right = !wrong[pixel];
+        if (id != before || right != right_before)
+            colour = id != none ? shaded(scene.primitives[id], right) : right ? nothing : Colour{255, 0, 0};
         before = id;
+        right_before = right;
         pixels.colours.push_back(colour);
     }
     return pixels;

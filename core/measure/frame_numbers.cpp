@@ -5,9 +5,11 @@
 #include <limits>
 #include <utility>
 
+#include "core/measure/drawn_image.h"
 #include "core/measure/rank_correlation.h"
 #include "core/measure/wrong_region.h"
 #include "core/methods/cells/cell_parameters.h"
+#include "core/run/drawn_levels.h"
 
 namespace sightline {
 
@@ -54,14 +56,20 @@ bool WholeRunner<D>::advance(std::uint32_t steps) {
 }
 
 template <int D>
-WholeRun WholeRunner<D>::finish(const Reference& reference, bool with_inversions) {
+WholeRun WholeRunner<D>::finish(const Reference& reference, bool with_inversions, const DrawIds& draw_ids) {
     WholeRun whole = std::move(whole_);
+    if (!run_->stand_ins().empty()) {
+        for_stood_in(*run_, [&](std::uint32_t primitive) { whole.stood_in.push_back(primitive); });
+        whole.drawn_levels = run_->counters().stood_in;
+        whole.levels_wrong = wrong_mask(reference, *run_, draw_ids);
+    }
     if (with_inversions) {
         whole.inversions = inversions(reference, *run_, recording_);
         std::sort(whole.inversions->begin(), whole.inversions->end(),
                   [](const Inversion& a, const Inversion& b) { return a.step < b.step; });
     }
     whole.met.assign(run_->met().begin(), run_->met().end());
+    if (!whole.stood_in.empty()) return whole;  // no list of primitives tells when it was enough
     std::uint32_t rendered = 0;
     std::size_t found = 0;
     for (const Met entry : whole.met) {
@@ -78,10 +86,11 @@ WholeRun WholeRunner<D>::finish(const Reference& reference, bool with_inversions
 }
 
 template <int D>
-WholeRun whole_run(const Method<D>& method, Problem<D> problem, const Reference& reference, bool with_inversions) {
+WholeRun whole_run(const Method<D>& method, Problem<D> problem, const Reference& reference, bool with_inversions,
+                   const DrawIds& draw_ids) {
     WholeRunner<D> runner(method, std::move(problem));
     runner.advance(none);
-    return runner.finish(reference, with_inversions);
+    return runner.finish(reference, with_inversions, draw_ids);
 }
 
 Cut cut_at(const WholeRun& run, std::uint32_t budget) {
@@ -119,7 +128,13 @@ std::uint32_t needed_budget(const WholeRun& run, const Reference& reference, dou
 }
 
 std::vector<std::uint8_t> rendered_by(const WholeRun& run, std::size_t met, std::size_t primitive_count) {
-    return rendered_mask(std::span(run.met).first(met), primitive_count);
+    std::vector<std::uint8_t> mask = rendered_mask(std::span(run.met).first(met), primitive_count);
+    for (const std::uint32_t primitive : run.stood_in) mask[primitive] = 1;
+    return mask;
+}
+
+std::vector<std::uint8_t> wrong_by(const WholeRun& run, const IdImage& exact, std::span<const std::uint8_t> rendered) {
+    return run.levels_wrong.empty() ? wrong_mask(exact, rendered) : run.levels_wrong;
 }
 
 KeysAndShares keys_and_shares(const WholeRun& run, const Reference& reference, std::size_t steps) {
@@ -138,12 +153,11 @@ Values frame_numbers(const WholeRun& run, const Truth& truth, std::uint32_t budg
                      std::optional<double> best_cells) {
     using M = Measure;
     const Reference& reference = truth.reference;
-    std::size_t count = 0, found = 0, hit = 0, ranks = 0, right_pixels = 0;
+    std::size_t count = 0, found = 0, hit = 0, ranks = 0;
     for (std::size_t p = 0; p < rendered.size(); ++p) {
         if (!rendered[p]) continue;
         ++count;
         found += reference.visible[p];
-        right_pixels += reference.pixels[p];
         hit += (*truth.zeta)[p] > 0;
         ranks += (*truth.zeta)[p];
     }
@@ -151,14 +165,20 @@ Values frame_numbers(const WholeRun& run, const Truth& truth, std::uint32_t budg
         return ratio(static_cast<double>(part), static_cast<double>(wrong.size()));
     };
     const auto wrong_pixels = static_cast<std::size_t>(std::count(wrong.begin(), wrong.end(), 1));
-    const auto right = static_cast<double>(right_pixels);
+    count = count - run.stood_in.size() + run.drawn_levels;
+    double shown = 0, right = 0;
+    for (std::size_t pixel = 0; pixel < wrong.size(); ++pixel) {
+        if (reference.image.ids[pixel] == none) continue;
+        ++shown;
+        right += !wrong[pixel];
+    }
 
     Values v;
     v[M::budget] = budget;
     v[M::rendered] = static_cast<double>(count);
     v[M::visible] = static_cast<double>(reference.count);
     v[M::coverage] = ratio(static_cast<double>(found), static_cast<double>(reference.count));
-    v[M::coverage_px] = ratio(right, right + static_cast<double>(wrong_pixels));
+    v[M::coverage_px] = ratio(right, shown);
     if (const auto best = oracle(reference, budget)) v[M::oracle] = *best;
     if (best_cells) v[M::cell_oracle] = *best_cells;
     v[M::wrong] = of_pixels(wrong_pixels);
@@ -191,7 +211,7 @@ Values frame_numbers(const WholeRun& run, const Truth& truth, std::uint32_t budg
 
 template class WholeRunner<2>;
 template class WholeRunner<3>;
-template WholeRun whole_run<2>(const Method<2>&, Problem<2>, const Reference&, bool);
-template WholeRun whole_run<3>(const Method<3>&, Problem<3>, const Reference&, bool);
+template WholeRun whole_run<2>(const Method<2>&, Problem<2>, const Reference&, bool, const DrawIds&);
+template WholeRun whole_run<3>(const Method<3>&, Problem<3>, const Reference&, bool, const DrawIds&);
 
 }  // namespace sightline

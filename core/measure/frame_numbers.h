@@ -35,6 +35,10 @@ struct WholeRun {
     std::vector<std::uint64_t> tests_after{};   ///< per step
     std::vector<std::uint32_t> rounds_after{};  ///< per step
     std::vector<std::uint32_t> spent_after;     ///< per step, with budget_counts=per_cell; else empty
+    // At its end; empty for runs without levels of detail.
+    std::vector<std::uint32_t> stood_in{};     ///< primitives whose objects are drawn at a level
+    std::uint32_t drawn_levels = 0;            ///< primitives of those levels
+    std::vector<std::uint8_t> levels_wrong{};  ///< wrong_mask() of the run; of a run without levels `met` tells it
 };
 
 /// The same in slices, for callers that must stay responsive.
@@ -45,8 +49,9 @@ public:
     WholeRunner(const Method<D>& method, Problem<D> problem);
     /// At most `steps` steps; false when the run is at its end.
     bool advance(std::uint32_t steps);
-    /// When it is. `with_inversions`: they take as long as the run itself.
-    WholeRun finish(const Reference& reference, bool with_inversions);
+    /// When it is. `with_inversions`: they take as long as the run itself. `draw_ids` drew the reference (3D; empty: in
+    /// software); it is asked only where levels of detail are drawn.
+    WholeRun finish(const Reference& reference, bool with_inversions, const DrawIds& draw_ids);
 
 private:
     OwnRun<D> run_;
@@ -58,8 +63,8 @@ private:
 
 /// A WholeRunner from its start to its end.
 template <int D>
-WholeRun whole_run(const Method<D>& method, Problem<D> problem, const Reference& reference,
-                   bool with_inversions = true);
+WholeRun whole_run(const Method<D>& method, Problem<D> problem, const Reference& reference, bool with_inversions = true,
+                   const DrawIds& draw_ids = {});
 
 /// Where a budget ends a run.
 struct Cut {
@@ -72,8 +77,11 @@ Cut cut_at(const WholeRun& run, std::uint32_t budget);
 /// does. A larger budget leaves no more wrong, since a visible primitive that is rendered wins its pixels.
 std::uint32_t needed_budget(const WholeRun& run, const Reference& reference, double most_wrong, std::uint32_t most);
 
-/// Per primitive, 1 where it is among the first `met` of the run's and not culled.
+/// Per primitive, 1 where it is among the first `met` of the run's and not culled, or its object drawn at a level.
 std::vector<std::uint8_t> rendered_by(const WholeRun& run, std::size_t met, std::size_t primitive_count);
+
+/// Per pixel of the exact image, 1 where it is wrong when that is rendered.
+std::vector<std::uint8_t> wrong_by(const WholeRun& run, const IdImage& exact, std::span<const std::uint8_t> rendered);
 
 /// Key and visible share of each cell popped within so many steps; empty for a reference without shares.
 struct KeysAndShares {
@@ -82,7 +90,7 @@ struct KeysAndShares {
 KeysAndShares keys_and_shares(const WholeRun& run, const Reference& reference, std::size_t steps);
 
 /// Every measure of a frame on its own: no times, and nothing that compares with another frame. `rendered` is
-/// rendered_by, `wrong` wrong_mask at this budget; `best_cells` the cell oracle, which depends on the tessellation
+/// rendered_by, `wrong` wrong_by at this budget; `best_cells` the cell oracle, which depends on the tessellation
 /// only.
 Values frame_numbers(const WholeRun& run, const Truth& truth, std::uint32_t budget,
                      std::span<const std::uint8_t> rendered, std::span<const std::uint8_t> wrong,

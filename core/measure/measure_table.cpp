@@ -21,7 +21,9 @@ constexpr std::array<MeasureRow, measure_count> table{{
      "coverage of whole cells in order of decreasing visible share, cut at k: a good order of cells",
      "docs/measuring.md"},
     {wrong, "wrong", "wrong pixels", "share",
-     "pixels whose primitive differs from that of the exact image / all pixels", "TVCG 3, fig. 14", Better::lower,
+     "pixels whose primitive (where levels of detail are drawn: whose object) differs from that of the exact image / "
+     "all pixels",
+     "TVCG 3, fig. 14", Better::lower,
      false, true},
     {blob, "blob", "largest wrong region", "share",
      "pixels of the largest 4-connected region of wrong pixels / all pixels", "docs/measuring.md", Better::lower, false,

@@ -5,7 +5,7 @@
 #include <array>
 #include <limits>
 
-#include "core/measure/wrong_region.h"
+#include "core/run/drawn_levels.h"
 
 namespace sightline {
 
@@ -111,7 +111,7 @@ bool TradeOffStudy<D>::advance() {
         work_->runner.emplace(variant.method, work_->problem);
     } else if (!work_->run) {
         if (work_->runner->advance(steps_a_slice)) return true;
-        work_->run = work_->runner->finish(truth_.reference, false);
+        work_->run = work_->runner->finish(truth_.reference, false, task_.draw_ids);
         work_->runner.reset();
     } else if (work_->budget != dot->budget) {
         measure(*dot);
@@ -136,7 +136,7 @@ template <int D>
 void TradeOffStudy<D>::measure(const TradeOffDot& dot) {
     const std::uint32_t budget = primitives(dot.budget);
     const auto rendered = rendered_by(*work_->run, cut_at(*work_->run, budget).met, task_.scene->primitives.size());
-    const auto wrong = wrong_mask(truth_.reference.image, rendered);
+    const auto wrong = wrong_by(*work_->run, truth_.reference.image, rendered);
     work_->values = frame_numbers(*work_->run, truth_, budget, rendered, wrong, std::nullopt);
     work_->budget = dot.budget;
     work_->samples = 0;
@@ -159,9 +159,12 @@ void TradeOffStudy<D>::take_time(TradeOffDot& dot) {
         // In 2D nothing is drawn: what a perfect order costs is all that there is to show.
         if (sample > 0 && (!drawn || pays_for_traversal(task_.variants[dot.variant].method)))
             work.times.traverse.push_back(ms);
-        if (sample == repeats) rendered_ids(run->met(), ids_);
+        if (sample == repeats) {
+            drawn_ids(*run, ids_);
+            work.drawn = drawn_scene(*run, task_.scene);
+        }
     } else if constexpr (D == 3) {
-        const DrawTimes times = task_.time_drawing(task_.scene, task_.views[work.view], ids_);
+        const DrawTimes times = task_.time_drawing(work.drawn, task_.views[work.view], ids_);
         if (sample > repeats + 1) {
             work.times.upload.push_back(times.upload);
             work.times.draw.push_back(times.draw);

@@ -74,7 +74,8 @@ private:
         // Of the dot that is being measured.
         std::optional<Budget> budget{};
         Values values{};
-        std::uint32_t samples = 0;  ///< taken, those to warm up included
+        std::uint32_t samples = 0;                ///< taken, those to warm up included
+        std::shared_ptr<const Scene<D>> drawn{};  ///< what is timed is drawn of
         TimeSamples times{};
     };
     void add_usual_dots(std::size_t variant);

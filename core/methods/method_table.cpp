@@ -12,6 +12,7 @@
 #include "core/methods/formula/formula_heuristic.h"
 #include "core/methods/image_space/image_methods.h"
 #include "core/methods/layers/layers.h"
+#include "core/methods/levels/levels_method.h"
 #include "core/methods/listed/listed.h"
 #include "core/methods/orders/orders.h"
 #include "core/methods/plp/published.h"
@@ -58,6 +59,7 @@ std::vector<Method<D>> rows() {
     table.back().prepare = [](const Problem<D>& problem) { cell_extinction(problem); };
     table.insert(table.end(), by_light.begin(), by_light.end());
     table.push_back(feedback_method<D>());
+    table.push_back(levels_method<D>());
     table.push_back(viewpoint_method<D>(table));
     table.push_back(listed_method<D>());  // last: colours follow the order
     return table;

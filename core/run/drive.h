@@ -43,7 +43,7 @@ Stop drive(const Budget& budget, Run<D>& run, const FrameCost& cost = {}, const 
             const Stop stop = run.run(1);
             return stop == Stop::steps ? Stop::none : stop;
         },
-        [] { return false; }, [&] { return run.counters().rendered_count; }, [&] { return frame.milliseconds(); });
+        [] { return false; }, [&] { return run.counters().drawn(); }, [&] { return frame.milliseconds(); });
 }
 
 }  // namespace sightline

@@ -136,7 +136,8 @@ Variant<D> variant_of(const Method<D>& method, const Parameters& parameters, con
 
 template <int D>
 std::string guarantee_words(const Method<D>& method, const Run<D>& run) {
-    if (method.promise_with(run.problem().parameters) == Misses::may) return "approximate";
+    if (method.promise_with(run.problem().parameters) == Misses::may)
+        return run.counters().stood_in > 0 ? "approximate: levels of detail" : "approximate";
     if (run.misses() == Misses::none) return "conservative";
     if (run.misses() == Misses::none_at_this_resolution) return "conservative at this resolution";
     return run.finished() ? "conservative, cut short by the budget" : "conservative, not finished";

@@ -44,7 +44,8 @@ struct Method {
     bool budgeted = true;
     /// A budget selects a prefix of one order, and a larger one goes on where it ended; false: it changes the order.
     bool prefixes = true;
-    bool compared = true;  ///< stands in studies and charts that name no methods
+    bool compared = true;       ///< stands in studies and charts that name no methods
+    bool draws_levels = false;  ///< its runs may have stand_ins()
     std::vector<const ParameterRow*> parameters{};
     std::vector<std::string_view> aliases{};
 

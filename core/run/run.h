@@ -10,6 +10,7 @@
 #include "core/run/explanation.h"
 #include "core/run/problem.h"
 #include "core/run/recorder.h"
+#include "core/space/levels.h"
 
 namespace sightline {
 
@@ -119,6 +120,8 @@ public:
     virtual std::span<const Field<D>> fields() const { return {}; }
     /// What is drawn in place of objects: those that are not named here are drawn as they are. Rising by object.
     virtual std::span<const StandIn> stand_ins() const { return {}; }
+    /// The levels that stand_ins() names; nullptr: there never are any.
+    virtual std::shared_ptr<const Levels<D>> levels() const { return nullptr; }
     /// All tiles of the image, row by row; empty where none was read so far.
     virtual std::vector<ReadTile> tiles() const { return {}; }
     /// The tree whose boxes it walks; nullptr: it walks none.

@@ -95,6 +95,9 @@ struct Counters {
     std::uint32_t partial_cell = none;  ///< item that the budget left partly rendered, or its neighbours pending
     std::uint32_t offset = 0;           ///< where to go on in it; for orders of primitives, in the order
     std::uint32_t refreshed = 0;        ///< primitives met when the depths that boxes are tested against were refreshed
+    std::uint32_t stood_in = 0;         ///< primitives of levels, drawn in place of those of objects
+
+    std::uint32_t drawn() const { return rendered_count + stood_in; }  ///< all that goes to the card
     bool operator==(const Counters&) const = default;
 };
 

@@ -115,17 +115,17 @@ void follow(const Session<D>& lead, Session<D>& other, Align align) {
         other.seek(lead.position());
         return;
     }
-    const std::uint32_t wanted = lead.counters().rendered_count;
+    const std::uint32_t wanted = lead.counters().drawn();
     other.seek(step_of_rendered(other, wanted));
-    while (other.counters().rendered_count < wanted)
+    while (other.counters().drawn() < wanted)
         if (other.step() != Stop::none) return;
 }
 
 template <int D>
 std::string align_sentence(const Session<D>& lead, const Session<D>& other, Align align) {
     if (align == Align::rendered)
-        return "aligned by drawn: " + std::to_string(lead.counters().rendered_count) + " against " +
-               std::to_string(other.counters().rendered_count);
+        return "aligned by drawn: " + std::to_string(lead.counters().drawn()) + " against " +
+               std::to_string(other.counters().drawn());
     if (lead.position() == other.position()) return "aligned by step: both have made " + steps_words(lead.position());
     return "aligned by step: " + std::to_string(lead.position()) + " against " + std::to_string(other.position()) +
            (other.position() < lead.position() ? ", where the right one ends" : "");

@@ -27,7 +27,7 @@ std::uint32_t last_popped(const Session<D>& s) {
 
 template <int D>
 std::uint32_t rendered_in_step(const Session<D>& s) {
-    return last(s).after.rendered_count - s.timeline().before(s.position()).rendered_count;
+    return last(s).after.drawn() - s.timeline().before(s.position()).drawn();
 }
 
 template <int D>
@@ -54,7 +54,7 @@ double inversion(const Session<D>& s) {
 template <int D>
 double largest_wrong(const Session<D>& s) {
     const IdImage& exact = s.reference().image;
-    const auto wrong = wrong_mask(exact, rendered_mask(s.met(), s.reference().visible.size()));
+    const auto& wrong = s.wrong_mask();
     return wrong.empty() ? no_value
                          : static_cast<double>(largest_region(wrong, exact.width, exact.height)) /
                                static_cast<double>(wrong.size());
@@ -65,6 +65,7 @@ double objects_begun(const Session<D>& s) {
     const Objects& objects = s.objects();
     std::vector<std::uint8_t> begun(objects.names.size(), 0);
     for_rendered(s.met(), [&](std::uint32_t primitive) { begun[objects.of[primitive]] = 1; });
+    for (const StandIn& stand_in : s.traversal().stand_ins()) begun[stand_in.object] = 1;
     return static_cast<double>(std::count(begun.begin(), begun.end(), 1));
 }
 
@@ -89,8 +90,10 @@ const std::vector<RecordField<D>>& fields() {
         {"visible_now", "visible primitives among them",
          [](S s) -> double { return static_cast<double>(visible_in_step(s)); }},
         {"hidden_now", "hidden primitives among them",
-         [](S s) -> double { return static_cast<double>(rendered_in_step(s) - visible_in_step(s)); }},
-        {"rendered", "primitives rendered so far", [](S s) -> double { return s.counters().rendered_count; }},
+         [](S s) -> double {
+             return static_cast<double>(rendered_in_step(s)) - static_cast<double>(visible_in_step(s));
+         }},
+        {"rendered", "primitives rendered so far", [](S s) -> double { return s.counters().drawn(); }},
         {"front", "cells in the front after the step", [](S s) -> double { return s.counters().front_size; }},
         {"enqueued", "neighbours put into the front", [](S s) { return count_rules(s, {Rule::enqueued}); }},
         {"reenqueued", "neighbours in the front that got a new key",
@@ -102,7 +105,7 @@ const std::vector<RecordField<D>>& fields() {
         {"coverage", "share of the visible set rendered so far",
          [](S s) { return coverage(s.reference(), s.visible_rendered()).value_or(no_value); }},
         {"wrong_pixels", "share of the exact image's pixels whose primitive is not rendered so far",
-         [](S s) -> double { return wrong_pixels(s.reference(), s.met()); }},
+         [](S s) -> double { return s.wrong_pixels(); }},
         {"wrong_region", "share of the pixels in the largest wrong region", [](S s) { return largest_wrong(s); }},
         {"objects", "objects of which something is rendered so far", [](S s) { return objects_begun(s); }},
     };

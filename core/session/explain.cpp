@@ -127,6 +127,7 @@ StepExplanation explain_step(const Session<D>& session, std::uint32_t step) {
     e.digits = digits_of(record);
     const Counters &before = timeline.before(step), &after = timeline.after(step);
     e.rendered = after.rendered_count - before.rendered_count;
+    e.stood_in = after.stood_in - before.stood_in;
     e.visible = static_cast<std::uint32_t>(
         visible_rendered(session.reference(), timeline.met_in(step, session.traversal().drawn().all())));
     if (e.cell != none) e.visible_share = session.reference().cell_share[e.cell];
@@ -169,6 +170,7 @@ std::string sentence(const StepExplanation& step) {
             text += "; the runner-up is " + cell_name(step.runner_up) + " with " +
                     short_number(step.runner_up_key, step.digits);
     }
+    if (step.stood_in > 0) return text + ".";  // what it says of the level is all that it drew
     text += "; it rendered " + std::to_string(step.rendered) + (step.rendered == 1 ? " primitive" : " primitives");
     if (step.rendered > 0) text += ", " + std::to_string(step.visible) + " of them visible";
     if (step.cell != none) text += "; " + share_words(step.visible_share, step.visible);

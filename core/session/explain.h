@@ -20,6 +20,7 @@ struct StepExplanation {
     std::uint32_t runner_up = none;
     double runner_up_key = 0;
     std::uint32_t rendered = 0, visible = 0;  ///< in this step; visible: of those the ones in V
+    std::uint32_t stood_in = 0;               ///< primitives of a level, drawn in place of an object's
     double visible_share = 0;                 ///< of the cell
     std::vector<Considered> looked_at;        ///< in order; of a cell: a row per facet
     int digits = 3;                           ///< significant digits that tell the popped key from the runner-up's

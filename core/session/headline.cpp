@@ -34,7 +34,7 @@ std::string headline(const Session<D>& session) {
 
 template <int D>
 std::string result_line(const Session<D>& session) {
-    std::string text = std::to_string(session.counters().rendered_count) + " drawn";
+    std::string text = std::to_string(session.counters().drawn()) + " drawn";
     if (!knows_truth(session)) return text;
     const std::uint32_t found = session.visible_rendered(), all = session.reference().count;
     if (all == 0) return text + ", nothing is visible";

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/base/text.h"
+#include "core/run/drawn_levels.h"
 
 namespace sightline {
 
@@ -15,12 +16,12 @@ std::string range_words(int first, int last, const std::string& what) {
 template <int D>
 Missed missed_by(const Session<D>& session) {
     const Reference& reference = session.reference();
-    const std::vector<std::uint8_t> rendered = rendered_mask(session.met(), reference.visible.size());
+    const std::vector<std::uint8_t> rendered = found_mask(session.traversal());
     const IdImage& exact = reference.image;
     const std::vector<std::uint32_t>& pixels = reference.pixels;
     Missed missed;
     missed.pixels = exact.ids.size();
-    missed.regions = wrong_regions(exact, wrong_mask(exact, rendered));
+    missed.regions = wrong_regions(exact, session.wrong_mask());
     for (const WrongRegion& region : missed.regions) missed.wrong += region.pixels;
     for (std::uint32_t p = 0; p < rendered.size(); ++p)
         if (!rendered[p] && (reference.visible[p] || pixels[p] > 0)) missed.primitives.push_back({p, pixels[p]});

@@ -5,6 +5,7 @@
 
 #include "core/base/text.h"
 #include "core/raster/occlusion_image.h"
+#include "core/run/drawn_levels.h"
 
 namespace sightline {
 
@@ -36,7 +37,7 @@ std::vector<ObjectReport> object_reports(const Session<D>& session) {
     const Objects& objects = session.objects();
     const Reference& reference = session.reference();
     const std::vector<std::uint32_t>& pixels = reference.pixels;
-    const std::vector<std::uint8_t> rendered = rendered_mask(session.met(), objects.of.size());
+    const std::vector<std::uint8_t> rendered = found_mask(session.traversal());
     const std::vector<BoxSight> looks = looks_of_boxes(session, objects);
     std::vector<ObjectReport> reports(objects.names.size());
     for (std::uint32_t object = 0; object < reports.size(); ++object) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/pops.h"
 
+#include "core/run/drawn_levels.h"
+
 namespace sightline {
 
 template <int D>
@@ -10,7 +12,7 @@ std::vector<Marker> pop_markers(const Session<D>& session, const ViewSpec<D>& be
     earlier.fly(before);
     now.run();
     const std::size_t count = session.scene().primitives.size();
-    const std::vector<std::uint8_t> then = rendered_mask(earlier.met(), count), here = rendered_mask(now.met(), count);
+    const std::vector<std::uint8_t> then = found_mask(earlier.traversal()), here = found_mask(now.traversal());
     const auto &visible_then = earlier.reference().visible, &visible_here = now.reference().visible;
 
     std::vector<Marker> markers;

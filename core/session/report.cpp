@@ -6,6 +6,7 @@
 
 #include "core/base/number.h"
 #include "core/base/text.h"
+#include "core/measure/drawn_image.h"
 #include "core/session/condition.h"
 #include "core/session/explain.h"
 #include "core/space/box_tree.h"
@@ -33,13 +34,13 @@ OrderedJson other_reference(const Session<2>& session) {
     reference.pixels = session.reference().pixels;
     for (const std::uint32_t pixels : reference.pixels) reference.visible.push_back(pixels > 0);
     reference.count = static_cast<std::size_t>(std::count(reference.visible.begin(), reference.visible.end(), 1));
-    const std::size_t found = visible_rendered(reference, session.met());
+    const std::size_t found = visible_found(reference, session.traversal());
     return {{"reference", "item buffer " + std::to_string(reference.image.width)},
             {"visible", reference.count},
             {"visible_rendered", found},
             {"coverage", or_null(coverage(reference, found))},
             {"oracle", or_null(oracle(reference, budget_in_primitives(session)))},
-            {"wrong_pixels", wrong_pixels(reference, session.met())}};
+            {"wrong_pixels", session.wrong_pixels()}};
 }
 
 /// By name; a word in place of a number is JSON as it stands, else a text.
@@ -97,7 +98,7 @@ std::string stats_json(const Session<D>& session, Stop stop) {
         {"projected", cells_in[static_cast<std::size_t>(CellState::projected)]},
         {"enqueued", cells_in[static_cast<std::size_t>(CellState::enqueued)]},
         {"unseen", cells_in[static_cast<std::size_t>(CellState::unseen)]},
-        {"rendered", session.counters().rendered_count},
+        {"rendered", session.counters().drawn()},
         {"visible", reference.count},
         {"visible_rendered", found},
         {"coverage", or_null(coverage(reference, found))},
@@ -131,7 +132,7 @@ std::string stats_json(const Session<D>& session, Stop stop) {
     if constexpr (D == 2)
         json["item_buffer"] = other_reference(session);
     else
-        json["wrong_pixels"] = wrong_pixels(reference, session.met());
+        json["wrong_pixels"] = session.wrong_pixels();
     return json.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 
@@ -152,7 +153,7 @@ std::string trace_json(const Session<D>& session) {
                         {"visible_share", e.visible_share},
                         {"rendered_now", e.rendered},
                         {"visible_now", e.visible},
-                        {"rendered", after.rendered_count},
+                        {"rendered", after.drawn()},
                         {"front", after.front_size}};
         if (e.item && e.cell == none) row["item"] = {{"kind", kind_word(e.item.kind)}, {"id", e.item.id}};
         row["primitives"] = rendered_ids(session.timeline().met_in(step, session.met()));

@@ -59,6 +59,7 @@ void Session<D>::forget_measures() {
     inversions_.reset();
     reference_.reset();
     layering_.reset();
+    wrong_ = {};
 }
 
 /// Finds the method; the assignments of a variant go to the parameters.
@@ -83,6 +84,7 @@ void Session<D>::restart() {
     flying_ = false;
     timeline_.begin(*run_);
     inversions_.reset();
+    wrong_ = {};
     time_stop_ = none;
     times_.traverse = 0;
 }
@@ -115,8 +117,7 @@ Stop Session<D>::advance(std::uint32_t steps, Holds holds) {
     const Stopwatch running;
     const Stop stop = drive(
         time_stop_ == none ? settings_.budget : Budget{}, frame_cost_, steps, [&] { return step(); },
-        [&] { return holds(*this); }, [&] { return run_->counters().rendered_count; },
-        [&] { return running.milliseconds(); });
+        [&] { return holds(*this); }, [&] { return run_->counters().drawn(); }, [&] { return running.milliseconds(); });
     if (stop == Stop::budget && time_stop_ == none && settings_.budget.kind == Budget::Kind::milliseconds)
         time_stop_ = run_->steps();
     return stop;

@@ -172,7 +172,12 @@ public:
     bool has_reference() const { return reference_ != nullptr; }
     /// Layering number ζ of each primitive; 0: hit by no ray (visible_set.h).
     const std::vector<std::uint32_t>& layering() const;
+    /// Of those, what is rendered so far, or whose object is drawn at a level.
     std::size_t visible_rendered() const;
+    /// Per pixel of the reference's image 1 where what is drawn so far shows something else; kept until more is drawn.
+    const std::vector<std::uint8_t>& wrong_mask() const;
+    /// The share of ones in it.
+    double wrong_pixels() const;
     /// Of the whole recording, most wasted primitives first.
     std::vector<Inversion> inversions() const;
     /// Of one recorded step; nothing: it is none.
@@ -213,6 +218,12 @@ private:
     mutable std::shared_ptr<const std::vector<std::uint32_t>> layering_;
     mutable std::shared_ptr<const Objects> objects_;
     mutable std::optional<Inversions> inversions_;
+    struct Wrong {
+        std::uint32_t step = none;
+        Counters counters;
+        std::vector<std::uint8_t> mask;
+    };
+    mutable Wrong wrong_;
     mutable Times times_;
 };
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/base/number.h"
+#include "core/measure/drawn_image.h"
 #include "core/measure/first_wrong.h"
 #include "core/methods/cells/cell_rules.h"
 #include "core/session/session.h"
@@ -45,7 +46,23 @@ const std::vector<std::uint32_t>& Session<D>::layering() const {
 
 template <int D>
 std::size_t Session<D>::visible_rendered() const {
-    return sightline::visible_rendered(reference(), met());
+    return visible_found(reference(), *run_);
+}
+
+template <int D>
+const std::vector<std::uint8_t>& Session<D>::wrong_mask() const {
+    if (wrong_.step != run_->steps() || wrong_.counters != counters())
+        wrong_ = {run_->steps(), counters(),
+                  sightline::wrong_mask(reference(), *run_, drawing_of(settings_.reference, draw_ids_))};
+    return wrong_.mask;
+}
+
+template <int D>
+double Session<D>::wrong_pixels() const {
+    if (run_->stand_ins().empty()) return sightline::wrong_pixels(reference(), met());
+    const std::vector<std::uint8_t>& mask = wrong_mask();
+    if (mask.empty()) return 0;
+    return static_cast<double>(std::count(mask.begin(), mask.end(), 1)) / static_cast<double>(mask.size());
 }
 
 template <int D>

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/base/error.h"
+#include "core/measure/frame_numbers.h"
 #include "core/measure/wrong_region.h"
 #include "core/methods/plp/plp_parameters.h"
 #include "core/scene/scene_view.h"
@@ -44,7 +45,7 @@ Values values(const Probe<D>& p) {
     const WholeRun run = whole_run<D>(method, asked, truth.reference, true);
     const auto rendered = rendered_by(run, cut_at(run, k).met, all);
     const auto best = method.orders_cells() ? cell_oracle<D>(truth.reference, asked) : std::nullopt;
-    return frame_numbers(run, truth, k, rendered, wrong_mask(truth.reference.image, rendered), best);
+    return frame_numbers(run, truth, k, rendered, wrong_by(run, truth.reference.image, rendered), best);
 }
 
 template <int D>

@@ -47,9 +47,9 @@ GalleryPicture end_picture(Session<2> end, Stop stop, const fs::path& stem, LabG
 }
 GalleryPicture end_picture(const Session<3>& end, Stop stop, const fs::path& stem, LabGraphics& graphics) {
     const fs::path file = stem.string() + "-end.png";
-    const Pixels pixels = missed_in_red(image_so_far(end), end.reference().image, graphics);
+    const Pixels pixels = wrong_in_red(image_so_far(end), end.reference().image, end.wrong_mask(), graphics);
     write_file(file, encode_png(image_of(pixels).get(), screen_dpi));
-    const double wrong = wrong_pixels(end.reference(), end.met());
+    const double wrong = end.wrong_pixels();
     return {file,
             end_text(end, stop) + ". Red: visible but missed, " + short_number(100 * wrong) + " % of the pixels."};
 }

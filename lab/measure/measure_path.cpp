@@ -10,7 +10,7 @@
 #include "core/measure/distance.h"
 #include "core/measure/frame_change.h"
 #include "core/measure/frame_numbers.h"
-#include "core/measure/wrong_region.h"
+#include "core/run/drawn_levels.h"
 #include "core/session/settings_table.h"
 #include "core/truth/software_ids.h"
 
@@ -141,27 +141,34 @@ private:
         const Services services = services_of(frame);
         const std::vector<std::uint8_t> distances =
             distance_bins_of<D>(frame.reference.image, *lab_.scene, lab_.views[i]);
-        tbb::parallel_for(std::size_t{0}, methods_.size(), [&](std::size_t m) {
+        const DrawIds draw_ids = drawing_of(lab_.settings.reference, instruments_.draw_ids);
+        const auto measure = [&](std::size_t m) {
             const Truth& truth = truths[truth_of[static_cast<std::size_t>(methods_[m].choice.tessellation)]];
             Problem<D> problem = problem_of(m, i, services);
             problem.history = frame.methods[m].history =
                 frame_history(methods_[m].variant.method, problem, lab_.before[i]);
             const Method<D>& method = methods_[m].variant.method;
             WholeRun run;
-            if (method.prefixes) run = whole_run<D>(method, problem, truth.reference);
+            if (method.prefixes) run = whole_run<D>(method, problem, truth.reference, true, draw_ids);
             Shown& shown = frame.methods[m];
             for (const AtBudget& budget : methods_[m].budgets) {
                 const std::uint32_t k = problem.budget = budget.primitives;
-                if (!method.prefixes) run = whole_run<D>(method, problem, truth.reference);
+                if (!method.prefixes) run = whole_run<D>(method, problem, truth.reference, true, draw_ids);
                 const auto best = method.orders_cells() ? cell_oracle<D>(truth.reference, problem) : std::nullopt;
                 DrawnFrame drawn;
                 drawn.rendered = rendered_by(run, cut_at(run, k).met, lab_.scene->primitives.size());
-                drawn.wrong = wrong_mask(truth.reference.image, drawn.rendered);
+                drawn.wrong = wrong_by(run, truth.reference.image, drawn.rendered);
                 shown.values.push_back(frame_numbers(run, truth, k, drawn.rendered, drawn.wrong, best));
                 count_distances(distances, drawn.wrong, shown.values.back());
                 shown.at.push_back(std::move(drawn));
             }
+        };
+        tbb::parallel_for(std::size_t{0}, methods_.size(), [&](std::size_t m) {
+            if (!methods_[m].variant.method.draws_levels) measure(m);
         });
+        // Those draw images of what they show, and OpenGL is asked from one thread.
+        for (std::size_t m = 0; m < methods_.size(); ++m)
+            if (methods_[m].variant.method.draws_levels) measure(m);
         return frame;
     }
 
@@ -219,9 +226,10 @@ private:
 
     /// Draws what the run rendered, after once to warm up.
     void time_drawing(std::uint32_t i, const Run<3>& run, std::vector<std::uint32_t>& ids, TimeSamples& times) {
-        rendered_ids(run.met(), ids);
+        drawn_ids(run, ids);
+        const std::shared_ptr<const Scene<3>> scene = drawn_scene(run, lab_.scene);
         for (std::uint32_t repeat = 0; repeat <= study_.repeats; ++repeat) {
-            const DrawTimes once = instruments_.time_drawing(lab_.scene, lab_.views[i], ids);
+            const DrawTimes once = instruments_.time_drawing(scene, lab_.views[i], ids);
             if (repeat == 0) continue;
             times.upload.push_back(once.upload);
             times.draw.push_back(once.draw);

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/stopwatch.h"
+#include "core/run/drawn_levels.h"
 #include "core/run/drive.h"
 #include "core/truth/truth.h"
 
@@ -30,8 +31,8 @@ void fly(const LabScene<3>& lab, const Variant<3>& variant, Tessellation cells, 
         run.start(problem, variant.method.start);
         drive(budget, *run, predict_cost(drawn, budget.value), frame);
         const double traversed = frame.milliseconds();
-        rendered_ids(run->met(), ids);
-        const DrawTimes times = instruments.time_drawing(lab.scene, lab.views[i], ids);
+        drawn_ids(*run, ids);
+        const DrawTimes times = instruments.time_drawing(drawn_scene(*run, lab.scene), lab.views[i], ids);
         const double total = frame.milliseconds();
         const auto rendered = static_cast<std::uint32_t>(ids.size());
         note_frame(drawn, rendered, total - traversed);

@@ -106,11 +106,11 @@ Values PartMeasures<D>::measure(std::span<const std::uint32_t> kept, const Scene
         Problem<D> problem = make_problem(method, variant_.parameters, part, cells, lab_.views[at], none, services);
         problem.history = frame_history<D>(method, problem, lab_.before[at]);
         problem.budget = k;
-        const WholeRun run = whole_run<D>(method, problem, truth.reference, inversions);
+        const WholeRun run = whole_run<D>(method, problem, truth.reference, inversions, draw_ids_);
         const auto best = uses(Measure::cell_oracle) && method.orders_cells() ? cell_oracle<D>(truth.reference, problem)
                                                                               : std::nullopt;
         const auto now = rendered_by(run, cut_at(run, k).met, count);
-        const auto wrong_now = wrong_mask(truth.reference.image, now);
+        const auto wrong_now = wrong_by(run, truth.reference.image, now);
         values = frame_numbers(run, truth, k, now, wrong_now, best);
         if (view > 0) {
             if (const auto share = pop(visible, rendered, truth.reference.visible, now)) values[Measure::pop] = *share;

@@ -8,8 +8,9 @@
 #include "core/base/number.h"
 #include "core/base/quote.h"
 #include "core/base/text.h"
+#include "core/measure/drawn_image.h"
 #include "core/measure/frame_clock.h"
-#include "core/measure/wrong_region.h"
+#include "core/run/drawn_levels.h"
 #include "core/session/session.h"
 #include "core/session/settings_table.h"
 #include "core/truth/software_ids.h"
@@ -57,21 +58,21 @@ void write_picture(const LabScene<3>& lab, const Row& row, std::size_t frame, co
     SolidList list;
     list.camera = lab.views[frame];
     list.styles = {{"rendered", {200, 200, 205}}};
-    list.scene = lab.scene;
-    rendered_ids(run->met(), list.triangles);
+    list.scene = drawn_scene(*run, lab.scene);
+    drawn_ids(*run, list.triangles);
     list.runs = {{0, 0, static_cast<std::uint32_t>(list.triangles.size())}};
     const ImageSize size = image_size<3>(lab.settings.reference_size);
-    const IdImage exact = draw_ids(*lab.scene, lab.views[frame], size, 1).front();
-    write_file(file, encode_png(image_of(missed_in_red(list, exact, graphics)).get(), screen_dpi));
+    Reference exact;
+    exact.image = std::move(draw_ids(*lab.scene, lab.views[frame], size, 1).front());
+    const std::vector<std::uint8_t> wrong = wrong_mask(exact, *run, draw_ids);
+    write_file(file, encode_png(image_of(wrong_in_red(list, exact.image, wrong, graphics)).get(), screen_dpi));
 }
 
 }  // namespace
 
-Pixels missed_in_red(const SolidList& rendered, const IdImage& exact, LabGraphics& graphics) {
+Pixels wrong_in_red(const SolidList& rendered, const IdImage& exact, std::span<const std::uint8_t> wrong,
+                    LabGraphics& graphics) {
     Pixels pixels = graphics.draw_solid()(rendered, exact.width, exact.height, 1);
-    std::vector<std::uint8_t> mask(rendered.scene->primitives.size());
-    for (const std::uint32_t id : rendered.triangles) mask[id] = 1;
-    const std::vector<std::uint8_t> wrong = wrong_mask(exact, mask);
     for (std::size_t i = 0; i < wrong.size(); ++i)
         if (wrong[i]) pixels.colours[i] = {220, 30, 30};
     return pixels;

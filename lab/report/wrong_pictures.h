@@ -20,9 +20,10 @@ struct FramePicture {
     std::string command;         ///< opens the frame in the viewer
 };
 
-/// What `rendered` draws, of the size of the exact image of its view, and red the pixels where its triangles are not
+/// What `rendered` draws, of the size of the exact image of its view, and red the pixels that are `wrong` (1 each), not
 /// what should be seen (TVCG fig. 14).
-Pixels missed_in_red(const SolidList& rendered, const IdImage& exact, LabGraphics& graphics);
+Pixels wrong_in_red(const SolidList& rendered, const IdImage& exact, std::span<const std::uint8_t> wrong,
+                    LabGraphics& graphics);
 
 /// One frame of a row; `frame` is an index into Row::frames, and `lab` has the frames of the row. 3D: what is rendered,
 /// with what it misses in red (TVCG fig. 14); 2D: the end of the run as the viewer exports it. `study` says what the

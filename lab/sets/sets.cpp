@@ -69,7 +69,7 @@ PathSets path_sets(const LabScene<D>& lab, const MethodChoice& choice, const Bud
             make_problem(variant.method, variant.parameters, scene, cells, lab.views[i], none, services);
         problem.history = frame_history<D>(variant.method, problem, lab.before[i]);
         problem.budget = k;
-        const WholeRun run = whole_run<D>(variant.method, problem, reference, false);
+        const WholeRun run = whole_run<D>(variant.method, problem, reference, false, drawing);
         const std::size_t met = cut_at(run, k).met;
         FrameSets& frame = sets.frames.emplace_back();
         frame.frame = lab.frames[i];

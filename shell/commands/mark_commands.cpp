@@ -5,6 +5,7 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/draw/shown_planes.h"
+#include "core/run/drawn_levels.h"
 #include "core/session/condition.h"
 #include "core/session/pixel_history.h"
 #include "shell/commands/arguments.h"
@@ -51,7 +52,7 @@ template <int D>
 std::uint32_t primitive_of_object(const Session<D>& session, std::uint32_t object) {
     const Objects& objects = session.objects();
     const Reference& reference = session.reference();
-    const std::vector<std::uint8_t> rendered = rendered_mask(session.met(), objects.of.size());
+    const std::vector<std::uint8_t> rendered = found_mask(session.traversal());
     std::uint32_t best = none;
     const auto worth = [&](std::uint32_t p) {
         return std::pair(rendered[p] ? 0 : reference.pixels[p], reference.pixels[p]);

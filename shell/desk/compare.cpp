@@ -135,7 +135,7 @@ std::string SideHead::text() const { return title + " · " + drawn + (visible.em
 
 template <int D>
 SideHead side_head(const Session<D>& session, std::string title) {
-    SideHead head{std::move(title), std::to_string(session.counters().rendered_count) + " drawn", ""};
+    SideHead head{std::move(title), std::to_string(session.counters().drawn()) + " drawn", ""};
     // A frame of a flight does not wait for the exact image.
     if (session.settings().show_visibility == Switch::on && (!session.flying() || session.has_reference()))
         head.visible = std::to_string(session.visible_rendered()) + " of " + std::to_string(session.reference().count) +

@@ -54,7 +54,7 @@ std::vector<Row> compare_rows(const Workbench<D>& bench) {
     if (!flying)
         add("step", std::to_string(left.position()) + " of " + std::to_string(left.recorded()),
             std::to_string(right.position()) + " of " + std::to_string(right.recorded()), by_step ? "" : "align step");
-    add("rendered", std::to_string(left.counters().rendered_count), std::to_string(right.counters().rendered_count),
+    add("rendered", std::to_string(left.counters().drawn()), std::to_string(right.counters().drawn()),
         by_step ? "align rendered" : "");
     if (!flying) rows.push_back({align_sentence(left, right, bench.other->align), Tone::faint});
     add("coverage", coverage_text(left), coverage_text(right));

@@ -29,12 +29,12 @@ std::vector<Row> run_rows(const Workbench<D>& bench) {
                        : "") +
         std::string(transport_words[static_cast<std::size_t>(transport_state(bench))]));
     add(std::string(s.method().title) + " (" + std::string(s.method().id) + "), " + s.guarantee());
-    add(std::to_string(s.counters().rendered_count) + " rendered of " + std::to_string(s.scene().primitives.size()));
+    add(std::to_string(s.counters().drawn()) + " rendered of " + std::to_string(s.scene().primitives.size()));
     add("state " + hash_text(s.hash()), Tone::faint);
     if (s.flying() && !s.has_reference()) return rows;  // a frame of a flight does not wait for it
     if (tells_truth(s)) {
         const auto share = coverage(s.reference(), s.visible_rendered());
-        const auto best = oracle(s.reference(), s.counters().rendered_count);
+        const auto best = oracle(s.reference(), s.counters().drawn());
         add(std::to_string(s.visible_rendered()) + " of " + std::to_string(s.reference().count) +
             " visible, coverage " + (share ? short_number(*share) : "none") + ", oracle " +
             (best ? short_number(*best) : "none"));

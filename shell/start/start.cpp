@@ -186,7 +186,7 @@ std::string value(const std::optional<double>& v) { return v ? short_number(*v) 
 
 template <int D>
 std::string wrong_text(const Session<D>& s) {
-    return short_number(100 * wrong_pixels(s.reference(), s.met())) + " %";
+    return short_number(100 * s.wrong_pixels()) + " %";
 }
 
 template <int D>
@@ -199,8 +199,8 @@ void print_summary(const Workbench<D>& bench) {
     bench.say(conditions(s));
     bench.say("Step " + std::to_string(s.position()) +
               " (stopped by: " + std::string(stop_words[static_cast<std::size_t>(bench.last_stop)]) +
-              "): " + std::to_string(s.counters().rendered_count) + " rendered, " +
-              std::to_string(s.visible_rendered()) + " of " + std::to_string(reference.count) + " visible; coverage " +
+              "): " + std::to_string(s.counters().drawn()) + " rendered, " + std::to_string(s.visible_rendered()) +
+              " of " + std::to_string(reference.count) + " visible; coverage " +
               value(coverage(reference, s.visible_rendered())) +
               (D == 2 ? " (exact reference)" : " (" + reference.name + "), wrong pixels " + wrong_text(s)) +
               ", inversions " + std::to_string(so_far) + ", state " + hash_text(s.hash()));

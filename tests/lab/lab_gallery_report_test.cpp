@@ -11,6 +11,7 @@
 #include "core/base/file.h"
 #include "core/draw/insets.h"
 #include "core/measure/metrics.h"
+#include "core/measure/wrong_region.h"
 #include "lab/command.h"
 #include "lab/report/wrong_pictures.h"
 
@@ -147,7 +148,9 @@ TEST(LabGalleryPictures, AreRedWhereSomethingIsMissed) {
     session.run();
     const Reference& reference = session.reference();
     const auto red = [&](const SolidList& list) {
-        const Pixels pixels = missed_in_red(list, reference.image, graphics);
+        std::vector<std::uint8_t> drawn(session.scene().primitives.size());
+        for (const std::uint32_t id : list.triangles) drawn[id] = 1;
+        const Pixels pixels = wrong_in_red(list, reference.image, wrong_mask(reference.image, drawn), graphics);
         const auto count = std::count(pixels.colours.begin(), pixels.colours.end(), Colour{220, 30, 30});
         return static_cast<double>(count) / static_cast<double>(pixels.colours.size());
     };

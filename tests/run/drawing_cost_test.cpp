@@ -149,7 +149,7 @@ TEST(PixelScale, CountsTheBoxOfThePixels) {
         made.add(high);
         return made;
     };
-    EXPECT_EQ(scale.pixels_of(box({-0.1, 10, -0.2}, {0.1, 10, 0.2})), 2u);       // a pixel is 0.2 wide at a depth of 10
+    EXPECT_EQ(scale.pixels_of(box({-0.1, 10, -0.2}, {0.1, 10, 0.2})), 4u);       // two half pixels by two
     EXPECT_EQ(scale.pixels_of(box({-100, 10, -100}, {100, 10, 100})), 10'000u);  // clipped
     EXPECT_EQ(scale.pixels_of(box({-0.1, -1, -0.2}, {0.1, 1, 0.2})), 10'000u);   // across the plane of the eye
     EXPECT_EQ(scale.pixels_of(box({-0.1, -2, -0.2}, {0.1, -1, 0.2})), 0u);       // behind

@@ -6,6 +6,7 @@
 
 #include "core/draw/wrong_picture.h"
 #include "core/measure/metrics.h"
+#include "core/measure/wrong_region.h"
 #include "tests/scene/soup_scenes.h"
 #include "tests/truth/image_judge.h"
 
@@ -133,7 +134,8 @@ TEST(ImageMeasures, APixelIsWrongWhenItsPrimitiveIsNotRendered) {
         if (kind == 0) touched.push_back({id, false});
         if (kind == 1) touched.push_back({id, true});
     }
-    const Pixels picture = wrong_picture(reference, touched, scene);
+    const Pixels picture =
+        wrong_picture(reference, wrong_mask(reference.image, rendered_mask(touched, scene.primitives.size())), scene);
     EXPECT_EQ(picture.width, size.width);
     EXPECT_EQ(picture.height, size.height);
     int wrong = 0;
