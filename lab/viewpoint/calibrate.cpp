@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/number.h"
+#include "core/run/drawn_levels.h"
 
 namespace sightline::lab {
 
@@ -96,6 +97,13 @@ double r_squared(const std::vector<double>& predicted, const std::vector<double>
     return deviations > 0 ? 1 - errors / deviations : 0;
 }
 
+std::shared_ptr<const Scene<3>> one_scene(const ViewpointProblem<3>& problem,
+                                          const std::shared_ptr<const Scene<3>>& scene) {
+    for (const Variant<3>& option : problem.options)
+        if (option.method.draws_levels) return scene_with_levels(*problem.cells, *problem.scene);
+    return scene;
+}
+
 std::vector<CostSample> cost_samples(const ViewpointProblem<3>& problem, const std::vector<View<3>>& views,
                                      const std::shared_ptr<const Scene<3>>& scene, const TimeDrawing& time_drawing,
                                      int repeats, const std::function<bool(std::size_t)>& go_on) {
@@ -104,6 +112,7 @@ std::vector<CostSample> cost_samples(const ViewpointProblem<3>& problem, const s
     Analyst<3> analyst(problem);
     Services services;
     services.image = problem.image;
+    const auto drawn = one_scene(problem, scene);
     std::vector<std::uint32_t> ids;
     for (std::size_t i = 0; i < views.size(); ++i) {
         for (std::uint32_t option = 0; option < runs.size(); ++option) {
@@ -117,9 +126,10 @@ std::vector<CostSample> cost_samples(const ViewpointProblem<3>& problem, const s
                                                     views[i], none, services, history);
                 const double cull_ms = run_milliseconds(variant.method, one, runs[option]);
                 if (history == nullptr) history = runs[option]->next_history();
-                rendered_ids(runs[option]->met(), ids);
-                const DrawTimes times = time_drawing(scene, views[i], ids);
-                const DrawTimes empty = time_drawing(scene, views[i], {});
+                drawn_ids(*runs[option], ids);
+                const DrawTimes times = time_drawing(drawn, views[i], ids);
+
+                const DrawTimes empty = time_drawing(drawn, views[i], {});
                 if (repeat < 0) continue;  // to warm up
                 cull.push_back(cull_ms);
                 draw.push_back(times.upload + times.draw - empty.upload - empty.draw);
@@ -167,8 +177,8 @@ std::string parameters_text(const Calibration& fitted, const std::vector<Variant
         times += (i ? "; " : "") + cull_time_text(options[i].text, time);
     }
     return "vertex_ns=" + number_text(rounded(fitted.cost.vertex_ns)) +
-           " pixel_ns=" + number_text(rounded(fitted.cost.pixel_ns)) +
-           " cost_reading=" + std::string(word(fitted.reading)) + " cull_times='" + times + "'";
+           " pixel_ns=" + number_text(rounded(fitted.cost.pixel_ns)) + " cost=" + std::string(word(fitted.reading)) +
+           " cull_times='" + times + "'";
 }
 
 }  // namespace sightline::lab

@@ -31,6 +31,11 @@ struct Calibration {
     double ms(const CostSample& sample) const;
 };
 
+/// What all techniques draw numbers of: with levels behind it where one of them draws levels, so that no time goes into
+/// changing from one scene to the other.
+std::shared_ptr<const Scene<3>> one_scene(const ViewpointProblem<3>& problem,
+                                          const std::shared_ptr<const Scene<3>>& scene);
+
 /// Of each option in each view, after a run to warm up. `go_on` is asked after each view; false ends it early.
 std::vector<CostSample> cost_samples(const ViewpointProblem<3>& problem, const std::vector<View<3>>& views,
                                      const std::shared_ptr<const Scene<3>>& scene, const TimeDrawing& time_drawing,
@@ -42,7 +47,7 @@ Calibration fit(const std::vector<CostSample>& samples, std::size_t options, Cos
 /// 1 - the squared errors over the squared deviations from the mean.
 double r_squared(const std::vector<double>& predicted, const std::vector<double>& measured);
 
-/// "vertex_ns=9.1 pixel_ns=.2 cost_reading=max_of_sums cull_times='view 60/8; …'"
+/// "vertex_ns=9.1 pixel_ns=.2 cost=max_of_sums cull_times='view 60/8; …'"
 std::string parameters_text(const Calibration& fitted, const std::vector<Variant<3>>& options);
 
 }  // namespace sightline::lab

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 
+#include "core/run/drawn_levels.h"
+#include "lab/viewpoint/calibrate.h"
+
 namespace sightline::lab {
 
 namespace {
@@ -80,6 +83,7 @@ ViewpointWalk walk_by_viewpoint(const Method<3>& by_viewpoint, const Parameters&
     travellers.push_back({&by_viewpoint, parameters});
     Services services;
     services.image = of.image;
+    const auto drawn = one_scene(of, scene);
     ViewpointWalk walk;
     std::vector<double> empty;
     std::vector<std::uint32_t> ids;
@@ -91,21 +95,21 @@ ViewpointWalk walk_by_viewpoint(const Method<3>& by_viewpoint, const Parameters&
         }
         WalkFrame& frame = walk.frames.emplace_back();
         for (int repeat = 0; repeat < repeats; ++repeat) {
-            const DrawTimes nothing = time_drawing(scene, view, {});
+            const DrawTimes nothing = time_drawing(drawn, view, {});
             const double nothing_ms = nothing.upload + nothing.draw;
             empty.push_back(nothing_ms);
             for (Traveller& t : travellers) {
                 const Problem<3> problem =
                     make_problem(*t.method, t.parameters, *scene, cells, view, none, services, t.history);
                 t.cull.push_back(run_milliseconds(*t.method, problem, t.run));
-                rendered_ids(t.run->met(), ids);
-                const DrawTimes times = time_drawing(scene, view, ids);
+                drawn_ids(*t.run, ids);
+                const DrawTimes times = time_drawing(drawn, view, ids);
                 t.draw.push_back(std::max(0.0, times.upload + times.draw - nothing_ms));
                 if (repeat == 0) t.next = t.run->next_history();
             }
         }
         for (Traveller& t : travellers) {
-            const FrameTime time{median(t.cull), median(t.draw), t.run->counters().rendered_count};
+            const FrameTime time{median(t.cull), median(t.draw), t.run->counters().drawn()};
             if (&t == &travellers.back())
                 frame.adaptive = time;
             else

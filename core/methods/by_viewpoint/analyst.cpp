@@ -141,6 +141,12 @@ const std::vector<DrawnSize>& Analyst<D>::drawn_sizes(const Run<D>& run, const V
         sizes_.push_back({D * static_cast<std::uint64_t>(drawn_of_[leaf]), scale.pixels_of(tree.nodes[leaf].box)});
         drawn_of_[leaf] = 0;
     }
+    if (const auto stand_ins = run.stand_ins(); !stand_ins.empty()) {
+        const std::shared_ptr<const Levels<D>> levels = run.levels();
+        for (const StandIn& s : stand_ins)
+            sizes_.push_back(
+                {D * std::uint64_t{levels->at(s.object, s.level).count()}, scale.pixels_of(levels->boxes[s.object])});
+    }
     return sizes_;
 }
 
@@ -166,7 +172,7 @@ OptionCost Analyst<D>::cost(std::uint32_t option, const View<D>& view) {
     for (const DrawnSize& size : drawn_sizes(*run, view)) frame.add(size);
     const Counters& counters = run->counters();
     return {static_cast<float>(time.ms(run->steps(), counters.touched_count)), static_cast<float>(frame.ms(p.reading)),
-            static_cast<float>(counters.rendered_count)};
+            static_cast<float>(counters.drawn())};
 }
 
 template <int D>

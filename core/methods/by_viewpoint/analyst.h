@@ -50,8 +50,8 @@ public:
     /// The means over the views, and the occluders that the views have.
     EntryFacts facts(std::uint32_t region, std::uint32_t interval);
 
-    /// What a run draws, as the cost model takes it apart: of each leaf of the box tree what is drawn of it, and the
-    /// pixels of its box.
+    /// What a run draws, as the cost model takes it apart: of each leaf of the box tree what is drawn of it, with the
+    /// pixels of its box, and each level that stands in, with those of its object's.
     const std::vector<DrawnSize>& drawn_sizes(const Run<D>& run, const View<D>& view);
 
 private:

@@ -4,7 +4,7 @@
 #include "core/base/error.h"
 #include "core/base/excerpt.h"
 #include "core/base/number.h"
-#include "core/run/drawing_cost.h"
+#include "core/methods/levels/levels_parameters.h"
 #include "core/run/method.h"
 
 namespace sightline {
@@ -61,8 +61,8 @@ std::string any_text(const ParameterRow&, std::string_view text) { return std::s
 
 const ParameterRow& techniques_row() {
     static const ParameterRow row =
-        text_row("techniques", "view; shadow-frusta; hom; boxes", "methods or variants, by semicolons", "DAS table 1",
-                 "what can be chosen; the first is done where nothing else pays", check_techniques);
+        text_row("techniques", "view; shadow-frusta; hom; boxes; levels", "methods or variants, by semicolons",
+                 "DAS table 1", "what can be chosen; the first is done where nothing else pays", check_techniques);
     return row;
 }
 
@@ -128,28 +128,9 @@ const ParameterRow& valid_frames_row() {
     return row;
 }
 
-const ParameterRow& vertex_ns_row() {
-    static const ParameterRow row = number_row("vertex_ns", "10", 0, 1e6, "[0, 1e6]", "DAS 3.1.1, α_v",
-                                               "nanoseconds that drawing takes a vertex; lab viewpoint fits it");
-    return row;
-}
-
-const ParameterRow& pixel_ns_row() {
-    static const ParameterRow row = number_row("pixel_ns", "0.5", 0, 1e6, "[0, 1e6]", "DAS 3.1.1, α_p",
-                                               "nanoseconds that drawing takes a pixel; lab viewpoint fits it");
-    return row;
-}
-
-const ParameterRow& reading_row() {
-    static const ParameterRow row =
-        choice_row("cost_reading", CostReading::max_of_sums, "DAS 3.1.1",
-                   "whether each object waits for the slower of its vertices and pixels, or all of a frame does");
-    return row;
-}
-
 const ParameterRow& cull_times_row() {
     static const ParameterRow row = text_row(
-        "cull_times", "view 60/8; shadow-frusta 900/20; hom 200/60; boxes 200/60; portals 200/8",
+        "cull_times", "view 60/8; shadow-frusta 900/20; hom 200/60; boxes 200/60; levels 200/8; portals 200/8",
         "TECHNIQUE STEP/PRIMITIVE; …", "docs/methods.md",
         "nanoseconds that techniques take a step and a primitive that they meet; lab viewpoint fits them", check_times);
     return row;
@@ -166,7 +147,7 @@ std::vector<const ParameterRow*> viewpoint_parameter_rows() {
     return {&techniques_row(), &choice_rule_row(), &grid_row(),         &azimuths_row(),
             &elevations_row(), &samples_row(),     &allotted_ms_row(),  &few_row(),
             &few_cover_row(),  &switch_ms_row(),   &valid_frames_row(), &vertex_ns_row(),
-            &pixel_ns_row(),   &reading_row(),     &cull_times_row(),   &table_file_row()};
+            &pixel_ns_row(),   &cost_row(),        &cull_times_row(),   &table_file_row()};
 }
 
 CullTime cull_time(std::string_view times, std::string_view variant) {

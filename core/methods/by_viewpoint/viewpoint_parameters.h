@@ -24,9 +24,6 @@ const ParameterRow& few_row();          ///< so many occluders are few
 const ParameterRow& few_cover_row();    ///< the share of the view that they must cover
 const ParameterRow& switch_ms_row();    ///< t_select
 const ParameterRow& valid_frames_row();
-const ParameterRow& vertex_ns_row();
-const ParameterRow& pixel_ns_row();
-const ParameterRow& reading_row();  ///< "cost_reading"
 const ParameterRow& cull_times_row();
 const ParameterRow& table_file_row();  ///< "table"
 

@@ -39,6 +39,7 @@ public:
     std::uint64_t tests() const override { return inner().tests(); }
     std::shared_ptr<const FrameHistory> next_history() const override;
     std::span<const StandIn> stand_ins() const override { return inner().stand_ins(); }
+    std::shared_ptr<const Levels<D>> levels() const override { return inner().levels(); }
 
     std::string_view rule_words(std::uint8_t rule) const override { return inner().rule_words(rule); }
     std::vector<Considered> considered(const Step&, std::span<const Change>, int digits) const override;

@@ -9,6 +9,7 @@
 #include "core/base/workers.h"
 #include "core/methods/by_viewpoint/table_file.h"
 #include "core/methods/coorg_teller/prepared.h"
+#include "core/methods/levels/levels_parameters.h"
 
 namespace sightline {
 
@@ -41,7 +42,7 @@ ViewpointProblem<D> viewpoint_problem(std::span<const Method<D>> methods, const 
     p.choice = choice_settings(parameters);
     p.by_rule = rule_techniques(texts);
     p.cost = {parameters.number(vertex_ns_row()), parameters.number(pixel_ns_row())};
-    p.reading = parameters.choice<CostReading>(reading_row());
+    p.reading = parameters.choice<CostReading>(cost_row());
     p.samples = static_cast<std::uint32_t>(parameters.number(samples_row()));
     const auto side = static_cast<std::uint32_t>(parameters.number(grid_row()));
     p.regions = Regions<D>(*problem.scene, side ? side : D == 2 ? 8 : 4);
