@@ -207,10 +207,12 @@ private:
         const std::size_t n = loop.size();
         const Vec<3>&before = merged_.points[loop[(at + n - 1) % n]], &here = merged_.points[loop[at % n]],
               &after = merged_.points[loop[(at + 1) % n]];
-        const double turn = glm::dot(glm::cross(here - before, after - here), normal);
-        if (turn >= 0) return true;
-        const Vec<3> across = after - before;
-        return turn * turn <= rounding_ * rounding_ * glm::dot(across, across) * glm::dot(normal, normal);
+        const Vec<3> come = here - before, go = after - here;
+        const double turn = glm::dot(glm::cross(come, go), normal);
+        const double slack2 = rounding_ * rounding_ * glm::dot(normal, normal);
+        if (glm::dot(come, go) < 0)  // a sharp corner; not one that goes back where it came from
+            return turn > 0 && turn * turn > slack2 * std::max(glm::dot(come, come), glm::dot(go, go));
+        return turn >= 0 || turn * turn <= slack2 * glm::dot(come + go, come + go);
     }
 
     void add(Polygons<3>& made, const std::vector<std::uint32_t>& members) {

@@ -95,6 +95,20 @@ TEST(Polygons, RoundingToFloatsDoesNotPartARectangleAndAFoldDoes) {
     }
 }
 
+// Two floors meet along a line on which their corners differ: the border of both would run back along itself.
+TEST(Polygons, AreNotJoinedToOneThatGoesBackAlongItsBorder) {
+    Scene<3> scene;
+    const auto add = [&](const Vec<2>& a, const Vec<2>& b, const Vec<2>& c) {
+        scene.primitives.push_back({Vec<3>(a.x, a.y, 0), Vec<3>(b.x, b.y, 0), Vec<3>(c.x, c.y, 0)});
+    };
+    add({0, 0}, {3, 0}, {3, 1});
+    add({0, 0}, {3, 1}, {2, 1});
+    add({0, 0}, {2, 1}, {0, 1});
+    add({2, 2}, {1, 1}, {2, 1});
+    add({2, 2}, {2, 1}, {3, 1});
+    EXPECT_EQ(build_polygons(scene).size(), 2u);
+}
+
 /// In any scene: each triangle in one polygon, all corners of a polygon on its planes but for the tolerance, its loop
 /// convex as seen along its normal, its area that of its members.
 void check_polygons(const Scene<3>& scene) {
