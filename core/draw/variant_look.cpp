@@ -38,9 +38,11 @@ constexpr std::size_t line_count = shade_count * dashes.size();
 /// Of a method alone; numbers differ up to 8 hues x 3 shades. Shades of one hue have different markers, and so have
 /// hues that are near each other in different shades.
 VariantLook look_of_method(std::size_t number) {
-    return {shades[number % hue_count][number / hue_count % shade_count],
-            {},
-            static_cast<ChartMarker>((number + number / hue_count) % marker_count)};
+    VariantLook look{shades[number % hue_count][number / hue_count % shade_count],
+                     {},
+                     static_cast<ChartMarker>((number + number / hue_count) % marker_count)};
+    if (number == 14) look.marker = ChartMarker::triangle_down;  // to some eyes near to 3, whose marker it would have
+    return look;
 }
 
 /// Of a variant: `line` and `marker` count on from any number.
@@ -110,7 +112,7 @@ std::vector<VariantLook> variant_looks(std::span<const std::string> variants) {
     std::map<std::string, std::size_t> numbers;
     // From 14 on most numbers look like one before them to some eyes; these do not.
     constexpr std::size_t first_alike = 14;
-    constexpr std::array<std::size_t, 6> apart{19, 21, 16, 17, 22, 86};  // 86: the colour of 14 with another marker
+    constexpr std::array<std::size_t, 6> apart{19, 21, 16, 17, 22, 14};
     for (const std::string& id : ids_of_tables()) {
         const std::size_t number = numbers.size();
         numbers.emplace(id, number < first_alike                  ? number

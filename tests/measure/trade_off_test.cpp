@@ -152,7 +152,7 @@ TEST(TradeOff, MeasuresTheBudgetThatIsAskedForToo) {
     const Session<2> session = random_start(random, 90).session();
     TradeOffStudy<2> study(task_of(session, 1, random));
     const std::size_t usual = study.dots().size();
-    EXPECT_EQ(usual, 7u * 4 + 4) << "four budgets for each approximate method, none for the others";
+    EXPECT_EQ(usual, 7u * 4 + 5) << "four budgets for each approximate method, none for the others";
     std::vector<double> shares;
     for (const TradeOffDot& dot : study.dots())
         if (dot.variant == 0) shares.push_back(dot.budget.value);

@@ -59,13 +59,13 @@ Scene<3> field(Random& random, Vec<3>) {
 }
 
 template <int D>
-struct Field {
+struct Landscape {
     Scene<D> scene;
     Settings settings;
     CellComplex<D> cells;
     View<D> view;
 
-    explicit Field(Random& random) : scene(field(random, Vec<D>(0))) {
+    explicit Landscape(Random& random) : scene(field(random, Vec<D>(0))) {
         settings.method = "levels";
         settings.error_bound = 0.5;
         cells = build_cells(scene, settings);
@@ -96,7 +96,7 @@ void expect_coarsest_levels() {
     Random random(30 + D);
     std::size_t at_a_level = 0, as_they_are = 0;
     for (int round = 0; round < test::soak_count(10); ++round) {
-        Field<D> field(random);
+        Landscape<D> field(random);
         const char* const errors[] = {"pixel_error=0.25", "pixel_error=1", "pixel_error=4"};
         field.set(errors[round % 3]);
         const double allowed = field.settings.parameters.number(pixel_error_row());
@@ -151,7 +151,7 @@ void expect_falling_costs() {
     Random random(40 + D);
     std::size_t coarser = 0, enough = 0;
     for (int round = 0; round < test::soak_count(8); ++round) {
-        Field<D> field(random);
+        Landscape<D> field(random);
         field.set("pixel_error=4");
         field.set("pixel_ns=0.01");  // vertices decide
         if (round % 2) field.set("cost=max-of-sums");
@@ -196,7 +196,7 @@ template <int D>
 void expect_walks() {
     Random random(50 + D);
     for (int round = 0; round < test::soak_count(6); ++round) {
-        Field<D> field(random);
+        Landscape<D> field(random);
         if (round % 2) field.set("frame_ms=0.001");
         Problem<D> problem = field.problem();
         if (round % 3 == 0) problem.budget = 200;
@@ -225,7 +225,7 @@ void expect_alike_pictures() {
     std::size_t levels = 0;
     const int rounds = test::soak_count(6);
     for (int round = 0; round < rounds; ++round) {
-        Field<D> field(random);
+        Landscape<D> field(random);
         field.set("pixel_error=2");
         const Problem<D> problem = field.problem();
         const Reference reference =
@@ -262,7 +262,7 @@ TEST(LevelsMethod, PicturesAreComparedByObjects3d) { expect_alike_pictures<3>();
 /// Ids of what is drawn are those of the scene with its levels.
 TEST(LevelsMethod, DrawsThePrimitivesOfLevels) {
     Random random(7);
-    Field<3> field(random);
+    Landscape<3> field(random);
     const auto shared = std::make_shared<const Scene<3>>(field.scene);
     Problem<3> problem = field.problem();
     problem.scene = shared.get();

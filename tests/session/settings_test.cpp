@@ -45,9 +45,9 @@ const std::map<std::string_view, Range> ranges{
     {"leaf", {1, 4096, false, false, true}},
     {"workers", {0, 64, false, false, true}},
     {"pixel_error", {0, 1e6}},
-    {"frame_ms", {0, 1e9}},
-    {"vertex_ns", {0, 1e9}},
-    {"pixel_ns", {0, 1e9}},
+    {"frame_ms", {0, 1e6}},
+    {"vertex_ns", {0, 1e6}},
+    {"pixel_ns", {0, 1e6}},
 };
 
 const std::set<std::string_view> any_number{"zoom_x", "zoom_y"};

@@ -14,19 +14,19 @@ const ParameterRow& pixel_error_row() {
 
 const ParameterRow& frame_ms_row() {
     static const ParameterRow row =
-        number_row("frame_ms", "0", 0, 1e9, "[0, 1000000000]", "DAS 3.1.3",
+        number_row("frame_ms", "0", 0, 1e6, "[0, 1000000]", "DAS 3.1.3",
                    "once the frame is predicted to take no longer, the objects left stay as they are; 0: none does");
     return row;
 }
 
 const ParameterRow& vertex_ns_row() {
-    static const ParameterRow row = number_row("vertex_ns", "100", 0, 1e9, "[0, 1000000000]", "DAS 3.1.1",
+    static const ParameterRow row = number_row("vertex_ns", "100", 0, 1e6, "[0, 1000000]", "DAS 3.1.1",
                                                "what a vertex costs, as the prediction has it, in nanoseconds");
     return row;
 }
 
 const ParameterRow& pixel_ns_row() {
-    static const ParameterRow row = number_row("pixel_ns", "2", 0, 1e9, "[0, 1000000000]", "DAS 3.1.1",
+    static const ParameterRow row = number_row("pixel_ns", "2", 0, 1e6, "[0, 1000000]", "DAS 3.1.1",
                                                "what a pixel costs, as the prediction has it, in nanoseconds");
     return row;
 }
