@@ -62,6 +62,7 @@ Scene<D> subset(const Scene<D>& scene, std::span<const std::uint32_t> kept) {
         copy_facts(scene, kept[i], part, i);
     }
     tidy(part.objects);
+    part.rooms = {};  // what closes them may be gone
     part.source = "edited";
     return part;
 }
