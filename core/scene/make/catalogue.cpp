@@ -70,7 +70,8 @@ std::span<const CatalogueRow<2>> catalogue<2>() {
          {},
          {{"visible_share == 0 && count > 0", "through a wall"}, {"step:30", "where the corridors cross"}},
          0,
-         {}},
+         {},
+         rooms_of_rooms},
         {"cars",
          4,
          "Cars",
@@ -187,7 +188,8 @@ std::span<const CatalogueRow<2>> catalogue<2>() {
          {},
          {{"visible_share == 0 && count > 0", "a room behind a wall"}},
          0,
-         {}},
+         {},
+         rooms_of_soda},
         {"blocks",
          12,
          "City of blocks",
@@ -241,6 +243,7 @@ Scene<2> make_scene(const CatalogueRow<2>& row) {
     scene.seed = row.seed;
     scene.primitives = row.generate(row.seed);
     clean(scene, Recentre::no, row.id);
+    if (row.rooms) scene.rooms = row.rooms(row.seed);
     scene.start_view = row.view;
     return scene;
 }

@@ -54,6 +54,8 @@ struct CatalogueRow {
     std::vector<CatalogueBookmark> bookmarks;
     std::size_t triangles;           ///< 3D: how many unless the name says otherwise; 0: the size is fixed, as in 2D
     std::vector<const char*> paths;  ///< 3D: ids of its flight paths; 2D: none
+    /// 2D: its rooms, where the generator knows them; nullptr: it marks none. In 3D it makes them with the triangles.
+    std::conditional_t<D == 2, Rooms<2> (*)(std::uint64_t seed), std::nullptr_t> rooms = nullptr;
 };
 
 /// How many triangles a name may ask for: from 10,000 on, or from what the scene has otherwise if that is less.
