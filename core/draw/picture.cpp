@@ -12,6 +12,7 @@
 #include "core/draw/eye_strip.h"
 #include "core/draw/notes.h"
 #include "core/draw/paint_planes.h"
+#include "core/draw/paint_rooms.h"
 #include "core/draw/palette.h"
 #include "core/draw/round_fields.h"
 #include "core/draw/shown_boxes.h"
@@ -43,14 +44,17 @@ public:
         if (wants(PicturePart::below)) {
             if (set_.heat != CellNumber::none && options.heat_range) heat_map(*options.heat_range);
             if (by_state) states();
+            if (set_.show_states == Switch::on && walks_rooms(session)) paint_windows(session, list_);
             if (set_.show_states == Switch::on) only_there(options.differences);
         }
-        if (wants(PicturePart::tessellation) && set_.show_tessellation == Switch::on && !walks_boxes(session))
+        if (wants(PicturePart::tessellation) && set_.show_tessellation == Switch::on && !walks_boxes(session) &&
+            !walks_rooms(session))
             tessellation();
         if (!wants(PicturePart::above)) return;
         if (by_state) projected_borders();
         if (set_.show_states == Switch::on) only_here(options.differences);
         if (planes_ && set_.show_states == Switch::on) planes_->occluders();
+        if (set_.show_states == Switch::on && walks_rooms(session)) paint_portals(session, list_);
         if (set_.show_primitives == Switch::on) primitives();
         if (set_.show_view == Switch::on) view();
         if (set_.show_normals == Switch::on) normals();

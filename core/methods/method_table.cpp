@@ -16,6 +16,7 @@
 #include "core/methods/listed/listed.h"
 #include "core/methods/orders/orders.h"
 #include "core/methods/plp/published.h"
+#include "core/methods/portals/portals.h"
 #include "core/methods/transmittance/transmittance_methods.h"
 
 namespace sightline {
@@ -60,6 +61,7 @@ std::vector<Method<D>> rows() {
     table.insert(table.end(), by_light.begin(), by_light.end());
     table.push_back(feedback_method<D>());
     table.push_back(levels_method<D>());
+    for (Method<D>& method : portal_methods<D>()) table.push_back(std::move(method));
     table.push_back(viewpoint_method<D>(table));
     table.push_back(listed_method<D>());  // last: colours follow the order
     return table;

@@ -65,8 +65,7 @@ bool is_on_border(const Room<3>& room, const Portal<3>& portal) {
 bool has_size(const Portal<2>& portal) { return portal.corners.size() == 2 && portal.corners[0] != portal.corners[1]; }
 bool has_size(const Portal<3>& portal) {
     if (portal.corners.size() < 3) return false;
-    const Vec<3> normal =
-        glm::cross(portal.corners[1] - portal.corners[0], portal.corners[2] - portal.corners[0]);
+    const Vec<3> normal = glm::cross(portal.corners[1] - portal.corners[0], portal.corners[2] - portal.corners[0]);
     return normal != Vec<3>(0);
 }
 
@@ -103,8 +102,7 @@ bool closed_for(const Rooms<D>& rooms, const Vec<D>& eye) {
     } else {
         return std::all_of(rooms.all.begin(), rooms.all.end(), [&](const Room<3>& room) {
             double away = 0;
-            for (int i = 0; i < 3; ++i)
-                away = std::max({away, room.shape.min[i] - eye[i], eye[i] - room.shape.max[i]});
+            for (int i = 0; i < 3; ++i) away = std::max({away, room.shape.min[i] - eye[i], eye[i] - room.shape.max[i]});
             return away > rooms.closed_from;
         });
     }
@@ -139,8 +137,14 @@ void check_rooms(const Rooms<D>& rooms, const std::string& name) {
 
 std::vector<Portal<3>> portals_between(const std::vector<Room<3>>& rooms) {
     std::vector<Portal<3>> portals;
-    for (std::uint32_t i = 0; i < rooms.size(); ++i)
-        for (std::uint32_t j = i + 1; j < rooms.size(); ++j) {
+    std::vector<std::uint32_t> by_x(rooms.size());
+    for (std::uint32_t i = 0; i < rooms.size(); ++i) by_x[i] = i;
+    std::stable_sort(by_x.begin(), by_x.end(),
+                     [&](std::uint32_t a, std::uint32_t b) { return rooms[a].shape.min.x < rooms[b].shape.min.x; });
+    for (std::size_t first = 0; first < by_x.size(); ++first)
+        for (std::size_t second = first + 1; second < by_x.size(); ++second) {
+            const std::uint32_t i = by_x[first], j = by_x[second];
+            if (rooms[j].shape.min.x > rooms[i].shape.max.x) break;
             const Vec<3> low = glm::max(rooms[i].shape.min, rooms[j].shape.min);
             const Vec<3> high = glm::min(rooms[i].shape.max, rooms[j].shape.max);
             int flat = -1, wide = 0;
@@ -158,9 +162,9 @@ std::vector<Portal<3>> portals_between(const std::vector<Room<3>>& rooms) {
     return portals;
 }
 
-#define SIGHTLINE_INSTANTIATE(D)                                      \
-    template RoomsAt rooms_at<D>(const Rooms<D>&, const Vec<D>&);     \
-    template bool closed_for<D>(const Rooms<D>&, const Vec<D>&);      \
+#define SIGHTLINE_INSTANTIATE(D)                                  \
+    template RoomsAt rooms_at<D>(const Rooms<D>&, const Vec<D>&); \
+    template bool closed_for<D>(const Rooms<D>&, const Vec<D>&);  \
     template void check_rooms<D>(const Rooms<D>&, const std::string&);
 SIGHTLINE_INSTANTIATE(2)
 SIGHTLINE_INSTANTIATE(3)

@@ -91,6 +91,27 @@ View<3> make_view(const ViewSpec<3>& spec, double aspect, int up_axis) {
     return view;
 }
 
+View<2> narrowed(const View<2>& view, const Vec<2>& right, const Vec<2>& left) {
+    View<2> part = view;
+    part.all_round = false;
+    part.corners = {right, left};
+    return part;
+}
+
+View<3> narrowed(const View<3>& view, const Box<2>& part) {
+    View<3> narrow = view;
+    const auto& c = view.corners;
+    const Vec<3> right = (c[1] - c[0]) * 0.5, up = (c[3] - c[0]) * 0.5, middle = (c[0] + c[2]) * 0.5;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const double x = i == 1 || i == 2 ? part.max.x : part.min.x, y = i >= 2 ? part.max.y : part.min.y;
+        narrow.corners[i] = middle + right * x + up * y;
+    }
+    const Vec<3> inner = (narrow.corners[0] + narrow.corners[2]) * 0.5;
+    for (std::size_t i = 0; i < 4; ++i)
+        narrow.planes[i] = plane_through(view.eye, narrow.corners[i], narrow.corners[(i + 1) % 4], inner);
+    return narrow;
+}
+
 bool in_view(const View<2>& view, const Primitive<2>& segment) {
     if (view.all_round) return true;
     const auto& [a, b] = segment;

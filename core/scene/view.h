@@ -33,6 +33,12 @@ struct View {
     Vec<D> forward() const { return (look_at - eye) / std::sqrt(glm::dot(look_at - eye, look_at - eye)); }
 };
 
+/// The part of the view between the rays through two points, `left` being less than half a turn counter-clockwise of
+/// `right`.
+View<2> narrowed(const View<2>& view, const Vec<2>& right, const Vec<2>& left);
+/// The part of the image, which goes from -1 (left, bottom) to +1; rounded.
+View<3> narrowed(const View<3>& view, const Box<2>& part);
+
 /// What points up in a view along the axis that usually does.
 constexpr int other_axis(int up_axis) { return up_axis == 0 ? 2 : 3 - up_axis; }
 

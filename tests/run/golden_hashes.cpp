@@ -122,13 +122,21 @@ struct Maker {
         }
     }
 
-    /// Methods that walk the tree of boxes; depth images of 320 x 240 pixels, lines of 2048.
+    /// Methods that walk the tree of boxes, or from room to room where the scene marks some; depth images of 320 x 240
+    /// pixels, lines of 2048.
     void add_boxes() {
         const Settings start = settings(Tessellation::delaunay);
         const CellComplex<D> cells = build_cells(scene, start);
-        for (const char* text :
-             {"view", "boxes refresh=16", "hzb", "hom", "two-pass occluders=plp", "coorg-teller connected=on",
-              "coorg-teller connected=grow leaves=polygons", "shadow-frusta"}) {
+        std::vector<const char*> texts{"view",
+                                       "boxes refresh=16",
+                                       "hzb",
+                                       "hom",
+                                       "two-pass occluders=plp",
+                                       "coorg-teller connected=on",
+                                       "coorg-teller connected=grow leaves=polygons",
+                                       "shadow-frusta"};
+        if (!scene.rooms.empty()) texts.insert(texts.end(), {"portals", "pvs"});
+        for (const char* text : texts) {
             const Variant<D> variant = make_variant<D>(method_table<D>(), text, start.parameters);
             Services services;
             services.image = D == 2 ? ImageSize{2048, 0} : ImageSize{320, 240};
@@ -141,7 +149,7 @@ struct Maker {
                 value += (value.empty() ? "" : ", ") + std::string(budget) + " " + hash_text(run->hash()) + " after " +
                          std::to_string(run->steps());
             }
-            add_line(" boxes " + std::string(text), value);
+            add_line((variant.method.pops == Kind::node ? " boxes " : " rooms ") + std::string(text), value);
         }
     }
 

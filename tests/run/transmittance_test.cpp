@@ -41,7 +41,7 @@ struct Lit {
 
 /// On the inner side of all facets.
 template <int D>
-bool holds(const CellComplex<D>& cells, std::uint32_t cell, const Vec<D>& p) {
+bool cell_holds(const CellComplex<D>& cells, std::uint32_t cell, const Vec<D>& p) {
     for (const HalfFacet& half : cells.facets_of(cell))
         if (!cells.is_contact(half.facet()) && facet_side(cells, half, p) < 0) return false;
     return true;

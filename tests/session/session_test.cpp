@@ -193,7 +193,7 @@ TEST(Session, WhatCannotBeLeavesItAsItWas) {
                              "method 'nothing' does not exist; there are published, layers, centroid, view, "
                              "everything, formula, perfect, cplp, "
                              "boxes, hzb, hom, two-pass, coorg-teller, shadow-frusta, extinction, flux, tri, tri-z, "
-                             "levels, listed");
+                             "levels, portals, pvs, by-viewpoint, listed");
 }
 
 TEST(Session, CellsThatCannotBeMadeLeaveItAsItWas) {

@@ -130,6 +130,9 @@ Generated room(std::uint64_t seed, std::size_t triangles) {
 
     Generated made;
     made.triangles = std::move(model.triangles);
+    const Vec<3> corner(float_value(hall.width() / 2), float_value(hall.depth()), float_value(hall_height));
+    made.rooms.all.push_back({"hall", {{-corner.x, 0, 0}, corner}});
+    made.rooms.closed_from = 0.25;  // walls, floor and ceiling are solids of 0.2
     // Round the rows, looking half ahead and half at their middle.
     const double x = hall.width() / 2 - 0.6, front = hall.depth() - 2.6, back = 0.9, eye = 1.6;
     const std::vector<Vec<3>> walk = {{0, back, eye},   {x, back, 1.4},  {x, 0.5 * front, 1.3}, {x, front, 1.7},

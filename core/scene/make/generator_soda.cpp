@@ -4,11 +4,13 @@
 #include <set>
 #include <utility>
 
+#include "core/base/float_value.h"
 #include "core/scene/make/generators.h"
 #include "core/scene/make/generators_3d.h"
 #include "core/scene/make/office_floor.h"
 #include "core/scene/make/plots.h"
 #include "core/scene/make/route.h"
+#include "core/scene/plan_rooms.h"
 
 namespace sightline {
 
@@ -76,6 +78,26 @@ void build_wing(Model& m, const OfficeWing& wing, const Vec<2>& corner) {
         m.box({box.low.x, box.low.y, box.foot}, {box.high.x, box.high.y, box.top}, box.sides);
     }
     m.plan = outer;
+}
+
+void add_rooms(Rooms<3>& rooms, const OfficeWing& wing, const Vec<2>& corner) {
+    for (const FreeFloor& floor : wing.free) {
+        const Vec<2> low = glm::min(floor.a, floor.b) + corner, high = glm::max(floor.a, floor.b) + corner;
+        rooms.all.push_back({floor.name + (" " + std::to_string(rooms.all.size())),
+                             {{float_value(low.x), float_value(low.y), 0},
+                              {float_value(high.x), float_value(high.y), float_value(floor.top)}}});
+    }
+}
+
+/// The end of a way out that lies outside.
+Portal<3> outer_portal(const Box<3>& box, std::uint32_t room, const DoorWay& way) {
+    const int axis = way.through.x == 0 ? 1 : 0, other = 1 - axis;
+    const double end = way.through[axis] > 0 ? box.max[axis] : box.min[axis];
+    Portal<3> portal{{room, none}, {4, box.min}};
+    for (Vec<3>& corner : portal.corners) corner[axis] = end;
+    portal.corners[1][other] = portal.corners[2][other] = box.max[other];
+    portal.corners[2].z = portal.corners[3].z = box.max.z;
+    return portal;
 }
 
 void draw_wing(Sketch& sketch, const OfficeWing& wing) {
@@ -149,6 +171,19 @@ std::vector<Primitive<2>> soda(std::uint64_t seed) {
     return sketch.segments;
 }
 
+Rooms<2> rooms_of_soda(std::uint64_t seed) {
+    OfficeWing wing = office_wing(Plot{0, 0}.random(seed), whole_wing);
+    wing.boxes.clear();
+    Sketch walls, openings;
+    draw_wing(walls, wing);
+    for (const WingSide side : {WingSide::south, WingSide::east, WingSide::north, WingSide::west}) {
+        const OfficeWing face = outer_face(side, true, true);
+        draw_wing(walls, face);
+        openings.line(face.faces[0].a, face.faces[0].b);
+    }
+    return plan_rooms(walls.segments, openings.segments);
+}
+
 namespace generate {
 
 Generated soda(std::uint64_t seed, std::size_t triangles) {
@@ -159,18 +194,27 @@ Generated soda(std::uint64_t seed, std::size_t triangles) {
         const Vec<2> low = wing_size * Vec<2>(at.x, at.y), high = low + wing_size;
         const OfficeWing wing = office_wing(at.random(seed), polygons);
         build_wing(model, wing, low);
+        add_rooms(made.rooms, wing, low);
         model.polygon({{low.x, low.y, 0}, {high.x, low.y, 0}, {high.x, high.y, 0}, {low.x, high.y, 0}});
         constexpr double z = office_height;
         model.polygon({{low.x, low.y, z}, {low.x, high.y, z}, {high.x, high.y, z}, {high.x, low.y, z}});
         if (made.paths.empty()) made.paths.push_back(on_foot("walk", way_through(wing, Random(seed)), 480));
     }
-    for (const auto& [at, polygons] : plan.wings)
+    std::vector<std::pair<DoorWay, std::uint32_t>> exits;
+    for (const auto& [at, polygons] : plan.wings) {
+        const Vec<2> corner = wing_size * Vec<2>(at.x, at.y);
         for (std::size_t side = 0; side < 4; ++side)
-            if (!plan.has(at, side))
-                build_wing(model,
-                           outer_face(static_cast<WingSide>(side), !plan.has(at, (side + 3) % 4),
-                                      !plan.has(at, (side + 1) % 4)),
-                           wing_size * Vec<2>(at.x, at.y));
+            if (!plan.has(at, side)) {
+                const OfficeWing face = outer_face(static_cast<WingSide>(side), !plan.has(at, (side + 3) % 4),
+                                                   !plan.has(at, (side + 1) % 4));
+                build_wing(model, face, corner);
+                add_rooms(made.rooms, face, corner);
+                exits.push_back({face.doorways[0], static_cast<std::uint32_t>(made.rooms.all.size() - 1)});
+            }
+    }
+    made.rooms.portals = portals_between(made.rooms.all);
+    for (const auto& [way, room] : exits)
+        made.rooms.portals.push_back(outer_portal(made.rooms.all[room].shape, room, way));
     made.triangles = std::move(model.triangles);
     const double middle = corridors_y[1];
     made.paths.push_back(on_foot("line", std::array{Vec<2>(19, middle), Vec<2>(35, middle)}, 320));

@@ -13,6 +13,8 @@ namespace sightline {
 std::vector<Primitive<2>> streets(std::uint64_t seed);
 /// A floor of offices: corridors, rooms with doors, furniture; 0..96 x 0..64.
 std::vector<Primitive<2>> rooms(std::uint64_t seed);
+/// The same without its furniture, as rooms that its walls close.
+Rooms<2> rooms_of_rooms(std::uint64_t seed);
 /// Two dense blocks with a gap between them; hidden crates behind; 0..16 x 0..16.
 std::vector<Primitive<2>> bottleneck(std::uint64_t seed);
 /// The same in the middle of a field; -16..48 x -16..48.
@@ -33,6 +35,8 @@ std::vector<Primitive<2>> statue(std::uint64_t seed);
 std::vector<Primitive<2>> forget(std::uint64_t seed);
 /// A floor of offices, labs and a lecture hall with walls of real thickness; about 0..62 x 0..44.
 std::vector<Primitive<2>> soda(std::uint64_t seed);
+/// Its offices, corridors and doorways.
+Rooms<2> rooms_of_soda(std::uint64_t seed);
 /// Outlines of the buildings of a city, many of them turned out of the axes; about 600 x 600.
 std::vector<Primitive<2>> blocks(std::uint64_t seed);
 /// 900 triangles, none touching another; about 180 x 180.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/make/generators.h"
 #include "core/scene/make/sketch.h"
+#include "core/scene/plan_rooms.h"
 
 namespace sightline {
 
@@ -91,8 +92,23 @@ std::vector<Primitive<2>> city_blocks(std::size_t segments, std::uint64_t seed) 
 
 namespace {
 
+/// A floor of offices; its walls also by themselves.
+struct OfficePlan {
+    Sketch sketch;
+    std::vector<Primitive<2>> walls{};
+
+    void wall(const Vec<2>& a, const Vec<2>& b, std::span<const Opening> openings = {}) {
+        const auto before = static_cast<std::ptrdiff_t>(sketch.segments.size());
+        if (openings.empty())
+            sketch.line(a, b);
+        else
+            sketch.wall(a, b, openings);
+        walls.insert(walls.end(), sketch.segments.begin() + before, sketch.segments.end());
+    }
+};
+
 /// A row of rooms between x0 and x1: walls between them, and one wall with doors to the corridor at y = `corridor`.
-void room_row(Sketch& sketch, Random& random, const RoomPlan& band, bool corridor_above) {
+void room_row(OfficePlan& plan, Random& random, const RoomPlan& band, bool corridor_above) {
     const double corridor = corridor_above ? band.y1 : band.y0;
     std::vector<Opening> doors;
     double x = band.x0;
@@ -103,47 +119,57 @@ void room_row(Sketch& sketch, Random& random, const RoomPlan& band, bool corrido
         const double door = random.uniform(1, width - 1);
         doors.push_back({x - band.x0 + door, 1.4});
         const double into = corridor_above ? -0.9 : 0.9;
-        sketch.line({x + door - 0.7, corridor}, {x + door - 0.3, corridor + into});
-        if (x > band.x0) sketch.line({x, band.y0}, {x, band.y1});
+        plan.sketch.line({x + door - 0.7, corridor}, {x + door - 0.3, corridor + into});
+        if (x > band.x0) plan.wall({x, band.y0}, {x, band.y1});
         const std::uint64_t kind = random.below(5);
-        furnish(sketch, random, room, kind == 0 ? Furnishing::storage : Furnishing::office);
+        furnish(plan.sketch, random, room, kind == 0 ? Furnishing::storage : Furnishing::office);
         x += width;
     }
-    sketch.wall({band.x0, corridor}, {band.x1, corridor}, doors);
+    plan.wall({band.x0, corridor}, {band.x1, corridor}, doors);
 }
 
-}  // namespace
+constexpr double offices_x = 96, offices_y = 64;
 
-std::vector<Primitive<2>> rooms(std::uint64_t seed) {
+OfficePlan office_plan(std::uint64_t seed) {
     Random random(seed);
-    Sketch sketch;
+    OfficePlan plan;
     // Corridors: y 15..19 and 45..49 across, x 46..50 up. The middle band has two rows, back to back.
-    for (const auto& [x0, x1] : {std::pair(0.0, 46.0), std::pair(50.0, 96.0)}) {
-        room_row(sketch, random, {x0, 0, x1, 15}, true);
-        room_row(sketch, random, {x0, 19, x1, 32}, false);
-        room_row(sketch, random, {x0, 32, x1, 45}, true);
-        sketch.line({x0, 32}, {x1, 32});
-        if (x0 == 0) room_row(sketch, random, {x0, 49, x1, 64}, false);
+    for (const auto& [x0, x1] : {std::pair(0.0, 46.0), std::pair(50.0, offices_x)}) {
+        room_row(plan, random, {x0, 0, x1, 15}, true);
+        room_row(plan, random, {x0, 19, x1, 32}, false);
+        room_row(plan, random, {x0, 32, x1, 45}, true);
+        plan.wall({x0, 32}, {x1, 32});
+        if (x0 == 0) room_row(plan, random, {x0, 49, x1, offices_y}, false);
         const double side = x0 == 0 ? x1 : x0;  // walls along the corridor that goes up
-        sketch.line({side, 0}, {side, 15});
-        sketch.line({side, 19}, {side, 45});
-        sketch.line({side, 49}, {side, 64});
+        plan.wall({side, 0}, {side, 15});
+        plan.wall({side, 19}, {side, 45});
+        plan.wall({side, 49}, {side, offices_y});
     }
     // Instead of the last row, a hall with columns, open to the corridor between two piers.
     const Opening entrance{23, 20};
-    sketch.wall({50, 49}, {96, 49}, std::span(&entrance, 1));
+    plan.wall({50, 49}, {offices_x, 49}, std::span(&entrance, 1));
     for (int i = 0; i < 6; ++i)
-        for (const double y : {53.5, 59.5}) sketch.ring({54 + 7.5 * i, y}, 0.5, 12);
-    sketch.box(70, 55.5, 76, 57.5);
+        for (const double y : {53.5, 59.5}) plan.sketch.ring({54 + 7.5 * i, y}, 0.5, 12);
+    plan.sketch.box(70, 55.5, 76, 57.5);
     // Outer walls, with windows.
     std::vector<Opening> windows, doors;
     for (int i = 0; i < 20; ++i) windows.push_back({2.5 + 4.8 * i, 1});
     for (const double y : {17.0, 47.0}) doors.push_back({y, 1.6});
-    sketch.wall({0, 0}, {96, 0}, windows);
-    sketch.wall({0, 64}, {96, 64}, windows);
-    sketch.wall({0, 0}, {0, 64}, doors);
-    sketch.wall({96, 0}, {96, 64}, doors);
-    return sketch.segments;
+    plan.wall({0, 0}, {offices_x, 0}, windows);
+    plan.wall({0, offices_y}, {offices_x, offices_y}, windows);
+    plan.wall({0, 0}, {0, offices_y}, doors);
+    plan.wall({offices_x, 0}, {offices_x, offices_y}, doors);
+    return plan;
+}
+
+}  // namespace
+
+std::vector<Primitive<2>> rooms(std::uint64_t seed) { return office_plan(seed).sketch.segments; }
+
+Rooms<2> rooms_of_rooms(std::uint64_t seed) {
+    Sketch border;
+    border.box(0, 0, offices_x, offices_y);
+    return plan_rooms(office_plan(seed).walls, border.segments);
 }
 
 }  // namespace sightline

@@ -45,6 +45,11 @@ DoorWay doorway_of(const Placement& frame, double at, double width, double y0, d
     return {frame.at({left, y0}), frame.at({right, y0}), frame.at({left, y1}) - frame.at({left, y0})};
 }
 
+void add_doorway(OfficeWing& wing, const DoorWay& way) {
+    wing.doorways.push_back(way);
+    wing.free.push_back({"doorway", way.left, way.right + way.through, office_door_height});
+}
+
 OfficeRow row_of(const Vec<2>& origin, double degrees, double length, double depth, double from, double to,
                  RowUse use = RowUse::offices) {
     return {turned(origin, degrees), length, depth, from, to, use, 0, degrees};
@@ -170,7 +175,7 @@ void add_room(OfficeWing& wing, std::vector<FloorBox>& shelves, const OfficeRow&
         corridor.push_back({at - row.face_from, door_width});
         inside.insert(inside.begin(), {room.x1 - at, door_width});
         const DoorWay door = doorway_of(row.frame, at, door_width, -t, 0);
-        wing.doorways.push_back(door);
+        add_doorway(wing, door);
         wing.doors.push_back(door);
         wing.boxes.push_back(
             box_in(row, {at - door_width / 2, 0}, random.uniform(80, 112), {0.03, 0}, {0.9, 0.04}, 2.05, all_sides));
@@ -178,6 +183,7 @@ void add_room(OfficeWing& wing, std::vector<FloorBox>& shelves, const OfficeRow&
     const auto face = [&](const Vec<2>& a, const Vec<2>& b, std::vector<Opening> doors) {
         wing.faces.push_back(face_of(row.frame, a, b, std::move(doors)));
     };
+    wing.free.push_back({"room", row.frame.at({room.x0, 0}), row.frame.at({room.x1, row.depth}), office_height});
     face({room.x0, 0}, {room.x0, row.depth}, {});
     face({room.x0, row.depth}, {room.x1, row.depth}, {});
     face({room.x1, row.depth}, {room.x1, 0}, {});
@@ -208,8 +214,9 @@ void add_room(OfficeWing& wing, std::vector<FloorBox>& shelves, const OfficeRow&
 void add_exit(OfficeWing& wing, const Placement& frame) {
     const double half = corridor_width / 2, deep = strip + t - outer;
     wing.faces.push_back(face_of(frame, {-half, 0}, {half, 0}, {{half, exit_width}}));
-    wing.doorways.push_back(doorway_of(frame, 0, exit_width, 0, half_outer_wall));
+    add_doorway(wing, doorway_of(frame, 0, exit_width, 0, half_outer_wall));
     // The walls on both sides of the corridor, as deep as the outer rows.
+    wing.free.push_back({"exit", frame.at({-half, -deep}), frame.at({half, 0}), office_height});
     wing.faces.push_back(face_of(frame, {-half, -deep}, {-half, 0}));
     wing.faces.push_back(face_of(frame, {half, 0}, {half, -deep}));
 }
@@ -217,6 +224,21 @@ void add_exit(OfficeWing& wing, const Placement& frame) {
 std::array<std::pair<Vec<2>, double>, 4> exits() {
     const double w = wing_size.x, h = wing_size.y, x = corridors_x[1], y = corridors_y[1];
     return {{{{x, outer}, 180}, {{w - outer, y}, 270}, {{x, h - outer}, 0}, {{outer, y}, 90}}};
+}
+
+/// Crossings, and what lies between them.
+void add_corridors(OfficeWing& wing) {
+    constexpr double half = corridor_width / 2;
+    const auto crossing = [](std::size_t i, std::size_t j) { return Vec<2>(corridors_x[i], corridors_y[j]); };
+    const auto add = [&](const char* name, const Vec<2>& a, const Vec<2>& b) {
+        wing.free.push_back({name, a, b, office_height});
+    };
+    for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = 0; j < 3; ++j) {
+            add("crossing", crossing(i, j) - half, crossing(i, j) + half);
+            if (i < 2) add("corridor", crossing(i, j) + Vec<2>(half, -half), crossing(i + 1, j) + Vec<2>(-half, half));
+            if (j < 2) add("corridor", crossing(i, j) + Vec<2>(-half, half), crossing(i, j + 1) + Vec<2>(half, -half));
+        }
 }
 
 }  // namespace
@@ -232,6 +254,7 @@ std::size_t OfficeWing::polygons() const {
 OfficeWing office_wing(Random random, std::size_t polygons) {
     OfficeWing wing;
     for (const auto& [at, degrees] : exits()) add_exit(wing, turned(at, degrees));
+    add_corridors(wing);
     std::vector<OfficeRow> rows;
     add_outer_rows(rows);
     const Vec<2> inner(mid_w - west_in, mid_s - south_in), low(west_in, south_in), high(mid_e, mid_n);
@@ -268,7 +291,7 @@ OfficeWing outer_face(WingSide side, bool left_corner, bool right_corner) {
     OfficeWing face;
     const double thick = half_outer_wall;
     face.faces.push_back(face_of(frame, {left, 2 * thick}, {-right, 2 * thick}, {{left, exit_width}}));
-    face.doorways.push_back(doorway_of(frame, 0, exit_width, thick, 2 * thick));
+    add_doorway(face, doorway_of(frame, 0, exit_width, thick, 2 * thick));
     return face;
 }
 

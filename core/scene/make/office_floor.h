@@ -48,12 +48,20 @@ void for_pieces(const WallFace& face, Beside beside, Above above) {
     beside(from, face.b);
 }
 
+/// A rectangle of free floor, by two opposite corners.
+struct FreeFloor {
+    const char* name;
+    Vec<2> a, b;
+    double top;
+};
+
 /// Walls are solid: what bounds them are the faces toward rooms and corridors and the sides of doorways.
 struct OfficeWing {
     std::vector<WallFace> faces;
     std::vector<DoorWay> doorways;
     std::vector<FloorBox> boxes;
-    std::vector<DoorWay> doors;  ///< those from a corridor into a room
+    std::vector<DoorWay> doors;   ///< those from a corridor into a room
+    std::vector<FreeFloor> free;  ///< all that is not wall, from floor to ceiling but in doorways
 
     /// Convex polygons that its walls and boxes are in three dimensions, without floor and ceiling.
     std::size_t polygons() const;

@@ -8,6 +8,7 @@
 #include "core/base/text.h"
 #include "core/base/trig.h"
 #include "core/scene/clean.h"
+#include "core/scene/plan_rooms.h"
 
 namespace sightline {
 
@@ -182,6 +183,7 @@ Scene<2> read_wad(std::string_view bytes, const std::string& name, const WadOpti
                                  " two-sided lines, which can be seen through, are left out");
     scene.objects = sectors_of(sidedefs, right_sides);
     clean(scene, Recentre::no, name);
+    scene.rooms = plan_rooms(scene.primitives);
     scene.start_view = player_view(things);
     if (!scene.start_view) {
         scene.warnings.push_back("no start of player 1 (thing of type 1): a start view is chosen instead");
