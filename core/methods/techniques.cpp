@@ -44,11 +44,11 @@ constexpr auto all_techniques() {
                   geometry, safe, "shadow-frusta", "", "Coorg and Teller 1997; Hudson et al. 1997",
                   "section 2.3 says that they handle static occluders better and occludees may move, the table says "
                   "DYN/STA; a mesh of large polygons will do here, no objects are asked for"},
-        Technique{"bsp and pvs", "BSP+PVS", interiors, true, still, inside, soup, all, region, geometry, safe, "",
-                  "rooms are those that the scene marks; none are found in a soup", "Airey 1990; Teller 1992", ""},
+        Technique{"bsp and pvs", "BSP+PVS", interiors, true, still, inside, soup, all, region, geometry, safe, "pvs",
+                  "", "Airey 1990; Teller 1992",
+                  "method pvs takes the rooms that the scene marks; the paper's tree finds them in a soup"},
         Technique{
-            "portals", "Portals", interiors, true, still, inside, objects, all, region, geometry, safe, "",
-            "scenes mark their rooms and portals, but no method follows them yet",
+            "portals", "Portals", interiors, true, still, inside, objects, all, region, geometry, safe, "portals", "",
             "Jones 1971; Airey 1990; Teller and Sequin 1991; Luebke and Georges 1995",
             "STR stands for objects or meshes, but what portals need is a scene cut into rooms; Luebke and Georges "
             "find what is seen from a point, though the table has them under volumes"},
@@ -56,8 +56,7 @@ constexpr auto all_techniques() {
                   safe, "", "occluders of which only several together hide something are not joined over a volume here",
                   "Cohen-Or et al. 1998; Durand et al. 2000; Schaufler et al. 2000", ""},
         Technique{"static levels", "Static LODs", by_geometry, true, any_motion, anywhere, objects, near, point,
-                  geometry, coarse, "", "scenes name their objects, but no method shows a coarser level of one yet",
-                  "Clark 1976; Funkhouser and Sequin 1993",
+                  geometry, coarse, "levels", "", "Clark 1976; Funkhouser and Sequin 1993",
                   "NEAR, but section 3.1.3 gives objects coarser levels from the farthest one on; Clark 1974 is cited "
                   "and stands in no list"},
         Technique{"view-dependent meshes", "View-Dependent Progressive Meshes", by_geometry, true, any_motion, anywhere,
@@ -107,6 +106,9 @@ constexpr auto all_techniques() {
                   guess, "tri", "", "here", ""},
         Technique{"depth feedback", "Depth feedback", in_order, false, any_motion, anywhere, soup, all, point, image,
                   guess, "tri-z", "", "here; TVCG 7 wishes for it", ""},
+        Technique{"choice by viewpoint", "Choice by viewpoint", "Visibility / By viewpoint", false, still, anywhere,
+                  soup, all, region, geometry, safe, "by-viewpoint", "", "DAS 3",
+                  "does what the technique does that a table names for the eye's region and direction"},
     };
 }
 constexpr auto technique_rows = all_techniques();
@@ -138,11 +140,8 @@ Suitability suitability(const Technique& technique, const Scene<D>& scene) {
     if (technique.id == "terrain") return {Suits::no, "the scene is a soup and marks no ground"};
     if (technique.id == "parametric surfaces")
         return {Suits::no, D == 2 ? "the scene is made of segments" : "the scene is made of triangles"};
-    // Cells can be made of a soup's walls: BSP trees need no marks.
-    if (technique.place == ScenePlace::inside && technique.id != "bsp and pvs") return inside_of(scene);
+    if (technique.place == ScenePlace::inside) return inside_of(scene);
     Suitability found{Suits::yes, "it asks for nothing that the scene does not have"};
-    if (technique.place == ScenePlace::inside)
-        found = {Suits::in_part, "it finds rooms itself, where walls close them"};
     if (technique.place == ScenePlace::outside && !scene.rooms.empty())
         found = {Suits::in_part, "only outside the " + counted(scene.rooms.all.size(), "room") + " of the scene"};
     const bool of_detail = technique.category.starts_with("Detail");

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/methods/by_viewpoint/table_file.h"
 
+#include <array>
+#include <charconv>
+
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/hash.h"
 #include "core/base/json_input.h"
+#include "core/base/number.h"
 #include "core/base/text.h"
 
 namespace sightline {
@@ -30,14 +34,19 @@ Json conditions_of(const ViewpointProblem<D>& p) {
             {"parameters", asked}};
 }
 
+/// The shortest decimal that reads back to the same float: a file of many is a third as long.
+double shortest(float value) {
+    std::array<char, 32> text;
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+    return *parse_number(std::string_view(text.data(), static_cast<std::size_t>(end - text.data())));
+}
+
 /// [place, chosen, reason, interior, few, all, occluders, [primitives], [culling, drawing, drawn, …]]
 Json entry_json(std::size_t place, const Entry& entry) {
     const EntryFacts& facts = entry.facts;
     Json costs = Json::array();
     for (const OptionCost& cost : facts.costs) {
-        costs.push_back(cost.cull_ms);
-        costs.push_back(cost.draw_ms);
-        costs.push_back(cost.drawn);
+        for (const float value : {cost.cull_ms, cost.draw_ms, cost.drawn}) costs.push_back(shortest(value));
     }
     return {place,           entry.chosen,     static_cast<int>(entry.reason),
             facts.interior,  facts.few_cover,  facts.all_cover,

@@ -60,9 +60,10 @@ std::string any_text(const ParameterRow&, std::string_view text) { return std::s
 }  // namespace
 
 const ParameterRow& techniques_row() {
-    static const ParameterRow row =
-        text_row("techniques", "view; shadow-frusta; hom; boxes; levels", "methods or variants, by semicolons",
-                 "DAS table 1", "what can be chosen; the first is done where nothing else pays", check_techniques);
+    static const ParameterRow row = text_row(
+        "techniques", "view; shadow-frusta; hom; boxes; portals", "methods or variants, by semicolons", "DAS table 1",
+        "what can be chosen, as far as it suits the scene; the first is done where nothing else pays",
+        check_techniques);
     return row;
 }
 

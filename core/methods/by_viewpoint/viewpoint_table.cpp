@@ -10,6 +10,7 @@
 #include "core/methods/by_viewpoint/table_file.h"
 #include "core/methods/coorg_teller/prepared.h"
 #include "core/methods/levels/levels_parameters.h"
+#include "core/methods/techniques.h"
 
 namespace sightline {
 
@@ -35,7 +36,11 @@ ViewpointProblem<D> viewpoint_problem(std::span<const Method<D>> methods, const 
     p.parameters = parameters;
     std::vector<std::string> texts;
     for (const std::string& text : split_variants(parameters.text(techniques_row()))) {
-        p.options.push_back(make_variant<D>(methods, text, parameters));
+        Variant<D> variant = make_variant<D>(methods, text, parameters);
+        const Technique* const technique = find_technique(variant.method.id);
+        const bool suits = !technique || suitability(*technique, *problem.scene).suits != Suits::no;
+        if (!suits && !p.options.empty()) continue;  // the first is what is done where nothing else pays
+        p.options.push_back(std::move(variant));
         p.cull_times.push_back(cull_time(parameters.text(cull_times_row()), p.options.back().text));
         texts.push_back(p.options.back().text);
     }
