@@ -110,9 +110,10 @@ std::vector<VariantLook> variant_looks(std::span<const std::string> variants) {
     std::vector<std::string> texts;
     std::map<std::string, VariantText> shown;  // by text, so that the order of the list does not matter
     std::map<std::string, std::size_t> numbers;
-    // From 14 on most numbers look like one before them to some eyes; these do not.
+    // From 14 on most numbers look like one before them to some eyes; the first six of these do not, and the others are
+    // for methods that stand in no chart unless they are asked for.
     constexpr std::size_t first_alike = 14;
-    constexpr std::array<std::size_t, 6> apart{19, 21, 16, 17, 22, 14};
+    constexpr std::array<std::size_t, 10> apart{19, 21, 16, 17, 22, 14, 15, 18, 20, 23};
     for (const std::string& id : ids_of_tables()) {
         const std::size_t number = numbers.size();
         numbers.emplace(id, number < first_alike                  ? number

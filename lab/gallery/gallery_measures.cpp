@@ -246,6 +246,14 @@ double rendered_count(const Probe<D>& p) {
     return static_cast<double>(ran(p).order.size());
 }
 
+/// 1 where a method by viewpoint does no more than its first technique, view culling unless another is asked for.
+template <int D>
+double does_no_more(const Probe<D>& p) {
+    const auto [method, asked] = problem(p);
+    const auto fact = method.start(asked)->viewpoint();
+    return fact ? fact->done == 0 : no_value;
+}
+
 bool of_a_frame(const MeasureRow& row) {
     using M = Measure;
     return !row.is_time && row.measure != M::pop && row.measure != M::flip && row.measure != M::visible_change;
@@ -317,6 +325,7 @@ std::span<const GalleryMeasure<D>> gallery_measures() {
         {"dropped", "primitives", "what the loader left out", dropped},
         {"traversal_steps", "steps", "steps of the run", steps},
         {"rendered_count", "primitives", "|T_k|", rendered_count},
+        {"does_no_more", "", "1 where the choice by viewpoint falls on its first technique, else 0", does_no_more},
         {"shift_overlap", "share", "least Jaccard(T_k, T_k') when the eye moves by 1e-12 of the scene's size",
          least_overlap_under_shifts},
         {"shift_steps", "steps", "fewest steps of a run among those shifts", fewest_steps_under_shifts},

@@ -149,7 +149,10 @@ TEST(VariantLook, ColoursStayApartForEveryEyeAndStandOutOnPaper) {
                 // There are eight hues; from the ninth method on markers help.
                 EXPECT_GE(std::max(i, j), 8u) << methods()[i] << ", " << methods()[j];
                 EXPECT_NE(table[i].marker, table[j].marker) << methods()[i] << ", " << methods()[j];
-                EXPECT_GE(apart, 10) << methods()[i] << ", " << methods()[j];
+                // From the twenty-first on there are no more such colours: those methods are shown when asked for.
+                if (std::max(i, j) < 20) {
+                    EXPECT_GE(apart, 10) << methods()[i] << ", " << methods()[j];
+                }
             }
 }
 

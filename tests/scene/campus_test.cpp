@@ -34,7 +34,7 @@ Box<3> box_of(const Portal<3>& portal) {
     return box;
 }
 
-bool holds(const Box<3>& box, const Vec<3>& p, double slack) {
+bool is_around(const Box<3>& box, const Vec<3>& p, double slack) {
     for (int i = 0; i < 3; ++i)
         if (p[i] < box.min[i] - slack || p[i] > box.max[i] + slack) return false;
     return true;
@@ -42,7 +42,7 @@ bool holds(const Box<3>& box, const Vec<3>& p, double slack) {
 
 std::uint32_t room_at(const Rooms<3>& rooms, const Vec<3>& p) {
     for (std::uint32_t i = 0; i < rooms.all.size(); ++i)
-        if (holds(rooms.all[i].shape, p, 0)) return i;
+        if (is_around(rooms.all[i].shape, p, 0)) return i;
     return none;
 }
 
@@ -92,7 +92,7 @@ TEST(Campus, PortalsLieInTheBordersOfBothRooms) {
             if (room == none) continue;
             ++portals[room];
             const Box<3>& shape = made.rooms.all[room].shape;
-            EXPECT_TRUE(holds(shape, box.min, 0) && holds(shape, box.max, 0));
+            EXPECT_TRUE(is_around(shape, box.min, 0) && is_around(shape, box.max, 0));
             EXPECT_TRUE(box.min[axis] == shape.min[axis] || box.min[axis] == shape.max[axis]);
         }
     }
@@ -115,7 +115,7 @@ TEST(Campus, RoomsDoNotOverlapAndNothingStandsInTwo) {
         const Box<3> box = bounds<3>({made.triangles[k]});
         for (const Room<3>& room : rooms)
             if (meet(box, room.shape, 1e-4)) {
-                EXPECT_TRUE(holds(room.shape, box.min, 1e-4) && holds(room.shape, box.max, 1e-4))
+                EXPECT_TRUE(is_around(room.shape, box.min, 1e-4) && is_around(room.shape, box.max, 1e-4))
                     << made.objects.names[made.objects.of[k]] << " reaches out of " << room.name;
             }
     }
@@ -131,7 +131,7 @@ TEST(Campus, FromInsideARoomIsClosedButAtItsPortals) {
         std::vector<Primitive<3>> inside, border;
         for (std::size_t k = 0; k < made.triangles.size(); ++k) {
             const Primitive<3>& t = made.triangles[k];
-            if (!std::all_of(t.begin(), t.end(), [&](const Vec<3>& p) { return holds(shape, p, 0); })) continue;
+            if (!std::all_of(t.begin(), t.end(), [&](const Vec<3>& p) { return is_around(shape, p, 0); })) continue;
             inside.push_back(t);
             const std::string& name = made.objects.names[made.objects.of[k]];
             for (const char* part : {"walls", "floor", "ceiling"})
@@ -149,7 +149,7 @@ TEST(Campus, FromInsideARoomIsClosedButAtItsPortals) {
             const Vec<3> at = eye + leaves * way;
             const bool in_portal =
                 std::any_of(made.rooms.portals.begin(), made.rooms.portals.end(), [&](const Portal<3>& portal) {
-                    return (portal.rooms[0] == r || portal.rooms[1] == r) && holds(box_of(portal), at, 1e-9);
+                    return (portal.rooms[0] == r || portal.rooms[1] == r) && is_around(box_of(portal), at, 1e-9);
                 });
             const auto fronts = [&](const std::vector<Primitive<3>>& all) {
                 std::vector<Primitive<3>> front;
@@ -197,7 +197,7 @@ TEST(Campus, TheWalkLeavesARoomFollowsTheCorridorAndRisesAboveTheRoofs) {
             EXPECT_TRUE(std::any_of(made.rooms.portals.begin(), made.rooms.portals.end(), [&](const Portal<3>& portal) {
                 const int axis = axis_of(portal);
                 const double share = (portal.corners[0][axis] - walk[i - 1].eye[axis]) / step[axis];
-                return share >= 0 && share <= 1 && holds(box_of(portal), walk[i - 1].eye + share * step, 1e-9) &&
+                return share >= 0 && share <= 1 && is_around(box_of(portal), walk[i - 1].eye + share * step, 1e-9) &&
                        std::set{portal.rooms[0], portal.rooms[1]} == std::set{from, to};
             }));
         }

@@ -19,6 +19,7 @@ Method<D> viewpoint_method(std::vector<Method<D>> methods) {
     row.needs.history = true;
     row.budgeted = false;
     row.draws_levels = true;  // where `levels` is a technique
+    row.compared = false;     // it does what others do, and works out entries first
     row.promise = Misses::none_at_this_resolution;
     row.takes_back = [shared](const Parameters& parameters) {
         for (const std::string& text : split_variants(parameters.text(techniques_row()))) {

@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/base/excerpt.h"
+#include "core/base/file.h"
 #include "core/base/number.h"
 #include "core/methods/levels/levels_parameters.h"
 #include "core/run/method.h"
@@ -12,6 +13,7 @@ namespace sightline {
 namespace {
 
 constexpr CullTime guessed{300, 20};
+constexpr std::string_view times_form = "TECHNIQUE STEP/PRIMITIVE; …";
 
 std::string check_techniques(const ParameterRow&, std::string_view text) {
     std::string all;
@@ -40,22 +42,25 @@ std::vector<ListedTime> listed_times(std::string_view text) {
             met = parse_number(part.substr(slash + 1));
         }
         if (!step || !met || !(*step >= 0) || !(*met >= 0))
-            throw InputError("'" + excerpt(part) +
-                             "' is no time: write a technique and nanoseconds a step and a "
-                             "primitive, such as view 40/8");
+            throw InputError("'" + excerpt(text) + "' is no list of times: write " + std::string(times_form) +
+                             " in nanoseconds, such as view 40/8");
         all.push_back({read_variant(part.substr(0, space)).text(), {*step, *met}});
     }
     return all;
 }
 
 std::string check_times(const ParameterRow&, std::string_view text) {
+    if (split_variants(text).empty()) throw InputError("'' is no list of times: write " + std::string(times_form));
     std::string all;
     for (const ListedTime& listed : listed_times(text))
         all += (all.empty() ? "" : "; ") + cull_time_text(listed.variant, listed.time);
     return all;
 }
 
-std::string any_text(const ParameterRow&, std::string_view text) { return std::string(text); }
+std::string check_table(const ParameterRow&, std::string_view text) {
+    if (!text.empty()) check_file(text);
+    return std::string(text);
+}
 
 }  // namespace
 
@@ -132,7 +137,7 @@ const ParameterRow& valid_frames_row() {
 const ParameterRow& cull_times_row() {
     static const ParameterRow row = text_row(
         "cull_times", "view 60/8; shadow-frusta 900/20; hom 200/60; boxes 200/60; levels 200/8; portals 200/8",
-        "TECHNIQUE STEP/PRIMITIVE; …", "docs/methods.md",
+        times_form, "docs/methods.md",
         "nanoseconds that techniques take a step and a primitive that they meet; lab viewpoint fits them", check_times);
     return row;
 }
@@ -140,7 +145,7 @@ const ParameterRow& cull_times_row() {
 const ParameterRow& table_file_row() {
     static const ParameterRow row =
         text_row("table", "", "a file", "DAS 3.1",
-                 "what was worked out beforehand; what it lacks is worked out when asked", any_text);
+                 "what was worked out beforehand; what it lacks is worked out when asked", check_table);
     return row;
 }
 
