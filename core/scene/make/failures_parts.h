@@ -14,7 +14,7 @@ inline void pieces(Sketch& sketch, const Vec<2>& a, const Vec<2>& b, int count) 
 }
 
 /// Crates in rows, their sides about `share` of the spacing.
-inline void crate_rows(Sketch& sketch, Random& random, const Room& area, double spacing, double share) {
+inline void crate_rows(Sketch& sketch, Random& random, const RoomPlan& area, double spacing, double share) {
     for (double y = area.y0 + spacing / 2; y + spacing / 2 <= area.y1; y += spacing)
         for (double x = area.x0 + spacing / 2; x + spacing / 2 <= area.x1; x += spacing) {
             const double side = spacing * share * random.uniform(0.8, 1.2);

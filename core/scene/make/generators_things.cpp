@@ -171,7 +171,7 @@ std::vector<Primitive<2>> statue(std::uint64_t seed) {
     sketch.path({{0, 0}, {0, 40}, {40, 40}, {40, 0}}, false);
     sketch.wall({0, 18}, {40, 18}, std::span(&arch, 1));
     for (const double x : {22.5, 27.5}) sketch.line({x, 18}, {x, 40});
-    for (const Room& area : {Room{1, 20, 21.5, 39}, Room{28.5, 20, 39, 39}})
+    for (const RoomPlan& area : {RoomPlan{1, 20, 21.5, 39}, RoomPlan{28.5, 20, 39, 39}})
         for (double y = area.y0 + 1; y < area.y1; y += 2.2)
             for (double x = area.x0 + 1; x < area.x1; x += 2.2) {
                 const double side = random.uniform(0.8, 1.3);

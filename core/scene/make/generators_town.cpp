@@ -7,7 +7,7 @@ namespace sightline {
 namespace {
 
 /// Houses along two opposite sides of a block, their fronts on the streets, yards with trees between them.
-void houses(Sketch& sketch, Random& random, const Room& lot, const HouseStyle& style, bool yards) {
+void houses(Sketch& sketch, Random& random, const RoomPlan& lot, const HouseStyle& style, bool yards) {
     for (const bool upper : {false, true}) {
         double x = lot.x0;
         while (lot.x1 - x >= 8) {
@@ -92,14 +92,14 @@ std::vector<Primitive<2>> city_blocks(std::size_t segments, std::uint64_t seed) 
 namespace {
 
 /// A row of rooms between x0 and x1: walls between them, and one wall with doors to the corridor at y = `corridor`.
-void room_row(Sketch& sketch, Random& random, const Room& band, bool corridor_above) {
+void room_row(Sketch& sketch, Random& random, const RoomPlan& band, bool corridor_above) {
     const double corridor = corridor_above ? band.y1 : band.y0;
     std::vector<Opening> doors;
     double x = band.x0;
     while (x < band.x1) {
         double width = random.uniform(6, 12);
         if (band.x1 - x - width < 6) width = band.x1 - x;
-        const Room room{x, band.y0, x + width, band.y1};
+        const RoomPlan room{x, band.y0, x + width, band.y1};
         const double door = random.uniform(1, width - 1);
         doors.push_back({x - band.x0 + door, 1.4});
         const double into = corridor_above ? -0.9 : 0.9;

@@ -7,7 +7,7 @@ namespace sightline {
 namespace {
 
 /// Rows of crates and shelves between x0 and x1.
-void store(Sketch& sketch, Random& random, const Room& area, double spacing) {
+void store(Sketch& sketch, Random& random, const RoomPlan& area, double spacing) {
     for (double y = area.y0 + spacing / 2; y < area.y1; y += spacing)
         for (double x = area.x0 + spacing / 2; x < area.x1; x += spacing) {
             const double side = spacing * random.uniform(0.35, 0.6);

@@ -111,7 +111,7 @@ void put_shelf(Sketch& s, const Vec<2>& at, double degrees, double length) {
     }
 }
 
-void furnish_living(Sketch& s, Random& random, const Room& room) {
+void furnish_living(Sketch& s, Random& random, const RoomPlan& room) {
     const Vec<2> centre((room.x0 + room.x1) / 2, (room.y0 + room.y1) / 2);
     const double turn = 90.0 * static_cast<double>(random.below(4));
     switch (random.below(4)) {
@@ -126,7 +126,7 @@ void furnish_living(Sketch& s, Random& random, const Room& room) {
     }
 }
 
-void furnish_office(Sketch& s, Random& random, const Room& room) {
+void furnish_office(Sketch& s, Random& random, const RoomPlan& room) {
     if (random.below(4) == 0) {  // a meeting room
         const Vec<2> centre((room.x0 + room.x1) / 2, (room.y0 + room.y1) / 2);
         const double half = room.depth() / 2 - 2;
@@ -156,7 +156,7 @@ void furnish_office(Sketch& s, Random& random, const Room& room) {
         }
 }
 
-void furnish_storage(Sketch& s, const Room& room) {
+void furnish_storage(Sketch& s, const RoomPlan& room) {
     const int rows = static_cast<int>((room.depth() - 1) / 1.8);
     for (int row = 0; row < rows; ++row)
         put_shelf(s, {(room.x0 + room.x1) / 2, room.y0 + room.depth() * (row + 0.5) / rows}, 0, room.width() - 1.8);
@@ -164,7 +164,7 @@ void furnish_storage(Sketch& s, const Room& room) {
 
 }  // namespace
 
-void furnish(Sketch& sketch, Random& random, const Room& room, Furnishing furnishing) {
+void furnish(Sketch& sketch, Random& random, const RoomPlan& room, Furnishing furnishing) {
     if (room.width() < 2.9 || room.depth() < 2.9) return;
     switch (furnishing) {
         case Furnishing::living:
@@ -234,7 +234,7 @@ struct HousePlan {
         }
         sketch.wall(a, b, openings);
     }
-    void divide(const Room& room, int depth) {
+    void divide(const RoomPlan& room, int depth) {
         const bool wide = room.width() > room.depth();
         if (depth == 0 || std::max(room.width(), room.depth()) < 2 * style.smallest_room) return finish(room);
         for (int attempt = 0; attempt < 24; ++attempt) {
@@ -251,7 +251,7 @@ struct HousePlan {
             const Opening opening{door, 0.9};
             sketch.wall(a, b, std::span(&opening, 1));
             gaps.push_back({across ? Vec<2>(at, a.y + door) : Vec<2>(a.x + door, at), 0.45});
-            Room first = room, second = room;
+            RoomPlan first = room, second = room;
             (across ? first.x1 : first.y1) = at;
             (across ? second.x0 : second.y0) = at;
             divide(first, depth - 1);
@@ -260,7 +260,7 @@ struct HousePlan {
         }
         finish(room);
     }
-    void finish(const Room& room) {
+    void finish(const RoomPlan& room) {
         if (style.furniture) furnish(sketch, random, room, Furnishing::living);
     }
 };

@@ -44,7 +44,7 @@ struct Sketch {
 };
 
 /// A rectangle between walls, in the sketch's frame.
-struct Room {
+struct RoomPlan {
     double x0, y0, x1, y1;
     double width() const { return x1 - x0; }
     double depth() const { return y1 - y0; }
@@ -53,7 +53,7 @@ struct Room {
 enum class Furnishing { living, office, storage };
 
 /// Furniture that fits the room, well inside it; nothing when it is too small. Lengths are metres.
-void furnish(Sketch& sketch, Random& random, const Room& room, Furnishing furnishing);
+void furnish(Sketch& sketch, Random& random, const RoomPlan& room, Furnishing furnishing);
 
 void tree(Sketch& sketch, Random& random, const Vec<2>& centre, double radius);
 void crate(Sketch& sketch, Random& random, const Vec<2>& centre, double side);
