@@ -26,7 +26,6 @@ constexpr To bit_cast(const From& from) noexcept {
 
 #if !defined(__cpp_lib_to_chars)
 
-
 namespace sightline_missing {
 
 inline to_chars_result put(char* first, char* last, const char* text, int size) {

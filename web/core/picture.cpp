@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "web/core/picture.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <nlohmann/json.hpp>
+
+#include "core/draw/eye_strip.h"
+#include "core/draw/legend.h"
+#include "core/draw/list_text.h"
+#include "core/draw/notes.h"
+#include "core/draw/palette.h"
+#include "core/draw/picture.h"
+#include "core/draw/shown_world.h"
+#include "shell/desk/compare.h"
+#include "shell/desk/into.h"
+
+namespace sightline {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// The page reads shapes and points where they lie: web/page/core.ts has the same numbers.
+static_assert(sizeof(Vec<2>) == 16);
+static_assert(sizeof(Shape) == 24 && offsetof(Shape, kind) == 0 && offsetof(Shape, style) == 2 &&
+              offsetof(Shape, first_point) == 4 && offsetof(Shape, point_count) == 8 && offsetof(Shape, size_pt) == 16);
+
+constexpr auto kind_words = std::to_array<std::string_view>({"polygon", "polyline", "disc", "ring", "cross", "arrow"});
+constexpr auto hatch_words =
+    std::to_array<std::string_view>({"none", "diagonal", "back_diagonal", "cross", "horizontal", "dots"});
+constexpr auto dash_words = std::to_array<std::string_view>({"solid", "dashed", "dotted"});
+
+Json style_json(const Style& style) {
+    Json json{{"name", style.name}, {"width", style.width_pt}};
+    if (style.fill.a > 0) json["fill"] = colour_text(style.fill);
+    if (style.stroke.a > 0) json["stroke"] = colour_text(style.stroke);
+    if (style.hatch != Hatch::none && style.hatch_colour.a > 0) {
+        json["hatch"] = hatch_words[static_cast<std::size_t>(style.hatch)];
+        json["hatchColour"] = colour_text(style.hatch_colour);
+    }
+    if (style.dash != Dash::solid) json["dash"] = dash_words[static_cast<std::size_t>(style.dash)];
+    return json;
+}
+
+Json list_json(const DrawList& list) {
+    Json json{{"points", reinterpret_cast<std::uintptr_t>(list.points.data())},
+              {"pointCount", list.points.size()},
+              {"shapes", reinterpret_cast<std::uintptr_t>(list.shapes.data())},
+              {"shapeCount", list.shapes.size()},
+              {"styles", Json::array()}};
+    for (const Style& style : list.styles) json["styles"].push_back(style_json(style));
+    return json;
+}
+
+/// The font's size in pixels, at scale 1 of a label.
+constexpr double label_pixels = 13;
+
+/// Labels with their places in pixels, y down, as the window stands them.
+Json labels_json(const Page& page, Paper& paper, double width, double height, double unit) {
+    const double scale = width / paper.world.extent().x;
+    LabelGround ground;
+    ground.frame = {{0, 0}, {width, height}};
+    ground.pt = 4.0 / 3 * unit;
+    ground.least_room = 4 * unit;
+    ground.to_paper = [&](const Vec<2>& p) {
+        return Vec<2>((p.x - paper.world.min.x) * scale, height - (p.y - paper.world.min.y) * scale);
+    };
+    const auto size_of = [&](const Label& label) { return label_pixels * unit * label.scale; };
+    const auto radius_of = [&](const Label& label) {
+        const double em = size_of(label);
+        return label.disc ? std::max(0.75 * em, page.font.width(label.text) * em / 2 + 0.27 * em) : 0.0;
+    };
+    ground.size = [&](const Label& label, std::size_t form) -> std::optional<LabelSize> {
+        if (form > 0) return std::nullopt;
+        const double em = size_of(label), margin = label.halo.a > 0 ? 2 * unit : 1;
+        return LabelSize{page.font.width(label.text) * em, 0.48 * em + margin, margin, radius_of(label)};
+    };
+    const std::vector<Label>& labels = paper.above.labels;
+    Json json = Json::array();
+    for (const StandingLabel& standing : stand_labels(labels, ground, {}, &paper.labels)) {
+        const Label& label = labels[standing.label];
+        Json one{{"text", label.text},
+                 {"x", standing.box.centre().x},
+                 {"y", standing.box.centre().y},
+                 {"size", size_of(label)},
+                 {"colour", colour_text(label.colour)}};
+        if (label.halo.a > 0) one["halo"] = colour_text(label.halo);
+        if (label.disc) {
+            one["disc"] = colour_text(*label.disc);
+            one["radius"] = radius_of(label);
+        }
+        if (label.leader || standing.leader) {
+            const Vec<2> tip = standing.leader ? standing.tip : standing.anchor;
+            if (!standing.box.contains(tip)) {
+                const Vec<2> from = leader_start(standing.box, tip);
+                one["leader"] = {from.x, from.y, tip.x, tip.y};
+            }
+        }
+        json.push_back(std::move(one));
+    }
+    return json;
+}
+
+Json legend_json(const Session<2>& session, const Paper& paper) {
+    const std::array<const DrawList*, 2> lists{&paper.below, &paper.above};
+    Json json = Json::array();
+    for (const LegendRow& row :
+         short_legend(legend_rows(lists, session.settings(), key_title(session), current_notes(session)))) {
+        Json one{{"swatch", kind_words[static_cast<std::size_t>(row.swatch)]}, {"text", row.text}};
+        one["style"] = style_json(row.style);
+        json.push_back(std::move(one));
+    }
+    return json;
+}
+
+}  // namespace
+
+std::string picture_json(Page& page, int pane, double width, double height, double unit) {
+    if (!page.plane || !(width > 0 && height > 0)) return "{}";
+    BenchOnPage<2>& on = *page.plane;
+    const Workbench<2>& bench = on.bench;
+    const std::size_t side = pane > 0 && bench.other ? 1 : 0;
+    on.sides.update(page.revision);
+    const ShownSession<2> shown(bench);
+    const Session<2>& session = side == 0 ? *shown : bench.other->session;
+    Paper& paper = page.papers[side];
+    paper.world =
+        page.hand ? widened(page.hand->world, width / height) : widened(shown_world(bench.session), width / height);
+    auto options = on.sides.options<PictureOptions>(side);
+    options.world = paper.world;
+    options.part = PicturePart::below;
+    paper.below = make_picture(session, options);
+    options.part = PicturePart::tessellation;
+    paper.tessellation = {};
+    if (session.settings().show_tessellation == Switch::on) paper.tessellation = make_picture(session, options);
+    options.part = PicturePart::above;
+    std::optional<EyeStrip> strip;
+    if (session.settings().show_eye == Switch::on) strip = eye_strip(session);
+    options.eye = strip ? &*strip : nullptr;
+    paper.above = make_picture(session, options);
+
+    const Colours& palette = colours(session.settings().palette);
+    Json json{{"world", {paper.world.min.x, paper.world.min.y, paper.world.max.x, paper.world.max.y}},
+              {"background", colour_text(palette.background)},
+              {"ink", colour_text(palette.ink)},
+              {"accent", colour_text(palette.accent)},
+              {"lists", {list_json(paper.below), list_json(paper.tessellation), list_json(paper.above)}}};
+    json["labels"] = labels_json(page, paper, width, height, unit);
+    if (side == 0 && bench.desk.legend) json["legend"] = legend_json(session, paper);
+    if (const auto bar = colour_bar(session, options.heat_range)) {
+        json["bar"] = {{"title", bar->title}, {"low", bar->low}, {"high", bar->high}};
+        for (const Colour& stop : bar->stops) json["bar"]["stops"].push_back(colour_text(stop));
+    }
+    if (bench.other) json["head"] = side_head(session, side_titles(bench)[side]).text();
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace sightline
