@@ -11,6 +11,8 @@
 #include "core/session/lanes.h"
 #include "core/session/settings_table.h"
 #include "shell/commands/teach.h"
+#include "shell/desk/compare.h"
+#include "shell/desk/conceal.h"
 #include "shell/desk/into.h"
 #include "shell/desk/play.h"
 #include "shell/panels/panel_table.h"
@@ -78,6 +80,14 @@ Json desk_json(const Desk& desk) {
             {"fullscreen", desk.fullscreen}};
 }
 
+/// One run, or both with their names.
+template <int D>
+std::string results(const Workbench<D>& bench, const Session<D>& shown) {
+    if (!bench.other) return result_line(shown);
+    const auto titles = side_titles(bench);
+    return titles[0] + ": " + result_line(shown) + "; " + titles[1] + ": " + result_line(bench.other->session);
+}
+
 template <int D>
 Json look(Page& page, Workbench<D>& bench) {
     const Session<D>& session = bench.session;
@@ -100,7 +110,7 @@ Json look(Page& page, Workbench<D>& bench) {
               {"redo", !bench.history.future.empty()},
               {"panes", bench.other ? 2 : 1},
               {"eye", {session.display_view().eye.x, session.display_view().eye.y}}};
-    if (!session.flying()) json["result"] = result_line(*shown);
+    if (!session.flying()) json["result"] = results(bench, *shown);
     std::vector<Row> step;
     if (!session.flying() && session.position() > 0)
         step.push_back({step_line(explain_step(*shown, shown->position()), tells_truth(*shown))});

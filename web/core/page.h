@@ -15,6 +15,7 @@
 #include "shell/desk/gesture.h"
 #include "shell/desk/workbench.h"
 #include "shell/pane/side_by_side.h"
+#include "web/core/solid.h"
 
 namespace sightline {
 
@@ -34,6 +35,7 @@ struct LabelFont {
 /// The lists of one pane, which live until they are made again: the page reads them where they lie.
 struct Paper {
     DrawList below, tessellation, above;
+    Solid solid;  ///< 3D: under the lists
     LabelMemory labels;
     Box<2> world;
 };

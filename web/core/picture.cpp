@@ -11,6 +11,7 @@
 #include "core/draw/notes.h"
 #include "core/draw/palette.h"
 #include "core/draw/picture.h"
+#include "core/draw/picture_3d.h"
 #include "core/draw/shown_world.h"
 #include "shell/desk/compare.h"
 #include "shell/desk/into.h"
@@ -23,6 +24,7 @@ using Json = nlohmann::ordered_json;
 
 // The page reads shapes and points where they lie: web/page/core.ts has the same numbers.
 static_assert(sizeof(Vec<2>) == 16);
+static_assert(sizeof(SolidCorner) == 20 && offsetof(SolidCorner, colour) == 12 && offsetof(SolidCorner, lit) == 16);
 static_assert(sizeof(Shape) == 24 && offsetof(Shape, kind) == 0 && offsetof(Shape, style) == 2 &&
               offsetof(Shape, first_point) == 4 && offsetof(Shape, point_count) == 8 && offsetof(Shape, size_pt) == 16);
 
@@ -102,11 +104,9 @@ Json labels_json(const Page& page, Paper& paper, double width, double height, do
     return json;
 }
 
-Json legend_json(const Session<2>& session, const Paper& paper) {
-    const std::array<const DrawList*, 2> lists{&paper.below, &paper.above};
+Json rows_json(std::vector<LegendRow> rows) {
     Json json = Json::array();
-    for (const LegendRow& row :
-         short_legend(legend_rows(lists, session.settings(), key_title(session), current_notes(session)))) {
+    for (const LegendRow& row : short_legend(std::move(rows))) {
         Json one{{"swatch", kind_words[static_cast<std::size_t>(row.swatch)]}, {"text", row.text}};
         one["style"] = style_json(row.style);
         json.push_back(std::move(one));
@@ -114,19 +114,33 @@ Json legend_json(const Session<2>& session, const Paper& paper) {
     return json;
 }
 
-}  // namespace
+std::vector<LegendRow> legend_of(const Session<2>& session, const Paper& paper) {
+    const std::array<const DrawList*, 2> lists{&paper.below, &paper.above};
+    return legend_rows(lists, session.settings(), key_title(session), current_notes(session));
+}
 
-std::string picture_json(Page& page, int pane, double width, double height, double unit) {
-    if (!page.plane || !(width > 0 && height > 0)) return "{}";
-    BenchOnPage<2>& on = *page.plane;
-    const Workbench<2>& bench = on.bench;
-    const std::size_t side = pane > 0 && bench.other ? 1 : 0;
-    on.sides.update(page.revision);
-    const ShownSession<2> shown(bench);
-    const Session<2>& session = side == 0 ? *shown : bench.other->session;
+Json solid_json(const Solid& solid) {
+    return {{"triangles", reinterpret_cast<std::uintptr_t>(solid.triangles.data())},
+            {"triangleCorners", solid.triangles.size()},
+            {"opaque", solid.opaque},
+            {"edges", reinterpret_cast<std::uintptr_t>(solid.edges.data())},
+            {"edgeCorners", solid.edges.size()},
+            {"clip", solid.clip},
+            {"forward", solid.forward},
+            {"lamp", solid.lamp},
+            {"background", colour_text(solid.background)}};
+}
+
+/// What the lists of a pane are made of.
+struct Made {
+    Json json;
+    std::optional<std::array<double, 2>> heat_range;
+    std::vector<LegendRow> legend;
+};
+
+Made make(Page& page, BenchOnPage<2>& on, const Session<2>& session, std::size_t side, double aspect) {
     Paper& paper = page.papers[side];
-    paper.world =
-        page.hand ? widened(page.hand->world, width / height) : widened(shown_world(bench.session), width / height);
+    paper.world = widened(page.hand ? page.hand->world : shown_world(on.bench.session), aspect);
     auto options = on.sides.options<PictureOptions>(side);
     options.world = paper.world;
     options.part = PicturePart::below;
@@ -139,21 +153,58 @@ std::string picture_json(Page& page, int pane, double width, double height, doub
     if (session.settings().show_eye == Switch::on) strip = eye_strip(session);
     options.eye = strip ? &*strip : nullptr;
     paper.above = make_picture(session, options);
+    return {{}, options.heat_range, legend_of(session, paper)};
+}
 
+Made make(Page& page, BenchOnPage<3>& on, const Session<3>& session, std::size_t side, double aspect) {
+    Paper& paper = page.papers[side];
+    auto options = on.sides.options<PictureOptions3>(side);
+    options.aspect = aspect;
+    const SolidList list = make_solid(session, options);
+    paper.solid = make_flat(list);
+    paper.below = paper.tessellation = {};
+    paper.above = make_picture(session, options);
+    paper.world = paper.above.world;
+    const std::array<const DrawList*, 1> lists{&paper.above};
+    const std::array<const SolidList*, 1> solids{&list};
+    Made made{{},
+              options.heat_range,
+              legend_rows(lists, solids, session.settings(), key_title(session), current_notes(session))};
+    made.json["solid"] = solid_json(paper.solid);
+    return made;
+}
+
+template <int D>
+std::string picture_of(Page& page, BenchOnPage<D>& on, int pane, double width, double height, double unit) {
+    const Workbench<D>& bench = on.bench;
+    const std::size_t side = pane > 0 && bench.other ? 1 : 0;
+    on.sides.update(page.revision);
+    const ShownSession<D> shown(bench);
+    const Session<D>& session = side == 0 ? *shown : bench.other->session;
+    Made made = make(page, on, session, side, width / height);
+    Paper& paper = page.papers[side];
     const Colours& palette = colours(session.settings().palette);
-    Json json{{"world", {paper.world.min.x, paper.world.min.y, paper.world.max.x, paper.world.max.y}},
-              {"background", colour_text(palette.background)},
-              {"ink", colour_text(palette.ink)},
-              {"accent", colour_text(palette.accent)},
-              {"lists", {list_json(paper.below), list_json(paper.tessellation), list_json(paper.above)}}};
+    Json json = std::move(made.json);
+    json["world"] = {paper.world.min.x, paper.world.min.y, paper.world.max.x, paper.world.max.y};
+    json["background"] = colour_text(palette.background);
+    json["ink"] = colour_text(palette.ink);
+    json["accent"] = colour_text(palette.accent);
+    json["lists"] = {list_json(paper.below), list_json(paper.tessellation), list_json(paper.above)};
     json["labels"] = labels_json(page, paper, width, height, unit);
-    if (side == 0 && bench.desk.legend) json["legend"] = legend_json(session, paper);
-    if (const auto bar = colour_bar(session, options.heat_range)) {
+    if (side == 0 && bench.desk.legend) json["legend"] = rows_json(std::move(made.legend));
+    if (const auto bar = colour_bar(session, made.heat_range)) {
         json["bar"] = {{"title", bar->title}, {"low", bar->low}, {"high", bar->high}};
         for (const Colour& stop : bar->stops) json["bar"]["stops"].push_back(colour_text(stop));
     }
     if (bench.other) json["head"] = side_head(session, side_titles(bench)[side]).text();
     return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace
+
+std::string picture_json(Page& page, int pane, double width, double height, double unit) {
+    if (!(width > 0 && height > 0)) return "{}";
+    return with_bench(page, [&](auto& on) { return picture_of(page, on, pane, width, height, unit); });
 }
 
 }  // namespace sightline

@@ -40,7 +40,10 @@ export type List = { points: number; pointCount: number; shapes: number; shapeCo
 export type PlacedLabel = { text: string; x: number; y: number; size: number; colour: string; halo?: string;
                             disc?: string; radius?: number; leader?: [number, number, number, number] };
 export type LegendRow = { swatch: string; text: string; style: Style };
+export type Solid = { triangles: number; triangleCorners: number; opaque: number; edges: number; edgeCorners: number;
+                      clip: number[]; forward: number[]; lamp: number[]; background: string };
 export type Picture = {
+  solid?: Solid;
   world?: [number, number, number, number]; background: string; ink: string; accent: string; lists: List[];
   labels: PlacedLabel[]; legend?: LegendRow[]; head?: string;
   bar?: { title: string; low: string; high: string; stops: string[] };
@@ -72,6 +75,8 @@ export class Core {
   }
 
   get files() { return this.module.FS; }
+  /// Good until the next call.
+  get memory() { return this.module.HEAPU8.buffer; }
 
   private read<T>(at: number): T {
     const answer = JSON.parse(this.module.UTF8ToString(at)) as T & { error?: string };

@@ -53,9 +53,7 @@ function formula(row: Row, actions: RowActions): Node[] {
 }
 
 export function rowElement(row: Row, actions: RowActions): HTMLElement {
-  const line = make(row.tone === "heading" ? "h3" : "div", { class: `row ${row.tone}`, title: row.tip });
-  line.style.margin = "";
-  if (row.tone === "heading") line.style.fontSize = "1.02em";
+  const line = make(row.tone === "heading" ? "h2" : "div", { class: `row ${row.tone}`, title: row.tip });
   if (row.indent) line.style.paddingLeft = `${row.indent * 14}px`;
   const inside = row.parts ? formula(row, actions) : [document.createTextNode(row.text)];
   if (row.command && !row.parts)

@@ -240,6 +240,7 @@ class App {
   private addPane() {
     const pane = new Pane(this.core, this.panes.length, {
       changed: () => this.refreshSoon(),
+      run: command => this.run(command),
       hover: cell => { for (const one of this.panes) one.outline(cell); },
     });
     this.panes.push(pane);

@@ -208,8 +208,8 @@ export function paintLabels(labels: PlacedLabel[], unit: number, to: CanvasRende
   }
 }
 
-/// The whole picture as a document of its own.
-export function asSvg(core: Core, picture: Picture, view: View, title: string): string {
+/// The whole picture as a document of its own; `under`: an image that lies below it.
+export function asSvg(core: Core, picture: Picture, view: View, title: string, under?: string): string {
   const sheet = new SvgSheet();
   for (const list of picture.lists) paintList(core, list, view, sheet);
   for (const label of picture.labels) {
@@ -228,5 +228,6 @@ export function asSvg(core: Core, picture: Picture, view: View, title: string): 
   return `<svg xmlns="http://www.w3.org/2000/svg" width="${view.width}" height="${view.height}" ` +
          `viewBox="0 0 ${view.width} ${view.height}" font-family="${escaped(labelFont)}" text-anchor="middle" ` +
          `dominant-baseline="central"><title>${escaped(title)}</title>\n` +
-         `<rect width="100%" height="100%" fill="${picture.background}"/>\n${sheet.body}</svg>\n`;
+         `<rect width="100%" height="100%" fill="${picture.background}"/>\n` +
+         (under ? `<image width="100%" height="100%" href="${under}"/>\n` : "") + `${sheet.body}</svg>\n`;
 }

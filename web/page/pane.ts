@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { Core, Light, Picture } from "./core";
 import { make } from "./dom";
+import { SolidCanvas } from "./solid";
 import { asSvg, escaped, paintLabels, paintOnCanvas, toPixels, toScene, type View } from "./paint";
 
 export type PaneActions = {
   changed(): void;         // the picture is to be made again
+  run(command: string): void;
   hover(cell: number | null): void;
 };
 
@@ -27,6 +29,7 @@ export class Pane {
   private lastTap = 0;
   private outlined: [number, number][] = [];
   private lights: Light[] = [];
+  private solid: SolidCanvas | null = null;
 
   constructor(private readonly core: Core, private readonly side: number, private readonly actions: PaneActions) {
     this.element.append(this.ground, this.over, this.head, this.legend, this.tip);
@@ -39,8 +42,9 @@ export class Pane {
     canvas.addEventListener("wheel", event => {
       if (event.ctrlKey) return;
       event.preventDefault();
-      const [x, y] = this.scene(event);
-      this.core.magnify(x, y, Math.pow(1.2, -Math.sign(event.deltaY) * Math.min(1, Math.abs(event.deltaY) / 60)));
+      const [x, y] = this.scene(event), factor = Math.pow(1.2, -Math.sign(event.deltaY) * Math.min(1, Math.abs(event.deltaY) / 60));
+      if (this.picture?.solid) return this.actions.run(`zoom ${factor.toFixed(4)}`);
+      this.core.magnify(x, y, factor);
       this.actions.changed();
     }, { passive: false });
   }
@@ -82,18 +86,25 @@ export class Pane {
       const [a, b] = [...this.fingers.values()], apart = Math.hypot(a[0] - b[0], a[1] - b[1]);
       const middle: [number, number] = [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2];
       const [x, y] = toScene(this.view, middle[0] * this.ratio, middle[1] * this.ratio);
-      this.core.magnify(x, y, apart / Math.max(this.pinch.apart, 1));
+      const factor = apart / Math.max(this.pinch.apart, 1);
       this.pinch = { apart, at: middle };
+      if (this.picture?.solid) return this.actions.run(`zoom ${factor.toFixed(4)}`);
+      this.core.magnify(x, y, factor);
       this.actions.changed();
       return;
     }
     if (!this.drag) {
-      if (event.pointerType === "mouse" && this.picture?.world) this.look(event);
+      if (event.pointerType === "mouse" && this.picture?.world && !this.picture.solid) this.look(event);
       return;
     }
     const at = this.pixels(event);
     if (!this.drag.moved && Math.hypot(at[0] - this.drag.at[0], at[1] - this.drag.at[1]) < 4) return;
     this.drag.moved = true;
+    if (this.picture?.solid) {
+      const [dx, dy] = [at[0] - this.drag.at[0], at[1] - this.drag.at[1]];
+      this.drag.at = at;
+      return this.actions.run(`orbit ${(-dx / 3).toFixed(2)},${(dy / 3).toFixed(2)}`);
+    }
     const [x, y] = this.scene(event, this.drag.eye ? this.drag.view : this.view);
     this.core.drag(x, y);
     this.actions.changed();
@@ -109,7 +120,7 @@ export class Pane {
     const { moved } = this.drag;
     const [x, y] = this.scene(event), reach = this.reach(event);
     this.stop(cancelled);
-    if (!moved && !cancelled) {
+    if (!moved && !cancelled && !this.picture?.solid) {
       const twice = event.timeStamp - this.lastTap < 350;
       this.lastTap = event.timeStamp;
       twice ? this.core.tapTwice(x, y) : this.core.tap(x, y, reach / 1.5);
@@ -162,8 +173,14 @@ export class Pane {
     }
     this.view = { world: picture.world, width, height, unit: this.ratio };
     to.setLineDash([]);
-    to.fillStyle = picture.background;
-    to.fillRect(0, 0, width, height);
+    if (picture.solid) {
+      if (!this.solid) this.element.prepend((this.solid = new SolidCanvas()).element);
+      this.solid.draw(picture.solid, this.core.memory, width, height);
+      to.clearRect(0, 0, width, height);
+    } else {
+      to.fillStyle = picture.background;
+      to.fillRect(0, 0, width, height);
+    }
     for (const list of picture.lists) paintOnCanvas(this.core, list, this.view, to);
     paintLabels(picture.labels, this.ratio, to);
     this.head.hidden = !picture.head;
@@ -221,9 +238,14 @@ export class Pane {
   }
 
   svg(title: string): string {
-    return asSvg(this.core, this.core.picture(this.side, this.view.width, this.view.height, this.view.unit), this.view, title);
+    const under = this.picture?.solid && this.solid ? this.solid.element.toDataURL("image/png") : undefined;
+    const picture = this.core.picture(this.side, this.view.width, this.view.height, this.view.unit);
+    return asSvg(this.core, picture, this.view, title, under);
   }
   png(): Promise<Blob> {
-    return new Promise((done, fail) => this.ground.toBlob(blob => blob ? done(blob) : fail(new Error("no picture"))));
+    const all = make("canvas", { width: this.ground.width, height: this.ground.height }), to = all.getContext("2d")!;
+    if (this.picture?.solid && this.solid) to.drawImage(this.solid.element, 0, 0);
+    to.drawImage(this.ground, 0, 0);
+    return new Promise((done, fail) => all.toBlob(blob => blob ? done(blob) : fail(new Error("no picture"))));
   }
 }
