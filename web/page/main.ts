@@ -258,7 +258,7 @@ class App {
     this.drawPending = true;
     requestAnimationFrame(() => {
       this.drawPending = false;
-      for (const pane of this.panes) pane.draw(this.look.desk.legend && pane === this.panes[0]);
+      for (const pane of this.panes) pane.draw(this.look.desk.legend && this.panes.length === 1);
       if (!this.drawn) { this.drawn = true; performance.mark("first picture"); document.body.dataset.ready = "yes"; }
     });
   }
