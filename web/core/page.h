@@ -35,7 +35,8 @@ struct LabelFont {
 /// The lists of one pane, which live until they are made again: the page reads them where they lie.
 struct Paper {
     DrawList below, tessellation, above;
-    Solid solid;  ///< 3D: under the lists
+    std::string still;  ///< what the tessellation was drawn of, in words: the same ones, the same list
+    Solid solid;        ///< 3D: under the lists
     LabelMemory labels;
     Box<2> world;
 };

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <nlohmann/json.hpp>
 
+#include "core/base/number.h"
 #include "core/draw/eye_strip.h"
 #include "core/draw/legend.h"
 #include "core/draw/list_text.h"
@@ -138,6 +139,15 @@ struct Made {
     std::vector<LegendRow> legend;
 };
 
+/// All that the borders of the cells depend on: no step changes them.
+std::string still_words(const Session<2>& session, const Box<2>& world) {
+    std::string words = std::to_string(reinterpret_cast<std::uintptr_t>(session.shared_cells().get()));
+    for (const double number : {world.min.x, world.min.y, world.max.x, world.max.y}) words += " " + number_text(number);
+    words += " " + std::to_string(session.cells().cell_count());
+    words += " " + std::to_string(static_cast<int>(session.settings().palette));
+    return words + (session.settings().show_tessellation == Switch::on ? " on" : " off");
+}
+
 Made make(Page& page, BenchOnPage<2>& on, const Session<2>& session, std::size_t side, double aspect) {
     Paper& paper = page.papers[side];
     paper.world = widened(page.hand ? page.hand->world : shown_world(on.bench.session), aspect);
@@ -146,8 +156,11 @@ Made make(Page& page, BenchOnPage<2>& on, const Session<2>& session, std::size_t
     options.part = PicturePart::below;
     paper.below = make_picture(session, options);
     options.part = PicturePart::tessellation;
-    paper.tessellation = {};
-    if (session.settings().show_tessellation == Switch::on) paper.tessellation = make_picture(session, options);
+    const std::string still = still_words(session, paper.world);
+    if (still != paper.still)
+        paper.tessellation =
+            session.settings().show_tessellation == Switch::on ? make_picture(session, options) : DrawList{};
+    paper.still = still;
     options.part = PicturePart::above;
     std::optional<EyeStrip> strip;
     if (session.settings().show_eye == Switch::on) strip = eye_strip(session);
@@ -163,6 +176,7 @@ Made make(Page& page, BenchOnPage<3>& on, const Session<3>& session, std::size_t
     const SolidList list = make_solid(session, options);
     paper.solid = make_flat(list);
     paper.below = paper.tessellation = {};
+    paper.still.clear();
     paper.above = make_picture(session, options);
     paper.world = paper.above.world;
     const std::array<const DrawList*, 1> lists{&paper.above};
@@ -190,6 +204,7 @@ std::string picture_of(Page& page, BenchOnPage<D>& on, int pane, double width, d
     json["ink"] = colour_text(palette.ink);
     json["accent"] = colour_text(palette.accent);
     json["lists"] = {list_json(paper.below), list_json(paper.tessellation), list_json(paper.above)};
+    if (!paper.still.empty()) json["still"] = paper.still;
     json["labels"] = labels_json(page, paper, width, height, unit);
     if (side == 0 && bench.desk.legend) json["legend"] = rows_json(std::move(made.legend));
     if (const auto bar = colour_bar(session, made.heat_range)) {

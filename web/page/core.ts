@@ -44,6 +44,7 @@ export type Solid = { triangles: number; triangleCorners: number; opaque: number
                       clip: number[]; forward: number[]; lamp: number[]; background: string };
 export type Picture = {
   solid?: Solid;
+  still?: string;  // what the second list was drawn of: the same words, the same list
   world?: [number, number, number, number]; background: string; ink: string; accent: string; lists: List[];
   labels: PlacedLabel[]; legend?: LegendRow[]; head?: string;
   bar?: { title: string; low: string; high: string; stops: string[] };

@@ -30,6 +30,8 @@ export class Pane {
   private outlined: [number, number][] = [];
   private lights: Light[] = [];
   private solid: SolidCanvas | null = null;
+  private readonly still = document.createElement("canvas");
+  private stillOf = "";
 
   constructor(private readonly core: Core, private readonly side: number, private readonly actions: PaneActions) {
     this.element.append(this.ground, this.over, this.head, this.legend, this.tip);
@@ -181,12 +183,25 @@ export class Pane {
       to.fillStyle = picture.background;
       to.fillRect(0, 0, width, height);
     }
-    for (const list of picture.lists) paintOnCanvas(this.core, list, this.view, to);
+    for (const [layer, list] of picture.lists.entries())
+      layer === 1 && picture.still ? this.paintStill(picture, to) : paintOnCanvas(this.core, list, this.view, to);
     paintLabels(picture.labels, this.ratio, to);
     this.head.hidden = !picture.head;
     this.head.textContent = picture.head ?? "";
     this.drawLegend(withLegend ? picture : null);
     this.drawOver();
+  }
+
+  /// The borders of the cells, which no step changes, are painted once.
+  private paintStill(picture: Picture, to: CanvasRenderingContext2D) {
+    const { width, height } = this.view, of = `${picture.still} ${width} ${height}`;
+    if (of !== this.stillOf) {
+      this.stillOf = of;
+      this.still.width = width;
+      this.still.height = height;
+      paintOnCanvas(this.core, picture.lists[1], this.view, this.still.getContext("2d")!);
+    }
+    to.drawImage(this.still, 0, 0);
   }
 
   private drawLegend(picture: Picture | null) {

@@ -8,7 +8,9 @@ import { test } from "node:test";
 import { built, goldenHashes, loadPage, root } from "./load.mjs";
 
 const soak = Number(process.env.SIGHTLINE_SOAK ?? 1);
-const program = (name, ...words) => spawnSync(process.execPath, [join(built, name), ...words], { encoding: "utf8" });
+/// Emscripten 3.1.6 knows no node that has `fetch`.
+const program = (name, ...words) =>
+  spawnSync(process.execPath, ["--no-experimental-fetch", join(built, name), ...words], { encoding: "utf8" });
 
 test("every scene, tessellation, method and setting of the list of hashes has the bits that it has natively", () => {
   const { stdout, stderr, status } = program("web_golden_hashes.js", join(root, "tests/files/golden_hashes.txt"));
@@ -29,10 +31,11 @@ test("the page tests its predicates when it starts", () => {
 });
 
 test("runs on the page end in the states of the list of hashes", () => {
-  let seen = 0;
+  let seen = 0, met = 0;
   for (const [key, { state, steps }] of goldenHashes()) {
     const [dimension, scene, cells, method, ...more] = key.split(" ");
     if (dimension !== "2d" || cells === "boxes" || more.length > 0 || ["jungle", "fog"].includes(scene)) continue;
+    if (met++ % 5 && soak === 1) continue;
     page.json("open", scene);
     page.json("do", `set tessellation=${cells}; method ${method}; budget unlimited; run`);
     const look = page.json("look");
@@ -40,7 +43,7 @@ test("runs on the page end in the states of the list of hashes", () => {
     assert.deepEqual({ state: page.text("hash"), steps: look.position }, { state, steps }, key);
     ++seen;
   }
-  assert.ok(seen > 100, `only ${seen} runs`);
+  assert.ok(seen > 20, `only ${seen} runs`);
 });
 
 test("steps go forward and back, and words are those of the core", () => {
