@@ -114,29 +114,42 @@ void open_on_page(Page& page, const std::string& name) {
 
 namespace {
 
-/// "viewer3d city:50k": the scene; nothing for any other command.
-std::optional<std::string> opens_on_page(const Page& page, const std::string& commands) {
+struct Opening {
+    std::string name;
+    int dimension = 0;  ///< 0: what the name says
+};
+
+/// "viewer3d city:50k", "open streets"; nothing for any other command.
+std::optional<Opening> opens_on_page(const Page& page, const std::string& commands) {
     const auto [word, rest] = split_word(commands);
-    const bool other = word == (page.plane ? "viewer3d" : "viewer2d");
-    if (!other && word != "open") return std::nullopt;
-    if (other && rest.empty()) return page.plane ? "city:50k" : "bottleneck";
-    if (rest.find(';') != std::string::npos) return std::nullopt;
+    const int dimension = word == "viewer3d" ? 3 : word == "viewer2d" ? 2 : 0;
+    if ((dimension == 0 && word != "open") || rest.find(';') != std::string::npos) return std::nullopt;
     std::string name = rest;
     if (name.size() > 1 && name.front() == '"' && name.back() == '"') name = name.substr(1, name.size() - 2);
-    return name.empty() ? std::nullopt : std::optional(name);
+    if (name.empty() && dimension == 0) return std::nullopt;
+    if (name.empty()) name = dimension == 3 ? "city:50k" : "bottleneck";
+    // Some scenes are there in both dimensions.
+    const bool both = find_in_catalogue<2>(name) && find_in_catalogue<3>(name);
+    return Opening{name, dimension == 0 && both ? (page.plane ? 2 : 3) : dimension};
+}
+
+void open_as(Page& page, const Opening& opening) {
+    if (opening.dimension == 3)
+        put(page, bench_of<3>(page, opening.name));
+    else if (opening.dimension == 2)
+        put(page, bench_of<2>(page, opening.name));
+    else
+        open_on_page(page, opening.name);
 }
 
 /// A lesson of the other dimension opens there.
-bool other_lesson(Page& page, const std::string& commands) {
+void turn_to_lesson(Page& page, const std::string& commands) {
     const auto [word, rest] = split_word(commands);
-    if (word != "lesson" || rest.empty()) return false;
+    if (word != "lesson" || rest.empty()) return;
     const auto [id, part] = split_word(rest);
     for (const Lesson& lesson : read_lessons(lessons_of_the_project()))
-        if (lesson.id == id && lesson.dimension != (page.plane ? 2 : 3)) {
-            open_on_page(page, lesson.dimension == 3 ? "blocks" : "bottleneck");
-            return true;
-        }
-    return false;
+        if (lesson.id == id && lesson.dimension != (page.plane ? 2 : 3))
+            return open_as(page, {lesson.dimension == 3 ? "blocks" : "bottleneck", lesson.dimension});
 }
 
 }  // namespace
@@ -144,8 +157,8 @@ bool other_lesson(Page& page, const std::string& commands) {
 void run_on_page(Page& page, const std::string& commands) {
     ++page.revision;
     try {
-        if (const auto name = opens_on_page(page, commands)) return open_on_page(page, *name);
-        other_lesson(page, commands);
+        if (const auto opening = opens_on_page(page, commands)) return open_as(page, *opening);
+        turn_to_lesson(page, commands);
         with_bench(page, [&](auto& on) { run_commands(on.bench, commands); });
     } catch (const std::bad_alloc&) {
         page.said.push_back({"this needs more memory than a page gets", true});

@@ -44,7 +44,8 @@ function chooser(title: string, hint: string, rows: { group: string; label: stri
 export function chooseScene(scenes: SceneChoice[], run: Run, group?: string) {
   chooser(group ?? "Scenes", "a part of the name",
           scenes.filter(scene => !group || scene.group === group).map(scene => ({
-            group: scene.group, label: scene.title, text: scene.text, take: () => run(scene.command),
+            group: scene.group, label: scene.title, text: scene.text,
+            take: () => run(scene.command.replace(/^open /, `viewer${scene.dimension}d `)),
           })));
 }
 

@@ -269,7 +269,6 @@ class App {
       const seconds = this.playedAt ? (now - this.playedAt) / 1000 : 0;
       this.playedAt = now;
       if (this.core.tick(Math.min(seconds, 0.25))) this.refresh();
-      if (this.look.state === "playing") this.look = { ...this.look, state: this.core.look().state };
       if (this.look.state === "playing") requestAnimationFrame(frame);
       else { this.playedAt = 0; this.refresh(); }
     };
