@@ -5,33 +5,19 @@
 #include <cmath>
 #include <string>
 
+#include "core/draw/segment_near.h"
 #include "core/draw/shown_boxes.h"
 
 namespace sightline {
 
 namespace {
 
-double distance_to_segment(const Vec<2>& p, const Primitive<2>& s) {
-    const Vec<2> d = s[1] - s[0];
-    const double t = std::clamp(glm::dot(p - s[0], d) / glm::dot(d, d), 0.0, 1.0);
-    return glm::length(p - (s[0] + d * t));
-}
-
 float distance(const ImVec2& a, const ImVec2& b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
 }  // namespace
 
 std::uint32_t segment_near(const Session<2>& session, const Camera& camera, const ImVec2& mouse, float unit) {
-    const Vec<2> at = camera.to_scene(mouse);
-    double reach = primitive_reach * unit / camera.scale();
-    std::uint32_t found = none;
-    const auto& segments = session.scene().primitives;
-    for (std::uint32_t i = 0; i < segments.size(); ++i)
-        if (const double d = distance_to_segment(at, segments[i]); d <= reach) {
-            reach = d;
-            found = i;
-        }
-    return found;
+    return segment_near(session.scene().primitives, camera.to_scene(mouse), primitive_reach * unit / camera.scale());
 }
 
 Pick pick(const Session<2>& session, const Camera& camera, std::span<const HandlePoint> handles, const ImVec2& mouse,

@@ -10,7 +10,7 @@
 
 namespace sightline {
 
-void run_parts(int count, int threads, const std::function<void(int)>& part) {
+void run_parts(int count, [[maybe_unused]] int threads, const std::function<void(int)>& part) {
 #if SIGHTLINE_THREADS
     if (threads != 1 && count > 1) {
         // Isolated: a thread that waits for the last part must not begin another task, which may want what this one

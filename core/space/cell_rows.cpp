@@ -11,8 +11,10 @@ LargeVector<CellRow> cell_rows(const CellComplex<3>& cells) {
     LargeVector<CellRow> rows(cells.has_boxes() ? 0 : cells.cell_count());
     for (std::uint32_t cell = 0; cell < rows.size(); ++cell) {
         CellRow& row = rows[cell];
-        std::ranges::copy(cells.corners_of(cell), row.corners.begin());
-        std::ranges::copy(cells.facets_of(cell), row.facets.begin());
+        const auto corners = cells.corners_of(cell);
+        std::copy(corners.begin(), corners.end(), row.corners.begin());
+        const auto facets = cells.facets_of(cell);
+        std::copy(facets.begin(), facets.end(), row.facets.begin());
         for (std::size_t i = 0; i < 4; ++i) {
             row.apex[i] = none;
             const std::uint32_t behind = row.facets[i].neighbour;

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#if defined(__SSE__)
 #include <xmmintrin.h>
+#endif
 
 #include <algorithm>
 #include <array>
@@ -72,6 +74,7 @@ public:
             return no >> i & 1 ? Showing::no : yes >> i & 1 ? Showing::yes : Showing::unsure;
         }
     };
+#if defined(__SSE__)
     Four of_four(const CellTriangle* t) const {
         __m128 x = _mm_loadu_ps(&t[0].centroid[0]), y = _mm_loadu_ps(&t[1].centroid[0]),
                z = _mm_loadu_ps(&t[2].centroid[0]), radius = _mm_loadu_ps(&t[3].centroid[0]);
@@ -100,6 +103,27 @@ public:
         const int in = _mm_movemask_ps(_mm_cmpgt_ps(least, distance));
         return {away | out, seen & in};
     }
+#else
+    /// The same sums, one triangle after the other.
+    Four of_four(const CellTriangle* t) const {
+        Four four;
+        for (int i = 0; i < 4; ++i) {
+            const auto& [x, y, z] = t[i].centroid;
+            const auto& [a, b, c] = t[i].area;
+            const float side = a * (eye_[0] - x) + b * (eye_[1] - y) + c * (eye_[2] - z);
+            const float unsure = (std::abs(a) + std::abs(b) + std::abs(c)) * unsure_distance_ + tiny;
+            float least = std::numeric_limits<float>::infinity();
+            for (std::size_t k = 0; k < 4; ++k) {
+                const float inside = x_[k] * x + y_[k] * y + z_[k] * z - offset_[k];
+                least = least < inside ? least : inside;
+            }
+            const bool away = side < -unsure && !t[i].two_sided(), out = least < -(t[i].radius + unsure_distance_);
+            four.no |= (away || out) << i;
+            four.yes |= ((side > unsure || t[i].two_sided()) && least > unsure_distance_) << i;
+        }
+        return four;
+    }
+#endif
 
 private:
     static constexpr float tiny = 1e-30f;  ///< more than products lose when they underflow

@@ -30,6 +30,10 @@ template <int D>
 std::span<const Command<D>> trade_off_commands();
 template <int D>
 std::span<const Command<D>> edit_commands();
+template <>
+std::span<const Command<2>> edit_commands<2>();
+template <>
+std::span<const Command<3>> edit_commands<3>();
 template <int D>
 std::span<const Command<D>> mark_commands();
 template <int D>

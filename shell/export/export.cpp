@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shell/export/export.h"
 
-#include <iostream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "core/base/error.h"
-#include "core/base/file.h"
 #include "core/base/number.h"
 #include "core/base/output_file.h"
 #include "core/base/stopwatch.h"
 #include "core/draw/compose.h"
 #include "core/session/condition.h"
-#include "core/session/state_file.h"
-#include "core/space/cells_file.h"
 #include "shell/desk/compare.h"
 #include "shell/figure/lay_out.h"
 
@@ -156,33 +152,10 @@ void write_shot(Workbench<D>& bench, const std::string& file) {
     bench.say(said);
 }
 
-template <int D>
-std::string bench_state(const Workbench<D>& bench) {
-    if (!bench.other) return state_json<D>(bench.session, bench.figure);
-    return state_json<D>(bench.session, bench.figure, &bench.other->session, bench.other->align);
-}
-
-template <int D>
-void write_cells(Workbench<D>& bench, const std::string& file) {
-    const Session<D>& session = bench.session;
-    write_cells(session.cells(), session.scene(), session.settings(), file);
-    bench.say("wrote " + file + ", " + std::to_string(session.cells().cell_count()) + " cells");
-}
-
-void write_text(const std::string& file, const std::string& text) {
-    if (file == "-") {
-        std::cout << text;
-    } else {
-        write_file(file, text);
-    }
-}
-
 #define SIGHTLINE_INSTANTIATE(D)                                         \
     template void set_figure_size<D>(Workbench<D>&, const std::string&); \
-    template void write_cells<D>(Workbench<D>&, const std::string&);     \
     template Figure shot_figure<D>(const Workbench<D>&);                 \
-    template void write_shot<D>(Workbench<D>&, const std::string&);      \
-    template std::string bench_state<D>(const Workbench<D>&);
+    template void write_shot<D>(Workbench<D>&, const std::string&);
 SIGHTLINE_INSTANTIATE(2)
 SIGHTLINE_INSTANTIATE(3)
 #undef SIGHTLINE_INSTANTIATE

@@ -42,7 +42,7 @@ const ParameterRow& along_row() {
 template <typename T, typename Read>
 std::shared_ptr<const T> kept(const MadeOnce& cache, const std::string& file, Read read) {
     std::error_code error;
-    const auto time = std::filesystem::last_write_time(file, error).time_since_epoch().count();
+    const auto time = static_cast<long long>(std::filesystem::last_write_time(file, error).time_since_epoch().count());
     const auto size = std::filesystem::file_size(file, error);
     const std::string key = typeid(T).name() + std::to_string(time) + " " + std::to_string(size) + " " + file;
     return cache.of<T>(key, [&] { return read(read_file(file), file); });

@@ -84,4 +84,9 @@ std::string kind_behind(const std::string& path) {
     return "";
 }
 
+std::string with_kind(const std::string& reason, const std::string& path) {
+    const std::string kind = kind_behind(path);
+    return kind.empty() ? reason : reason + " (it begins like " + kind + ")";
+}
+
 }  // namespace sightline

@@ -17,4 +17,8 @@ std::string kind_behind(const std::string& path);
 /// "a gzip archive": what the first bytes of a file begin like; nothing where that is not known.
 std::string kind_of(std::string_view bytes);
 
+/// The reason why a file cannot be read, and what it holds, where that is another format than its ending says: people
+/// look for the mistake there.
+std::string with_kind(const std::string& reason, const std::string& path);
+
 }  // namespace sightline

@@ -43,8 +43,12 @@ struct ImportedFile {
 ImportedFile import_mesh(const std::string& path, const std::string& name, const std::string& place, Scene<3>& scene,
                          const std::function<void(double share)>& progress);
 
-/// Whether files with this ending (".obj"; see ending_of()) hold triangles that Assimp reads: not ".csm", which is
+/// Whether files with this ending (".obj"; see ending_of()) hold triangles that this reads: not ".csm", which is
 /// movement. Endings of formats that are mostly something else (".xml", ".raw") count as well.
 bool is_mesh_ending(const std::string& ending);
+
+/// Floats are apart by 2^-24 of their size: where that shows, in the scene from triangle `first` on, people should
+/// know.
+void warn_of_steps(Scene<3>& scene, std::size_t first, const std::string& place);
 
 }  // namespace sightline
