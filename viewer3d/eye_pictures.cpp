@@ -6,6 +6,7 @@
 #include "core/base/number.h"
 #include "core/draw/depth_picture.h"
 #include "core/draw/insets.h"
+#include "core/draw/palette.h"
 #include "core/draw/shown_cells.h"
 #include "core/draw/wrong_picture.h"
 #include "core/session/settings_table.h"
@@ -15,8 +16,10 @@ namespace sightline {
 
 namespace {
 
-/// Of the image at this step, in pixels.
-constexpr int image_side = 480;
+/// Of the image at this step and of the plan, in pixels.
+constexpr int image_side = 480, plan_side = 640;
+/// Of the plan, for widths of lines.
+constexpr double plan_pixels_a_point = 2;
 
 /// Over what is of an earlier frame.
 constexpr ImU32 veil = IM_COL32(255, 255, 255, 150);
@@ -63,9 +66,26 @@ void EyePictures::draw(GlTarget& target, const SolidList& list) {
     target.resolve();
 }
 
+void EyePictures::draw_plan(const Session<3>& session) {
+    plan_ = viewpoint_plan(session);
+    if (!plan_) return;
+    const double aspect = plan_->aspect();
+    const auto pixels = [](double share) { return std::max(1, static_cast<int>(plan_side * std::min(1.0, share))); };
+    make(plan_image_, {pixels(aspect), pixels(1 / aspect)});
+    plan_image_->bind();
+    const Colour& paper = colours(session.settings().palette).background;
+    glDisable(GL_SCISSOR_TEST);
+    glClearColor(paper.r / 255.0f, paper.g / 255.0f, paper.b / 255.0f, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+    plan_renderer_.set(plan_->list);
+    plan_renderer_.draw({plan_->list.world, 0, 0, plan_image_->width(), plan_image_->height(), plan_pixels_a_point, 1});
+    plan_image_->resolve();
+}
+
 void EyePictures::update(const Session<3>& session, std::uint64_t revision) {
     if (revision == revision_) return;
     revision_ = revision;
+    draw_plan(session);
     const Settings& settings = session.settings();
     const ImageSize size = image_size<3>(settings.reference_size);
     if (shows_image(settings)) {
@@ -93,26 +113,34 @@ void EyePictures::update(const Session<3>& session, std::uint64_t revision) {
 
 std::vector<EyePictures::Shown> EyePictures::inset_pictures(const Session<3>& session) const {
     const Settings& s = session.settings();
+    const ImageSize size = image_size<3>(s.reference_size);
     std::vector<Shown> pictures;
     if (shows_image(s) && image_) pictures.push_back({image_->texture(), true, title_of_image, false});
     if (s.inset == Inset::exact && exact_) pictures.push_back({exact_->texture(), true, title_of_exact, true});
     if (s.inset == Inset::missed || s.inset == Inset::both)
         pictures.push_back({missed_.name(), false, title_of_missed, true});
     if (shows_depth(s)) pictures.push_back({depth_.name(), false, depth_title_, false});
+    for (Shown& shown : pictures) shown.aspect = static_cast<double>(size.width) / size.height;
+    if (plan_ && plan_image_)
+        pictures.push_back({plan_image_->texture(), true, plan_->title, false, plan_->aspect(), false});
     return pictures;
 }
 
 std::vector<Area> EyePictures::insets(const Ui& ui, const Area& area, const Session<3>& session) const {
-    const std::size_t count = inset_pictures(session).size();
-    if (count == 0) return {};
-    const ImageSize size = image_size<3>(session.settings().reference_size);
-    const float margin = 10 * ui.unit, aspect = static_cast<float>(size.width) / static_cast<float>(size.height);
+    const std::vector<Shown> pictures = inset_pictures(session);
+    const float margin = 10 * ui.unit;
+    float stacked = 0;  // heights of all, one wide
+    for (const Shown& shown : pictures) stacked += static_cast<float>(1 / shown.aspect);
     // All of them fit below each other.
-    const float room = (area.h - margin * static_cast<float>(count + 1)) / static_cast<float>(count);
-    const float w = std::max(1.0f, std::min({area.w * 0.28f, 320 * ui.unit, room * aspect})), h = w / aspect;
+    const float room = area.h - margin * static_cast<float>(pictures.size() + 1);
+    const float w = std::max(1.0f, std::min({area.w * 0.28f, 320 * ui.unit, room / stacked}));
     std::vector<Area> areas;
-    for (std::size_t i = 0; i < count; ++i)
-        areas.push_back({area.x + area.w - margin - w, area.y + margin + static_cast<float>(i) * (h + margin), w, h});
+    float y = area.y + margin;
+    for (const Shown& shown : pictures) {
+        const float h = w / static_cast<float>(shown.aspect);
+        areas.push_back({area.x + area.w - margin - w, y, w, h});
+        y += h + margin;
+    }
     return areas;
 }
 
@@ -151,7 +179,9 @@ std::optional<std::array<int, 2>> EyePictures::pixel_at(const Ui& ui, const ImVe
                                                         const Session<3>& session) const {
     if (session.flying() || stale_) return std::nullopt;
     const ImageSize size = image_size<3>(session.settings().reference_size);
+    const std::vector<Shown> pictures = inset_pictures(session);
     std::vector<Area> places = insets(ui, area, session);
+    while (!places.empty() && !pictures[places.size() - 1].of_eye) places.pop_back();  // the plan is the last one
     if (split) places.push_back(place_in(*split, size));
     for (const Area& place : places) {
         if (!place.contains(at)) continue;

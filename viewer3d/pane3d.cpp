@@ -7,6 +7,7 @@
 #include "core/draw/palette.h"
 #include "core/draw/projection.h"
 #include "core/draw/shown_cells.h"
+#include "core/draw/shown_planes.h"
 #include "shell/pane/side_by_side.h"
 
 namespace sightline {
@@ -36,7 +37,7 @@ void Pane3d::make_solid_list(const Session<3>& session, const PictureOptions3& o
     key.facet = options.facet;
     key.heat = options.heat_range;
     // A slice across the view turns with it, and occluders are marked where their fronts are seen.
-    const bool turns = key.settings.slice == SliceAcross::view || (key.outside && session.traversal().tests_planes());
+    const bool turns = key.settings.slice == SliceAcross::view || (key.outside && marks_occluders(session));
     if (turns) key.made_from = session.display_view();
     if (key_ != key) {
         solid_ = make_solid(session, options);
@@ -47,7 +48,7 @@ void Pane3d::make_solid_list(const Session<3>& session, const PictureOptions3& o
 }
 
 bool Pane3d::update(const Ui& ui, const Session<3>& session, const PictureOptions3& options, const PaneFrame& frame,
-                    const Area& area, bool moving, std::span<const Area> insets) {
+                    const Area& area, bool moving, const PaneInsets& insets) {
     const PaneSize size = pane_size(ui, area, frame.projector);
     area_ = area;
     if (frame.revision == revision_ && size == size_ && !texts_.legend_turned(ui)) return false;
@@ -60,7 +61,7 @@ bool Pane3d::update(const Ui& ui, const Session<3>& session, const PictureOption
     texts_.begin(area, size);
     if (frame.with_legend) add_legend(ui, session, options, insets);
     texts_.place(
-        ui, over_.labels, [this](const Vec<2>& p) { return to_window(p); }, insets);
+        ui, over_.labels, [this](const Vec<2>& p) { return to_window(p); }, insets.areas);
     fade_.next(picture_, {frame.run, session.position(), size, frame.animate && !session.flying()}, ImGui::GetTime());
     render(moving);
     draw_ms_ = drawing.milliseconds();
@@ -68,12 +69,13 @@ bool Pane3d::update(const Ui& ui, const Session<3>& session, const PictureOption
 }
 
 void Pane3d::add_legend(const Ui& ui, const Session<3>& session, const PictureOptions3& options,
-                        std::span<const Area> insets) {
-    const std::array<const DrawList*, 1> lists{&over_};
+                        const PaneInsets& insets) {
+    std::vector<const DrawList*> lists{&over_};
+    if (insets.plan) lists.push_back(insets.plan);
     const std::array<const SolidList*, 1> solids{&solid_};
     const auto rows = legend_rows(lists, solids, session.settings(), key_title(session), current_notes(session));
     std::vector<ImVec2> busy;
-    for (const Area& inset : insets) busy.push_back({inset.x + inset.w / 2, inset.y + inset.h / 2});
+    for (const Area& inset : insets.areas) busy.push_back({inset.x + inset.w / 2, inset.y + inset.h / 2});
     const auto add = [&](const Vec<3>& point) {
         if (const auto at = project(solid_.camera, point)) busy.push_back(to_window(*at));
     };

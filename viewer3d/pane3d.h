@@ -12,12 +12,18 @@
 
 namespace sightline {
 
+/// The small pictures over a pane: where they stand, and the one that is a list, which the legend explains too.
+struct PaneInsets {
+    std::vector<Area> areas;
+    const DrawList* plan = nullptr;  ///< nullptr: none is
+};
+
 class Pane3d {
 public:
     /// Brings everything up to date. `moving`: fast rather than smooth. Draws off screen; leaves the default
     /// framebuffer bound. Labels and legend keep off the insets. False: there was nothing to draw again.
     bool update(const Ui& ui, const Session<3>& session, const PictureOptions3& options, const PaneFrame& frame,
-                const Area& area, bool moving, std::span<const Area> insets);
+                const Area& area, bool moving, const PaneInsets& insets);
 
     /// Lays the picture onto the default framebuffer.
     void draw() const;
@@ -50,8 +56,7 @@ private:
     };
 
     void make_solid_list(const Session<3>& session, const PictureOptions3& options, std::uint64_t run);
-    void add_legend(const Ui& ui, const Session<3>& session, const PictureOptions3& options,
-                    std::span<const Area> insets);
+    void add_legend(const Ui& ui, const Session<3>& session, const PictureOptions3& options, const PaneInsets& insets);
     void render(bool moving);
 
     Area area_;

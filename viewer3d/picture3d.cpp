@@ -149,8 +149,8 @@ void Picture3d::update(const Ui& ui) {
         const PaneFrame frame{ui.revision, bench_.run, bench_.desk.projector, i == 0 && bench_.desk.legend,
                               bench_.desk.animate};
         const bool moving = mouse_.dragging() || bench_.flight.on || bench_.flight.replaying;
-        const bool drawn =
-            panes_[i].update(ui, session, options, frame, picture, moving, eyes_[i].insets(ui, picture, session));
+        const bool drawn = panes_[i].update(ui, session, options, frame, picture, moving,
+                                            {eyes_[i].insets(ui, picture, session), eyes_[i].plan()});
         // A new frame of a flight: what it was drawn for says what the next one will leave for its traversal.
         if (drawn && session.flying() && bench_.run != drawn_run_)
             note_frame(drawn_frames_[i], session.counters().drawn(), drawing.milliseconds());

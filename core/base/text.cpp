@@ -100,7 +100,9 @@ std::size_t letters_apart(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::string counted(std::size_t n, std::string_view what) {
-    return std::to_string(n) + " " + std::string(what) + (n == 1 ? "" : what.ends_with('x') || what.ends_with("sh") ? "es" : "s");
+    const std::string number = std::to_string(n) + " ";
+    if (n != 1 && what.ends_with("ry")) return number + std::string(what.substr(0, what.size() - 1)) + "ies";
+    return number + std::string(what) + (n == 1 ? "" : what.ends_with('x') || what.ends_with("sh") ? "es" : "s");
 }
 
 std::string some_of(std::string_view what, std::span<const std::uint32_t> ids, std::size_t most) {

@@ -26,7 +26,7 @@ std::size_t character_length(std::string_view text, std::size_t at);
 /// Valid UTF-8: broken bytes become U+FFFD, tabs a space, other control characters but line feeds vanish.
 std::string clean_text(std::string_view text);
 
-/// "1 facet", "3 facets", "3 boxes".
+/// "1 facet", "3 facets", "3 boxes", "3 entries".
 std::string counted(std::size_t n, std::string_view what);
 
 /// "segment 7", "segments 7, 9 and 3 more": so many of the ids, at least one of which there is.

@@ -104,6 +104,8 @@ void note_use(std::span<const PanelSource<D>> sources, std::span<Figure::Panel> 
     for (std::size_t i = 0; i < sources.size(); ++i) {
         add_used(panels[i].list, common.used);
         if (panels[i].solid) add_used(*panels[i].solid, common.used);
+        for (const Figure::Inset& inset : panels[i].insets)
+            if (inset.list) add_used(*inset.list, common.used);
         for (const Note<D>& note : current_notes(sources[i].session)) {
             const auto at = place_of(panels[i], anchor_point(sources[i].session, note));
             if (at && panels[i].list.world.contains(*at))

@@ -25,6 +25,7 @@ inline constexpr Colour transparent{0, 0, 0, 0};
 
 /// A pattern over a fill, so that areas stay apart in greyscale.
 enum class Hatch : std::uint8_t { none, diagonal, back_diagonal, cross, horizontal, dots };
+inline constexpr std::size_t hatch_count = 6;
 enum class Dash : std::uint8_t { solid, dashed, dotted };
 
 /// How a shape looks. Widths are in points of the final size. A fill or stroke with a = 0 is not drawn.
@@ -118,12 +119,13 @@ enum class LegendPlace : std::uint8_t {
 /// A whole figure: one panel or several with one legend and one scale.
 struct Figure {
     /// A small picture in the upper right corner of a panel, over all else; several stand below each other. One of
-    /// `solid` and `pixels` is what it shows.
+    /// `solid`, `pixels` and `list` is what it shows; the list's world has the aspect, and its labels are left out.
     struct Inset {
         std::string title;
         double aspect = 1;  ///< width / height, > 0
         std::shared_ptr<const SolidList> solid{};
         std::shared_ptr<const Pixels> pixels{};
+        std::shared_ptr<const DrawList> list{};
     };
     struct Panel {
         DrawList list;

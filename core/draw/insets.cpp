@@ -5,6 +5,7 @@
 #include "core/draw/palette.h"
 #include "core/draw/pixels.h"
 #include "core/draw/solid_palette.h"
+#include "core/draw/viewpoint_plan.h"
 #include "core/draw/wrong_picture.h"
 #include "core/run/drawn_levels.h"
 
@@ -69,6 +70,11 @@ std::vector<Figure::Inset> make_insets(const Session<3>& session) {
         DepthPicture depth = depth_picture(session, set.inset == Inset::pyramid);
         insets.push_back(
             {depth_title(set, depth.text), aspect, nullptr, std::make_shared<const Pixels>(std::move(depth.pixels))});
+    }
+    if (auto plan = viewpoint_plan(session)) {
+        const double own = plan->aspect();
+        insets.push_back(
+            {std::move(plan->title), own, nullptr, nullptr, std::make_shared<const DrawList>(std::move(plan->list))});
     }
     return insets;
 }

@@ -25,7 +25,7 @@ bool shows_depth(const Settings& settings);
 std::string depth_title(const Settings& settings, const std::string& text);
 
 /// Those that the setting `inset` asks for, from above, of the aspect of the reference, which is asked for where they
-/// need it (TVCG fig. 14).
+/// need it (TVCG fig. 14); then the plan of a method that chooses by viewpoint.
 std::vector<Figure::Inset> make_insets(const Session<3>& session);
 
 }  // namespace sightline

@@ -8,6 +8,7 @@
 #include "core/draw/cell_number.h"
 #include "core/draw/palette.h"
 #include "core/draw/solid_palette.h"
+#include "core/draw/viewpoint_map.h"
 
 namespace sightline {
 
@@ -199,7 +200,8 @@ void add_used(const DrawList& list, UsedStyles& used) {
         }
         const Style& style = list.styles[shape.style];
         const auto has_its_name = [&](const auto& other) { return other.name == style.name; };
-        if ((std::any_of(star_entries.begin(), star_entries.end(), has_its_name) || box_entry(style.name)) &&
+        if ((std::any_of(star_entries.begin(), star_entries.end(), has_its_name) || box_entry(style.name) ||
+             region_row(style)) &&
             std::none_of(used.others.begin(), used.others.end(), has_its_name) && is_shown(list, shape))
             used.others.push_back(style);
     }
@@ -236,7 +238,7 @@ void add_used(const SolidList& list, UsedStyles& in) {
 
 namespace {
 
-/// What tells boxes, occluders and planes apart, in the order of their table.
+/// What tells techniques by region, boxes, occluders and planes apart; the latter in the order of their table.
 std::vector<LegendRow> box_rows(const UsedStyles& used, const Colours& palette) {
     std::vector<std::pair<std::size_t, LegendRow>> placed;
     const Colour rim = palette.looks[style_index(Look::tessellation)].stroke;
@@ -248,6 +250,14 @@ std::vector<LegendRow> box_rows(const UsedStyles& used, const Colours& palette) 
             placed.push_back({row_of(*entry), {entry->swatch, style, entry->text}});
     std::stable_sort(placed.begin(), placed.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     std::vector<LegendRow> rows;
+    for (const Style& style : used.others)
+        if (const auto row = region_row(style)) rows.push_back(*row);
+    // Techniques as the method lists them, which is as their hatches follow each other.
+    const auto place = [](const LegendRow& row) {
+        return row.style.hatch_colour.a > 0 ? static_cast<int>(row.style.hatch) : static_cast<int>(hatch_count);
+    };
+    std::stable_sort(rows.begin(), rows.end(),
+                     [&](const LegendRow& a, const LegendRow& b) { return place(a) < place(b); });
     for (auto& [place, row] : placed) rows.push_back(std::move(row));
     return rows;
 }

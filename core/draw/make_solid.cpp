@@ -214,7 +214,7 @@ SolidList make_solid(const Session<3>& session, const PictureOptions3& options) 
     const bool outside = seen_from_outside(session);
     const bool by_planes = session.traversal().tests_planes();
     const std::size_t first = list.styles.size();
-    if (by_planes) {
+    if (by_planes || (outside && marks_occluders(session))) {
         const auto& looks = solid_box_looks(set.palette);
         list.styles.insert(list.styles.end(), looks.begin(), looks.end());
     }

@@ -17,6 +17,7 @@
 #include "core/draw/round_fields.h"
 #include "core/draw/shown_boxes.h"
 #include "core/draw/shown_world.h"
+#include "core/draw/viewpoint_map.h"
 #include "core/methods/cells/facet_geometry.h"
 #include "core/run/drawn_levels.h"
 #include "core/session/explain.h"
@@ -26,6 +27,8 @@ namespace sightline {
 namespace {
 
 constexpr int heat_steps = 32;
+/// The radius of the rose of directions, of the picture's shorter side.
+constexpr double rose_share = 0.1;
 
 std::uint16_t index(Look look) { return static_cast<std::uint16_t>(look); }
 
@@ -39,11 +42,14 @@ public:
         list_.world = widened(options.world ? *options.world : figure_world(session), options.aspect);
         list_.styles = colours_.looks;
         if (session.traversal().tests_planes()) planes_.emplace(session, list_);
-        const bool by_state = set_.heat == CellNumber::none && set_.show_states == Switch::on;
+        viewpoint_ = shown_viewpoint(session);
+        if (viewpoint_) regions_.emplace(*viewpoint_, session.scene(), set_.palette, list_);
+        const bool by_state = set_.heat == CellNumber::none && set_.show_states == Switch::on && !regions_;
         const auto wants = [&](PicturePart part) { return options.part == PicturePart::all || options.part == part; };
         if (wants(PicturePart::below)) {
             if (set_.heat != CellNumber::none && options.heat_range) heat_map(*options.heat_range);
             if (by_state) states();
+            if (regions_ && set_.heat == CellNumber::none) regions_->regions();
             if (set_.show_states == Switch::on && walks_rooms(session)) paint_windows(session, list_);
             if (set_.show_states == Switch::on) only_there(options.differences);
         }
@@ -53,10 +59,13 @@ public:
         if (!wants(PicturePart::above)) return;
         if (by_state) projected_borders();
         if (set_.show_states == Switch::on) only_here(options.differences);
+        if (regions_) candidates();
         if (planes_ && set_.show_states == Switch::on) planes_->occluders();
         if (set_.show_states == Switch::on && walks_rooms(session)) paint_portals(session, list_);
         if (set_.show_primitives == Switch::on) primitives();
+        if (regions_) regions_->outline();
         if (set_.show_view == Switch::on) view();
+        if (regions_) regions_->rose(session.culling_view().eye, rose_share * shorter_side());
         if (set_.show_normals == Switch::on) normals();
         if (set_.show_penalties == Switch::on) penalties();
         if (planes_ && set_.show_planes == Switch::on) planes_->planes();
@@ -88,6 +97,15 @@ private:
                                  : shown.state == CellState::hidden ? Look::hidden
                                  : shown.state == CellState::unseen ? Look::unseen
                                                                     : Look::projected);
+    }
+
+    double shorter_side() const { return std::min(list_.world.extent().x, list_.world.extent().y); }
+
+    void candidates() {
+        for (const std::uint32_t primitive : viewpoint_->occluders) {
+            const Primitive<2>& s = session_.scene().primitives[primitive];
+            regions_->candidate(s[0], s[1]);
+        }
     }
 
     void states() {
@@ -329,6 +347,8 @@ private:
     std::optional<std::uint32_t> concealed_;
     DrawList list_;
     std::optional<PlanePainter> planes_;  ///< of a method that decides by planes
+    std::optional<ViewpointFact<2>> viewpoint_;
+    std::optional<RegionPainter<2>> regions_;  ///< of a method that chooses by viewpoint
 };
 
 }  // namespace

@@ -16,6 +16,7 @@
 #include "core/draw/shown_cells.h"
 #include "core/draw/shown_planes.h"
 #include "core/draw/solid_cells.h"
+#include "core/draw/viewpoint_map.h"
 #include "core/methods/cells/facet_geometry.h"
 #include "core/methods/cells/star_shape.h"
 #include "core/session/explain.h"
@@ -47,6 +48,7 @@ public:
         if (set_.show_normals == Switch::on) normals();
         if (set_.show_penalties == Switch::on) penalties();
         if (session.traversal().tests_planes()) planes();
+        if (seen_from_outside(session)) region();
         highlights();
         if (options.facet) crossed_facet(*options.facet);
         if (set_.show_chain == Switch::on && session.selected_cell != none) chain();
@@ -224,6 +226,15 @@ private:
             for (const auto& closed : region->outlines) outline(closed, index(BoxLook::region));
             outline(region->box, index(BoxLook::region_box));
         }
+    }
+
+    /// Of the culling eye, where the method chooses by it.
+    void region() {
+        const auto fact = shown_viewpoint(session_);
+        if (!fact) return;
+        const Style look = region_here_style(set_.palette);
+        list_.styles.push_back(look);
+        outline(fact->map[fact->region_here].box, static_cast<std::uint16_t>(list_.styles.size() - 1));
     }
 
     void highlights() {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/draw/shown_boxes.h"
+#include "core/draw/viewpoint_map.h"
 #include "core/session/explain_box.h"
 #include "core/space/box_tree.h"
 
@@ -61,6 +62,18 @@ bool is_of_occluder(const Session<D>& session, std::uint32_t primitive, bool act
             std::find(occluder.primitives.begin(), occluder.primitives.end(), primitive) != occluder.primitives.end())
             return true;
     return false;
+}
+
+std::vector<OccluderFact> marked_occluders(const Session<3>& session) {
+    std::vector<OccluderFact> all =
+        session.traversal().tests_planes() ? session.traversal().occluders() : std::vector<OccluderFact>{};
+    if (const auto viewpoint = shown_viewpoint(session))
+        for (const std::uint32_t primitive : viewpoint->occluders) all.push_back({{primitive}});
+    return all;
+}
+
+bool marks_occluders(const Session<3>& session) {
+    return session.traversal().tests_planes() || !marked_occluders(session).empty();
 }
 
 template <int D>

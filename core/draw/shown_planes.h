@@ -22,6 +22,12 @@ std::optional<Box<D>> explained_box(const Session<D>& session);
 template <int D>
 bool is_of_occluder(const Session<D>& session, std::uint32_t primitive, bool actual);
 
+/// What a 3D picture marks as occluders: those of a method that decides by planes, and the candidates of one that
+/// chooses by viewpoint, where its picture shows them.
+std::vector<OccluderFact> marked_occluders(const Session<3>& session);
+/// Whether there may be some.
+bool marks_occluders(const Session<3>& session);
+
 /// The selected primitive, where it is of an actual occluder; none: of the occluders the one that hides most.
 template <int D>
 std::uint32_t occluder_at_hand(const Session<D>& session);

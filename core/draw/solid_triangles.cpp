@@ -6,6 +6,7 @@
 
 #include "core/draw/box_palette.h"
 #include "core/draw/shown_cells.h"
+#include "core/draw/shown_planes.h"
 #include "core/draw/solid_palette.h"
 #include "core/run/drawn_levels.h"
 
@@ -54,9 +55,11 @@ void add_triangles(const Session<3>& session, bool tell_visible, SolidList& list
     constexpr auto looks = static_cast<std::size_t>(SolidLook::count);
     std::array<std::vector<std::uint32_t>, looks + static_cast<std::size_t>(SolidBoxLook::count)> by_look;
     std::vector<std::uint8_t> is_occluder;
-    if (session.traversal().tests_planes() && seen_from_outside(session)) {
+    const std::vector<OccluderFact> occluders =
+        seen_from_outside(session) ? marked_occluders(session) : std::vector<OccluderFact>{};
+    if (!occluders.empty()) {
         is_occluder.resize(session.scene().primitives.size());
-        for (const OccluderFact& occluder : session.traversal().occluders())
+        for (const OccluderFact& occluder : occluders)
             for (const std::uint32_t triangle : occluder.primitives) {
                 if (std::exchange(is_occluder[triangle], 1)) continue;
                 // From behind it hides nothing, and would hide the picture: a ceiling seen from above.

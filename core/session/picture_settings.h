@@ -73,6 +73,7 @@ struct PictureSettings {
     Switch show_depth = Switch::off;
     Switch show_eye = Switch::off;
     Switch show_planes = Switch::on;
+    Switch show_regions = Switch::on;
     CellNumber label = CellNumber::none;
     LabelWhere label_where = LabelWhere::front;
     CellNumber heat = CellNumber::none;

@@ -235,6 +235,10 @@ std::vector<SettingRow> own_rows() {
         choice<&S::show_planes>("show_planes", Invalidates::picture, "CT fig. 4a",
                                 "draw the planes between the selected or last box and its occluder, where planes "
                                 "decide what is hidden"),
+        choice<&S::show_regions>(
+            "show_regions", Invalidates::picture, "DAS fig. 2",
+            "where a method chooses by viewpoint: the regions of eyes by technique, in place of the "
+            "cells' states, and the directions round the eye; 3D: as a plan in a corner"),
         cell_number<&S::label>("label", "the number written on cells; also any field of the method, such as round"),
         choice<&S::label_where>("label_where", Invalidates::picture, "docs/figures.md",
                                 "which cells carry numbers: the front and the last cell, all touched, or the selected"),

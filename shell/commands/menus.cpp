@@ -62,10 +62,13 @@ MenuRow row_with_menu(std::string_view title) {
     if (title == "Method") row.kind = RowKind::methods;
     if (title == "Panels") row.kind = RowKind::panels;
     if (title == "Export data") row.inside = menu_rows<D>({"cells ?", "trace ?", "stats ?", "panels ?"});
+    if (title == "By viewpoint")
+        row.inside = menu_rows<D>(
+            {"method by-viewpoint", "show viewpoint", "-", "viewpoint next", "work-out region", "work-out all"});
     if (title == "Picture")
         row.inside = menu_rows<D>({"cycle heat", "cycle label", "cycle show_normals", "cycle show_penalties",
-                                   "cycle show_chain", "cycle show_planes", "cycle palette", "3D: cycle triangles",
-                                   "3D: cycle only", "3D: cycle slice"});
+                                   "cycle show_chain", "cycle show_planes", "cycle show_regions", "cycle palette",
+                                   "3D: cycle triangles", "3D: cycle only", "3D: cycle slice"});
     return row;
 }
 
@@ -102,10 +105,30 @@ std::vector<Menu> make_menus() {
                                "animate",
                                "projector",
                                "fullscreen"})},
-        {"Run", menu_rows<D>({"step",     "back",     "into",       "out",          "-", "seek start", "run",
-                              "toggle",   "play 20s", "speed half", "speed double", "-", "until ?",    "reach selected",
-                              "continue", "break ?",  "-",          "missed 1",     "-", "<Method>",   "cycle penalty",
-                              "budget ?", "complete"})},
+        {"Run", menu_rows<D>({"step",
+                              "back",
+                              "into",
+                              "out",
+                              "-",
+                              "seek start",
+                              "run",
+                              "toggle",
+                              "play 20s",
+                              "speed half",
+                              "speed double",
+                              "-",
+                              "until ?",
+                              "reach selected",
+                              "continue",
+                              "break ?",
+                              "-",
+                              "missed 1",
+                              "-",
+                              "<Method>",
+                              "cycle penalty",
+                              "budget ?",
+                              "complete",
+                              "<By viewpoint>"})},
         {"Compare",
          menu_rows<D>({"compare penalty", "compare distance", "compare perfect order", "compare view only", "compare ?",
                        "-", "difference", "swap", "align step", "align drawn", "compare off", "-", "show trade-off"})},

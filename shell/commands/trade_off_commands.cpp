@@ -1,4 +1,4 @@
-// Commands of the trade-off of speed and accuracy.
+// Commands that measure: the trade-off of speed and accuracy, and what a choice by viewpoint works out beforehand.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <limits>
 
@@ -9,6 +9,7 @@
 #include "shell/desk/auto_choice.h"
 #include "shell/desk/change.h"
 #include "shell/desk/measure_trade_off.h"
+#include "shell/desk/work_out.h"
 
 namespace sightline {
 
@@ -61,6 +62,23 @@ void choose_for_me(Workbench<D>& bench, Text text) {
     choose_auto(bench, text == "again");
 }
 
+template <int D>
+void work_out(Workbench<D>& bench, Text text) {
+    constexpr auto words = std::to_array<std::string_view>({"region", "all", "stop"});
+    const std::size_t word = word_argument(text, words);
+    word == 2 ? stop_work_out(bench) : begin_work_out(bench, word == 1);
+}
+
+template <int D>
+void viewpoint(Workbench<D>& bench, Text text) {
+    constexpr auto words = std::to_array<std::string_view>({"next"});
+    word_argument(text, words);
+    go_to_next_entry(bench);
+}
+
+constexpr std::array worked_out{NamedArgument{"Work out region", "region"}, NamedArgument{"Work out all", "all"}};
+constexpr std::array viewpoints{NamedArgument{"Work out next", "next"}};
+
 }  // namespace
 
 template <int D>
@@ -75,6 +93,13 @@ std::span<const Command<D>> trade_off_commands() {
                    "set the method, cells and budget that the trade-off recommends here; measured once and remembered, "
                    "or again",
                    "", choose_for_me<D>, "measuring methods, up to 20 seconds"},
+        Command<D>{"work-out", "Work out region", "region | all | stop",
+                   "work out beforehand which technique is chosen: for all directions of the eye's region, or for all "
+                   "regions; stop",
+                   "", work_out<D>, "", worked_out},
+        Command<D>{"viewpoint", "Work out next", "next",
+                   "work out the next region and directions of which the choice is not known, and move the eye there",
+                   "", viewpoint<D>, "", viewpoints},
     };
     return table;
 }

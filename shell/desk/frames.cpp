@@ -37,19 +37,20 @@ FrameCount count_frames(const Workbench<D>& bench) {
 }
 
 template <int D>
-std::vector<std::optional<std::uint32_t>> frame_changes(const Workbench<D>& bench, std::size_t most) {
+std::vector<FrameChange> frame_changes(const Workbench<D>& bench, std::size_t most) {
     std::vector<ViewSpec<D>> frames = all_frames(bench);
     if (frames.size() > most) frames.erase(frames.begin(), frames.end() - static_cast<std::ptrdiff_t>(most));
     Session<D> walk = bench.session;
     walk.unfreeze();
     walk.set_lane({});
-    std::vector<std::optional<std::uint32_t>> changes;
+    std::vector<FrameChange> changes;
     std::shared_ptr<const FrameHistory> before;
     for (const ViewSpec<D>& view : frames) {
         walk.fly(view);
         const auto after = walk.traversal().next_history();
         const bool known = before && after && !after->boxes.empty();
-        changes.push_back(known ? std::optional(changed_boxes(*before, *after)) : std::nullopt);
+        changes.push_back({known ? std::optional(changed_boxes(*before, *after)) : std::nullopt,
+                           after ? after->technique : std::string()});
         before = after;
     }
     return changes;
@@ -92,11 +93,11 @@ void forget_frames(Workbench<D>& bench) {
     traversal_changed(bench);
 }
 
-#define SIGHTLINE_INSTANTIATE(D)                                                                           \
-    template FrameCount count_frames<D>(const Workbench<D>&);                                              \
-    template std::vector<std::optional<std::uint32_t>> frame_changes<D>(const Workbench<D>&, std::size_t); \
-    template void step_into_frame<D>(Workbench<D>&, std::size_t);                                          \
-    template void keep_frame<D>(Workbench<D>&);                                                            \
+#define SIGHTLINE_INSTANTIATE(D)                                                          \
+    template FrameCount count_frames<D>(const Workbench<D>&);                             \
+    template std::vector<FrameChange> frame_changes<D>(const Workbench<D>&, std::size_t); \
+    template void step_into_frame<D>(Workbench<D>&, std::size_t);                         \
+    template void keep_frame<D>(Workbench<D>&);                                           \
     template void forget_frames<D>(Workbench<D>&);
 SIGHTLINE_INSTANTIATE(2)
 SIGHTLINE_INSTANTIATE(3)

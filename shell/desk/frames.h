@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "shell/desk/workbench.h"
@@ -19,10 +20,16 @@ struct FrameCount {
 template <int D>
 FrameCount count_frames(const Workbench<D>& bench);
 
-/// Of each of the last `most` frames that count_frames counts, how many boxes its run found in another state than in
-/// the frame before; nothing for one without a frame before it here. Runs them all.
+/// What a frame's run did otherwise than that of the frame before.
+struct FrameChange {
+    std::optional<std::uint32_t> boxes;  ///< found in another state; nothing: there is no frame before it here
+    std::string technique{};             ///< that a method by viewpoint did; empty for other methods
+    bool operator==(const FrameChange&) const = default;
+};
+
+/// Of each of the last `most` frames that count_frames counts. Runs them all.
 template <int D>
-std::vector<std::optional<std::uint32_t>> frame_changes(const Workbench<D>& bench, std::size_t most);
+std::vector<FrameChange> frame_changes(const Workbench<D>& bench, std::size_t most);
 
 /// Runs the frame again with a recording, after those before it; those after it stay to be gone to. Throws InputError
 /// for one that is not there.

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -61,6 +62,17 @@ struct Completing {
 };
 
 template <int D>
+class ViewpointTable;  // core/methods/by_viewpoint/viewpoint_table.h
+
+/// Entries of a table by viewpoint that are being worked out (work_out.h): places from `first` to before `end`.
+template <int D>
+struct WorkOut {
+    std::shared_ptr<const ViewpointTable<D>> table;
+    std::size_t first = 0, end = 0;
+    std::size_t known_before = 0;  ///< of these
+};
+
+template <int D>
 struct Workbench {
     Session<D> session;           ///< where it stands, and what is noted, marked and selected in it
     FigureSpec figure{};          ///< how figures are written
@@ -93,6 +105,8 @@ struct Workbench {
     std::optional<std::array<int, 2>> pixel{};  ///< 3D: column and row of the exact image, whose history is told
     std::optional<Teaching> teaching{};         ///< the lesson that is being given
     std::vector<Lesson> lessons{};              ///< those that the desk lists
+    std::optional<WorkOut<D>> work_out{};
+    bool attended = false;  ///< a window goes on with long work between its frames
 
     /// Counts the traversals: what was derived from the recording is made again when this has changed.
     std::uint64_t run = 0;

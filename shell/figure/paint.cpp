@@ -148,8 +148,38 @@ Path rectangle(const Rect& r) {
     return path;
 }
 
+/// The shapes of a list, with a place on the page for each of its points, cut to a frame.
+template <typename ToPage>
+void paint_shapes(Canvas& canvas, const DrawList& list, double lines, const Rect& frame, double pitch,
+                  ToPage&& on_page) {
+    std::vector<Style> styles = list.styles;
+    for (Style& style : styles) style.width_pt *= lines;
+    for (const Shape& s : list.shapes) {
+        if (s.style >= styles.size() || std::size_t{s.first_point} + s.point_count > list.points.size()) continue;
+        std::vector<Vec<2>> points;
+        points.reserve(s.point_count);
+        for (std::uint32_t i = 0; i < s.point_count; ++i) points.push_back(on_page(list.points[s.first_point + i]));
+        paint_shape(canvas, s.kind, std::move(points), s.size_pt * lines, styles[s.style], frame, pitch);
+    }
+}
+
 void paint_inset(Canvas& canvas, const Figure::Inset& inset, const PlacedInset& placed, const Figure& figure,
-                 double lines, const DrawSolid& draw_solid) {
+                 double lines, double pitch, const Rect& frame, const DrawSolid& draw_solid) {
+    if (inset.list) {
+        canvas.unclip();  // clips are not nested
+        const Box<2>& world = inset.list->world;
+        const Vec<2> scale(placed.box.w / world.extent().x, placed.box.h / world.extent().y);
+        Pen paper = fill_of(figure.background);
+        paper.fill.a = 255;
+        canvas.clip(placed.box);
+        canvas.draw(rectangle(placed.box), paper);
+        paint_shapes(canvas, *inset.list, lines, placed.box, pitch, [&](const Vec<2>& p) {
+            return Vec<2>(placed.box.x + (p.x - world.min.x) * scale.x,
+                          placed.box.bottom() - (p.y - world.min.y) * scale.y);
+        });
+        canvas.unclip();
+        canvas.clip(frame);
+    }
     if (inset.solid) paint_solid(canvas, *inset.solid, placed.box, lines, draw_solid);
     if (inset.pixels)
         canvas.image(placed.box, [&](int width, int height, double) { return resized(*inset.pixels, width, height); });
@@ -166,18 +196,10 @@ void paint_panel(Canvas& canvas, const Figure& figure, std::size_t i, const Layo
     const Layout::Panel& panel = layout.panels[i];
     const DrawList& list = content.list;
     const double lines = line_scale(layout);
-    std::vector<Style> styles = list.styles;
-    for (Style& style : styles) style.width_pt *= lines;
     canvas.clip(panel.frame);
     if (content.solid) paint_solid(canvas, *content.solid, world_on_page(list, panel, layout.scale), lines, draw_solid);
-    for (const Shape& s : list.shapes) {
-        if (s.style >= styles.size() || std::size_t{s.first_point} + s.point_count > list.points.size()) continue;
-        std::vector<Vec<2>> points;
-        points.reserve(s.point_count);
-        for (std::uint32_t i = 0; i < s.point_count; ++i)
-            points.push_back(to_page(panel, layout.scale, list.points[s.first_point + i]));
-        paint_shape(canvas, s.kind, std::move(points), s.size_pt * lines, styles[s.style], panel.frame, pitch);
-    }
+    paint_shapes(canvas, list, lines, panel.frame, pitch,
+                 [&](const Vec<2>& p) { return to_page(panel, layout.scale, p); });
     const PlacedTexts texts = place_texts(content, panel, layout, font);
     for (const PlacedLabel& placed : texts.labels)
         paint_leader(canvas, placed, list.labels[placed.label].disc.value_or(list.labels[placed.label].colour),
@@ -189,7 +211,7 @@ void paint_panel(Canvas& canvas, const Figure& figure, std::size_t i, const Layo
             if (!run.text.empty()) canvas.text(run, label.colour, label.halo);
     }
     for (std::size_t k = 0; k < texts.insets.size(); ++k)
-        paint_inset(canvas, content.insets[k], texts.insets[k], figure, lines, draw_solid);
+        paint_inset(canvas, content.insets[k], texts.insets[k], figure, lines, pitch, panel.frame, draw_solid);
     canvas.unclip();
 }
 

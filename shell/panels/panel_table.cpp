@@ -23,6 +23,8 @@ std::span<const Panel<D>> panel_table() {
                  object_rows<D>},
         Panel<D>{"inversions", "Inversions", "hidden cells projected before visible ones", right, run,
                  inversion_rows<D>},
+        Panel<D>{"viewpoint", "Viewpoint", "which technique is chosen where the eye is, and why", right, run,
+                 viewpoint_rows<D>},
         Panel<D>{"compare", "Compare", "two sessions beside each other", right, run, compare_rows<D>},
         Panel<D>{"trade-off", "Trade-off", "speed against accuracy for every method in this scene", right, run,
                  trade_off_rows<D>, Body::chart},

@@ -27,6 +27,8 @@ std::vector<Row> breakpoint_rows(const Workbench<D>& bench);
 template <int D>
 std::vector<Row> note_rows(const Workbench<D>& bench);
 template <int D>
+std::vector<Row> viewpoint_rows(const Workbench<D>& bench);
+template <int D>
 std::vector<Row> compare_rows(const Workbench<D>& bench);
 template <int D>
 std::vector<Row> trade_off_rows(const Workbench<D>& bench);

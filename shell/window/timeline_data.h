@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "shell/desk/frames.h"
 #include "shell/window/timeline_marks.h"
 #include "shell/window/timeline_ruler.h"
 #include "shell/window/timeline_spans.h"
@@ -46,7 +47,7 @@ struct TimelineData {
 
     // Of the lane of frames (timeline_frames.h).
     std::uint64_t frames_of = 0;  ///< run that they were counted for
-    std::vector<std::optional<std::uint32_t>> frame_changes;
+    std::vector<FrameChange> frame_changes;
 
     // Of the mouse and the last frame.
     enum class Drag : std::uint8_t { none, seek, handle, pan } drag = Drag::none;

@@ -18,6 +18,7 @@
 #include "shell/desk/moved.h"
 #include "shell/desk/play.h"
 #include "shell/desk/what_if.h"
+#include "shell/desk/work_out.h"
 #include "shell/window/imgui_backend.h"
 #include "shell/window/keys.h"
 #include "shell/window/parts.h"
@@ -33,8 +34,8 @@ constexpr std::size_t most_messages = 500;
 constexpr float least_side = 32;
 /// Longer a person sees nothing of what happens.
 constexpr double most_undrawn_ms = 250;
-/// Of a frame, for the trade-off.
-constexpr double measuring_ms = 8;
+/// Of a frame, for the trade-off, and for entries that are worked out beforehand.
+constexpr double measuring_ms = 8, working_ms = 20;
 constexpr float text_pixels = 15, label_pixels = 12;
 /// Of the projector mode, in a window 1080 pixels high: 3 % of its height, so that the back row can read them; the
 /// banner has 4 % (load_theme).
@@ -136,7 +137,7 @@ Window<D>::Window(Workbench<D>& bench, const WindowOptions& options)
     bench_.graphics.progress = [this](std::string_view what, double share) {
         progress_.show(context_.window(), ui_, what, share);
     };
-    bench_.record_ahead = true;
+    bench_.record_ahead = bench_.attended = true;
     traversal_changed(bench_);
     if (options_.scale == 0) options_.scale = screen_density(context_.window());
     if (options_.place == GlContext::Place::window) SDL_GL_SetSwapInterval(1);
@@ -206,6 +207,8 @@ void Window<D>::escape() {
         act("path stop");
     else if (bench_.transport.playing)
         act("pause");
+    else if (bench_.work_out)
+        act("work-out stop");
     else if (desk.tool != Tool::select)
         act("tool select");
     else if (desk.edit)
@@ -391,6 +394,7 @@ void Window<D>::frame(double seconds) {
     }
     ui_.revision += advance_flight(bench_, seconds);
     measure();
+    ui_.revision += advance_work_out(bench_, working_ms);
     // Not while an eye is dragged: each place would run every change again.
     if (!ImGui::IsAnyMouseDown() && stands_still(bench_)) {
         ui_.revision += update_what_if(bench_);
@@ -432,7 +436,8 @@ void Window<D>::frame(double seconds) {
 /// Sleeps while nothing moves.
 template <int D>
 void Window<D>::wait_for_something() {
-    if (bench_.transport.playing || bench_.flight.replaying || lively_frames_-- > 0 || (stage.lively && stage.lively()))
+    if (bench_.transport.playing || bench_.flight.replaying || bench_.work_out || lively_frames_-- > 0 ||
+        (stage.lively && stage.lively()))
         return;
     lively_frames_ = 0;
     SDL_WaitEventTimeout(nullptr, 250);

@@ -145,11 +145,11 @@ TEST(Settings, EveryFieldOfTheStructHasARow) {
     const auto& [t1, t2, t3, t4, t5, t6, t7, t8, t9, t10] = static_cast<const TessellationSettings&>(changed);
     static_cast<void>(t1);
     const auto& [p1, p2, p3, p4, p5, p6, p7, p8, p9, p10, p11, p12, p13, p14, p15, p16, p17, p18, p19, p20, p21, p22,
-                 p23, p24, p25, p26, p27, p28, p29, p30, p31, p32, p33, p34] =
+                 p23, p24, p25, p26, p27, p28, p29, p30, p31, p32, p33, p34, p35] =
         static_cast<const PictureSettings&>(changed);
     static_cast<void>(p1);
     constexpr std::size_t own = 7;  // two_sided, up, degrees, method, budget, reference_size, reference
-    EXPECT_EQ(settings_table().size(), 10u + 34u + own + all_parameters().size());
+    EXPECT_EQ(settings_table().size(), 10u + 35u + own + all_parameters().size());
 }
 
 TEST(Settings, NamesDefaultsAndWordsAreThoseOfTheDesign) {

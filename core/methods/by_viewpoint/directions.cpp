@@ -8,7 +8,8 @@ namespace sightline {
 
 namespace {
 
-std::string degrees(double value) { return (value < 0 ? "−" : "") + short_number(value < 0 ? -value : value) + "°"; }
+/// Half degrees are told: 112.5°.
+std::string degrees(double value) { return (value < 0 ? "−" : "") + short_number(value < 0 ? -value : value, 4) + "°"; }
 
 }  // namespace
 

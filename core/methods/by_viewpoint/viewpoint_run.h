@@ -67,6 +67,7 @@ public:
     std::optional<ViewpointFact<D>> viewpoint() const override;
 
     const ViewpointTable<D>& table() const { return *table_; }
+    const std::shared_ptr<const ViewpointTable<D>>& shared_table() const { return table_; }
     std::size_t place() const { return place_; }         ///< of the entry in the table
     std::uint32_t technique() const { return chosen_; }  ///< of problem().options
     /// The entry chose another one, and changing to it does not pay.

@@ -102,16 +102,23 @@ const Entry& ViewpointTable<D>::at(std::size_t place) const {
 }
 
 template <int D>
-void ViewpointTable<D>::fill(int threads, const std::function<bool(std::size_t)>& done) const {
+std::size_t ViewpointTable<D>::known(const Range& range) const {
+    std::size_t count = 0;
+    for (std::size_t place = range.first; place < range.end; ++place) count += find(place) != nullptr;
+    return count;
+}
+
+template <int D>
+void ViewpointTable<D>::fill(int threads, const std::function<bool(std::size_t)>& done, const Range& range) const {
     const int workers = threads > 0 ? threads : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-    std::atomic<std::size_t> next = 0;
+    std::atomic<std::size_t> next = range.first;
     std::atomic<bool> stopped = false;
     std::mutex reporting;
     run_parts(workers, workers, [&](int) {
         Analyst<D> analyst(problem_);
         while (!stopped) {
             const std::size_t place = next++;
-            if (place >= size()) return;
+            if (place >= range.end) return;
             if (find(place)) continue;
             put(place, choose(analyst.facts(region_of(place), interval_of(place)), problem_.choice, problem_.by_rule));
             const std::lock_guard lock(reporting);

@@ -45,9 +45,20 @@ public:
     /// What a file has; one that is known stays as it is.
     void put(std::size_t place, Entry entry) const;
 
+    /// Places from `first` to before `end`.
+    struct Range {
+        std::size_t first = 0, end = 0;
+    };
+    Range all() const { return {0, size()}; }
+    Range of_region(std::uint32_t region) const {
+        return {std::size_t{region} * directions().count(), std::size_t{region + 1} * directions().count()};
+    }
+    std::size_t known(const Range& range) const;  ///< entries of it that are worked out
+
     /// Works out what is not known, on up to `threads` threads (0: as many as the machine has). After each entry
     /// `done(known)` says, one thread at a time, whether to go on: what is known so far stays.
-    void fill(int threads, const std::function<bool(std::size_t)>& done) const;
+    void fill(int threads, const std::function<bool(std::size_t)>& done) const { fill(threads, done, all()); }
+    void fill(int threads, const std::function<bool(std::size_t)>& done, const Range& range) const;
     std::size_t memory_bytes() const;
 
 private:

@@ -26,7 +26,7 @@ TEST(Frames, EachCountsTheBoxesThatAStepOfItsRunStopsAt) {
     ASSERT_EQ(count_frames(bench).here, 5u);
     const auto changes = frame_changes(bench, 64);
     ASSERT_EQ(changes.size(), 6u);
-    EXPECT_FALSE(changes[0]);
+    EXPECT_FALSE(changes[0].boxes);
     std::uint32_t some = 0;
     const ViewSpec<2> last = bench.session.culling_view();
     const std::uint64_t hash = bench.session.hash();
@@ -36,9 +36,10 @@ TEST(Frames, EachCountsTheBoxesThatAStepOfItsRunStopsAt) {
         EXPECT_EQ(count_frames(bench).here, frame);
         // The last step goes on to the end, where nothing changed.
         const std::uint32_t steps = bench.session.recorded();
-        EXPECT_TRUE(steps == *changes[frame] || steps == *changes[frame] + 1) << steps << " and " << *changes[frame];
+        EXPECT_TRUE(steps == *changes[frame].boxes || steps == *changes[frame].boxes + 1)
+            << steps << " and " << *changes[frame].boxes;
         EXPECT_EQ(frame_changes(bench, 64), changes);
-        some += *changes[frame];
+        some += *changes[frame].boxes;
     }
     EXPECT_GT(some, 0u);
     EXPECT_EQ(bench.session.culling_view(), last);
