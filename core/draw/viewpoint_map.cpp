@@ -73,8 +73,8 @@ std::vector<Style> technique_styles(std::span<const TechniqueFact> techniques, P
         style.fill =
             palette == Palette::print ? Colour{grey, grey, grey} : between({c.background, looks[i].colour}, 0.36);
         style.hatch = hatches[i % hatches.size()];
-        style.hatch_colour =
-            palette == Palette::print ? Colour{95, 95, 95} : between({c.background, looks[i].colour}, 0.8);
+        const auto other_grey = static_cast<std::uint8_t>(grey > 160 ? 70 : 235);
+        style.hatch_colour = palette == Palette::print ? Colour{other_grey, other_grey, other_grey} : looks[i].colour;
         style.stroke = between({style.fill, c.ink}, 0.3);
         style.width_pt = 0.4;
         styles.push_back(std::move(style));

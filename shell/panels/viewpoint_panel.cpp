@@ -114,8 +114,8 @@ std::vector<Row> viewpoint_rows(const Workbench<D>& bench) {
     if (!fact->occluders.empty())
         rows.push_back(
             {counted(fact->occluders.size(), "primitive") + " of the largest occluders seen from here", Tone::faint});
-    add_rose(*fact, rows);
     add_table(bench, *fact, rows);
+    add_rose(*fact, rows);
     return rows;
 }
 

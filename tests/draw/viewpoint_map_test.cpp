@@ -104,7 +104,8 @@ TEST(ViewpointMap, TheLegendNamesTheTechniquesOfThePictureInTheirOrder) {
     const Figure figure = make_figure(std::span(&source, 1));
     const auto used = shapes_by_style(figure.panels[0].list, ShapeKind::polygon);
     std::vector<std::string> expected, found;
-    for (const TechniqueFact& technique : session.traversal().viewpoint()->techniques)
+    const auto fact = session.traversal().viewpoint();
+    for (const TechniqueFact& technique : fact->techniques)
         if (used.contains("technique " + technique.name)) expected.push_back(technique.name);
     for (const LegendRow& row : figure.legend)
         if (row.style.name.starts_with("technique ")) found.push_back(row.text);

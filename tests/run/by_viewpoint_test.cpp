@@ -12,6 +12,7 @@
 #include "core/methods/by_viewpoint/viewpoint_run.h"
 #include "core/methods/method_table.h"
 #include "core/run/timeline.h"
+#include "core/scene/make/catalogue.h"
 #include "core/scene/scene_view.h"
 #include "core/space/builders.h"
 #include "core/truth/visible_set.h"
@@ -339,6 +340,36 @@ void does_as_the_technique(std::uint64_t seed, int count) {
 }
 TEST(ByViewpoint, DoesAsItsTechniqueDoes2d) { does_as_the_technique<2>(10, test::soak_count(10)); }
 TEST(ByViewpoint, DoesAsItsTechniqueDoes3d) { does_as_the_technique<3>(11, test::soak_count(6)); }
+
+/// Rooms are regions as well, which techniques pop: a step of theirs is no look-up.
+TEST(ByViewpoint, GoesBackAndForthThroughRooms) {
+    const Scene<2> scene = make_scene(*find_in_catalogue<2>("rooms"));
+    const CellComplex<2> cells;
+    for (const char* const technique : {"portals", "pvs"}) {
+        const Variant<2> variant =
+            make_variant<2>(method_table<2>(), std::string("by-viewpoint samples=1 techniques=") + technique);
+        OwnRun<2> run = variant.method.start(
+            make_problem(variant.method, variant.parameters, scene, cells, make_view(*scene.start_view)));
+        Timeline<2> timeline;
+        timeline.begin(*run);
+        std::vector<std::uint64_t> hashes{run->hash()};
+        while (timeline.forward(run) == Stop::none) {
+            hashes.push_back(run->hash());
+            ASSERT_LT(hashes.size(), 1000u);
+        }
+        ASSERT_GT(hashes.size(), 5u);
+        for (std::size_t step = hashes.size(); step-- > 0;) {
+            EXPECT_EQ(run->hash(), hashes[step]) << technique << " " << step;
+            EXPECT_EQ(run->steps(), step);
+            EXPECT_EQ(timeline.back(run), step > 0);
+        }
+        timeline.seek(run, 3);
+        EXPECT_EQ(run->hash(), hashes[3]);
+        while (timeline.forward(run) == Stop::none) {
+        }
+        EXPECT_EQ(run->hash(), hashes.back());
+    }
+}
 
 TEST(ByViewpoint, NothingVisibleIsLost) {
     Random random(12);

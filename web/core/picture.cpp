@@ -29,7 +29,7 @@ static_assert(sizeof(SolidCorner) == 20 && offsetof(SolidCorner, colour) == 12 &
 static_assert(sizeof(Shape) == 24 && offsetof(Shape, kind) == 0 && offsetof(Shape, style) == 2 &&
               offsetof(Shape, first_point) == 4 && offsetof(Shape, point_count) == 8 && offsetof(Shape, size_pt) == 16);
 
-constexpr auto kind_words = std::to_array<std::string_view>({"polygon", "polyline", "disc", "ring", "cross", "arrow"});
+constexpr auto shape_words = std::to_array<std::string_view>({"polygon", "polyline", "disc", "ring", "cross", "arrow"});
 constexpr auto hatch_words =
     std::to_array<std::string_view>({"none", "diagonal", "back_diagonal", "cross", "horizontal", "dots"});
 constexpr auto dash_words = std::to_array<std::string_view>({"solid", "dashed", "dotted"});
@@ -105,10 +105,10 @@ Json labels_json(const Page& page, Paper& paper, double width, double height, do
     return json;
 }
 
-Json rows_json(std::vector<LegendRow> rows) {
+Json legend_json(std::vector<LegendRow> rows) {
     Json json = Json::array();
     for (const LegendRow& row : short_legend(std::move(rows))) {
-        Json one{{"swatch", kind_words[static_cast<std::size_t>(row.swatch)]}, {"text", row.text}};
+        Json one{{"swatch", shape_words[static_cast<std::size_t>(row.swatch)]}, {"text", row.text}};
         one["style"] = style_json(row.style);
         json.push_back(std::move(one));
     }
@@ -206,7 +206,7 @@ std::string picture_of(Page& page, BenchOnPage<D>& on, int pane, double width, d
     json["lists"] = {list_json(paper.below), list_json(paper.tessellation), list_json(paper.above)};
     if (!paper.still.empty()) json["still"] = paper.still;
     json["labels"] = labels_json(page, paper, width, height, unit);
-    if (side == 0 && bench.desk.legend) json["legend"] = rows_json(std::move(made.legend));
+    if (side == 0 && bench.desk.legend) json["legend"] = legend_json(std::move(made.legend));
     if (const auto bar = colour_bar(session, made.heat_range)) {
         json["bar"] = {{"title", bar->title}, {"low", bar->low}, {"high", bar->high}};
         for (const Colour& stop : bar->stops) json["bar"]["stops"].push_back(colour_text(stop));

@@ -63,7 +63,7 @@ Stop ViewpointRun<D>::run(std::uint32_t steps, Recorder* recorder) {
     if (!looked_up_) {
         looked_up_ = true;
         if (recorder) {
-            recorder->popped({table_->region_of(place_), Kind::region}, {});
+            recorder->popped({table_->region_of(place_), Kind::region}, {0, look_up_stamp, CellState::projected});
             recorder->finished(this->counters());
         }
         if (steps != none && --steps == 0) return Stop::steps;
@@ -115,7 +115,7 @@ std::uint64_t ViewpointRun<D>::hash() const {
 
 template <int D>
 Mark ViewpointRun<D>::mark(const Item& item) const {
-    if (item.kind != Kind::region) return inner().mark(item);
+    if (item.kind != Kind::region || !this->problem_.scene->rooms.empty()) return inner().mark(item);
     const bool here = looked_up_ && item.id == table_->region_of(place_);
     return here ? Mark{0, 0, CellState::projected} : Mark{};
 }

@@ -50,7 +50,11 @@ public:
     std::vector<CodeLine> code(const CodePlace&) const override;
     std::span<const Field<D>> fields() const override { return inner().fields(); }
     std::vector<ReadTile> tiles() const override { return inner().tiles(); }
-    const BoxTree<D>* boxes() const override { return inner().boxes(); }
+    /// Where the technique walks none, those of the scene: its items count as nodes all the same.
+    const BoxTree<D>* boxes() const override {
+        const BoxTree<D>* const walked = inner().boxes();
+        return walked ? walked : &this->problem_.boxes();
+    }
     bool tests_planes() const override { return inner().tests_planes(); }
     std::vector<OccluderFact> occluders() const override { return inner().occluders(); }
     std::vector<TestedPlane<D>> tested_planes(const Item& box, std::uint32_t primitive) const override {
@@ -76,7 +80,9 @@ public:
 private:
     void look_up();
     const Run<D>& inner() const { return *runs_[chosen_]; }
-    bool is_look_up(const Step& step) const { return step.item.kind == Kind::region; }
+    /// Rooms are regions too, and techniques pop them.
+    static constexpr std::uint32_t look_up_stamp = none;
+    bool is_look_up(const Step& step) const { return step.item.kind == Kind::region && step.stamp == look_up_stamp; }
 
     std::shared_ptr<const ViewpointTable<D>> table_;
     std::size_t place_ = 0;
