@@ -128,27 +128,12 @@ std::shared_ptr<const FrameHistory> ViewpointRun<D>::next_history() const {
     return std::make_shared<const FrameHistory>(std::move(history));
 }
 
+/// Techniques are no items: what was looked at stands in the words of the step and in viewpoint().
 template <int D>
 std::vector<Considered> ViewpointRun<D>::considered(const Step& step, std::span<const Change> changes,
                                                     int digits) const {
-    if (!is_look_up(step)) return inner().considered(step, changes, digits);
-    const std::vector<OptionCost>& costs = table_->find(place_)->facts.costs;
-    std::vector<Considered> all;
-    for (std::uint32_t i = 0; i < costs.size(); ++i) {
-        Considered& c = all.emplace_back();
-        c.from = step.item;
-        c.words = table_->problem().options[i].method.title;
-        c.effect = i == chosen_ ? Effect::changed : Effect::left_alone;
-        KeyExplanation key;
-        key.key = costs[i].ms();
-        key.parts = {{short_number(double{costs[i].cull_ms}), KeyAbout::nothing, "culling, ms"},
-                     {" + ", KeyAbout::nothing},
-                     {short_number(double{costs[i].draw_ms}), KeyAbout::nothing, "drawing, ms"},
-                     {" = " + short_number(costs[i].ms()) + " ms", KeyAbout::nothing}};
-        key.terms = {{"cull_ms", costs[i].cull_ms}, {"draw_ms", costs[i].draw_ms}, {"drawn", costs[i].drawn}};
-        c.key = std::move(key);
-    }
-    return all;
+    if (is_look_up(step)) return {};
+    return inner().considered(step, changes, digits);
 }
 
 template <int D>
@@ -157,6 +142,13 @@ std::string ViewpointRun<D>::popped_words(const Step& step) const {
     const ViewpointProblem<D>& p = table_->problem();
     std::string words = table_->regions().words(table_->region_of(place_)) + ", " +
                         table_->directions().words(table_->interval_of(place_)) + ": " + p.options[chosen_].text;
+    const Entry& entry = *table_->find(place_);
+    std::string others;
+    for (std::uint32_t i = 0; i < p.options.size(); ++i)
+        if (i != chosen_)
+            others += (others.empty() ? "" : ", ") + p.options[i].text + " " + short_number(entry.facts.costs[i].ms());
+    words += " is expected to take " + short_number(entry.facts.costs[chosen_].ms()) + " ms" +
+             (others.empty() ? "" : " (" + others + ")");
     if (keeps_the_last())
         words += ", as before: changing to " + p.options[table_->find(place_)->chosen].text + " would not pay";
     return words;
