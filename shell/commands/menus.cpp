@@ -64,7 +64,7 @@ MenuRow row_with_menu(std::string_view title) {
     if (title == "Export data") row.inside = menu_rows<D>({"cells ?", "trace ?", "stats ?", "panels ?"});
     if (title == "By viewpoint")
         row.inside = menu_rows<D>(
-            {"method by-viewpoint", "show viewpoint", "-", "viewpoint next", "work-out region", "work-out all"});
+            {"method by-viewpoint", "show viewpoint", "viewpoint next", "work-out region", "work-out all"});
     if (title == "Picture")
         row.inside = menu_rows<D>({"cycle heat", "cycle label", "cycle show_normals", "cycle show_penalties",
                                    "cycle show_chain", "cycle show_planes", "cycle show_regions", "cycle palette",

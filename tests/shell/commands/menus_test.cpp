@@ -147,6 +147,9 @@ protected:
                                                             {"missed 1", "set budget=5"},
                                                             {"reach selected", "select 20"},
                                                             {"fit", "zoom 3"},
+                                                            {"viewpoint next", "method by-viewpoint"},
+                                                            {"work-out region", "method by-viewpoint"},
+                                                            {"work-out all", "method by-viewpoint"},
                                                             {"method published", "method layers"}};
         const auto found = all.find(command);
         return found == all.end() ? "" : found->second;
