@@ -7,6 +7,7 @@
 #include <array>
 #include <iterator>
 
+#include "shell/commands/command_table.h"
 #include "shell/window/button_row.h"
 #include "shell/window/parts.h"
 #include "shell/window/theme.h"
@@ -52,7 +53,7 @@ void widget(Ui& ui, const Workbench<D>& bench, const SettingRow& row) {
     if (!row.words.empty()) return choose(ui, name, value, row.words);
     std::string text = value;
     if (ImGui::InputText("##value", &text, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll))
-        ui.act("set " + name + "=" + text);
+        ui.act(quote_command("set " + name + "=" + text));  // a list has semicolons
 }
 
 }  // namespace

@@ -107,7 +107,7 @@ std::string WindowOffScreen::setting() {
     std::string value = row.words.empty() ? row.get(other) : one_of(row.words);
     if (row.name == "zoom") value = number_text(random.uniform(0.3, 5));
     if (row.name == "error_bound") value = number_text(random.uniform(0.05, 0.3));  // smaller cells take their time
-    return std::string(row.name) + "=" + value;
+    return quote_command(std::string(row.name) + "=" + value);  // lists of methods have semicolons
 }
 
 /// Something that the command takes; nothing for commands that this test does not know, which then may refuse.
