@@ -66,15 +66,19 @@ std::vector<Style> technique_styles(std::span<const TechniqueFact> techniques, P
     for (const TechniqueFact& technique : techniques) names.push_back(technique.name);
     const std::vector<VariantLook> looks = variant_looks(names);
     std::vector<Style> styles;
+    const bool dark = lightness(c.background) < 50;
     for (std::size_t i = 0; i < names.size(); ++i) {
-        // Print has greys alone, each darker than the one before it.
-        const auto grey = static_cast<std::uint8_t>(240 - 30 * std::min<std::size_t>(i, 5));
+        // The colours of charts are made for white paper.
+        Colour strong = dark ? between({looks[i].colour, {255, 255, 255}}, 0.45) : looks[i].colour;
         Style style{std::string(technique_prefix) + names[i]};
-        style.fill =
-            palette == Palette::print ? Colour{grey, grey, grey} : between({c.background, looks[i].colour}, 0.36);
+        style.fill = between({c.background, strong}, 0.36);
+        if (palette == Palette::print) {  // greys alone, each darker than the one before it
+            const auto grey = static_cast<std::uint8_t>(240 - 25 * std::min<std::size_t>(i, 5));
+            style.fill = {grey, grey, grey};
+            strong = {60, 60, 60};
+        }
         style.hatch = hatches[i % hatches.size()];
-        const auto other_grey = static_cast<std::uint8_t>(grey > 160 ? 70 : 235);
-        style.hatch_colour = palette == Palette::print ? Colour{other_grey, other_grey, other_grey} : looks[i].colour;
+        style.hatch_colour = strong;
         style.stroke = between({style.fill, c.ink}, 0.3);
         style.width_pt = 0.4;
         styles.push_back(std::move(style));

@@ -52,6 +52,8 @@ constexpr std::array cycled{NamedArgument{"Heat map", "heat"},
                             NamedArgument{"Cells shown", "only"},
                             NamedArgument{"Slice", "slice"}};
 
+constexpr std::array named_methods{NamedArgument{"Choose by viewpoint", "by-viewpoint"}};
+
 }  // namespace
 
 template <int D>
@@ -65,7 +67,7 @@ std::span<const Command<D>> change_commands() {
                    cycle<D>, "", cycled},
         Command<D>{"preset", "Preset", "ID", "apply a named set of settings", "", preset<D>},
         Command<D>{"method", "Method", "ID", "change the method", "",
-                   [](Workbench<D>& bench, Text text) { set(bench, "method=" + text); }},
+                   [](Workbench<D>& bench, Text text) { set(bench, "method=" + text); }, "", named_methods},
         Command<D>{
             "complete", "Complete picture", "",
             "go on from here in the rounds of cPLP, which complete the picture; in flight they do so wherever the "

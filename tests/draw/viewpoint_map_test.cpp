@@ -83,6 +83,29 @@ TEST(ViewpointMap, HasEachRegionAndDirectionInTheColourOfItsTechnique) {
     }
 }
 
+TEST(ViewpointMap, DrawsRoomsOverTheBoxesAndOutlinesTheOneOfTheEye) {
+    const CatalogueRow<2>& row = *find_in_catalogue("bottleneck");
+    Scene<2> scene = make_scene(row);
+    const Vec<2> eye = row.view.eye;
+    const std::vector<Vec<2>> shape{eye + Vec<2>(-1, -1), eye + Vec<2>(1, -1), eye + Vec<2>(0, 2)};
+    scene.rooms.all.push_back({"tent", shape});
+    Settings settings;
+    settings.error_bound = row.error_bound;
+    set_small_table(settings);
+    const Session<2> session(std::make_shared<const Scene<2>>(std::move(scene)), row.view, settings);
+    ASSERT_EQ(session.traversal().viewpoint()->region, "room tent");
+    const DrawList list = make_picture(session);
+    std::size_t as_technique = 0, outlined = 0;
+    for (const Shape& drawn : list.shapes) {
+        const auto first = list.points.begin() + drawn.first_point;
+        if (!std::equal(first, first + drawn.point_count, shape.begin(), shape.end())) continue;
+        as_technique += list.styles[drawn.style].name.starts_with("technique ");
+        outlined += list.styles[drawn.style].name == "region_here";
+    }
+    EXPECT_EQ(as_technique, 1u);
+    EXPECT_EQ(outlined, 1u);
+}
+
 TEST(ViewpointMap, IsThereOnlyWhereAMethodChoosesByViewpointAndTheSettingIsOn) {
     Session<2> session = chooses_in("bottleneck");
     EXPECT_TRUE(shown_viewpoint(session));

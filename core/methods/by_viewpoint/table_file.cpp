@@ -2,7 +2,8 @@
 #include "core/methods/by_viewpoint/table_file.h"
 
 #include <array>
-#include <charconv>
+#include <cstdio>
+#include <optional>
 
 #include "core/base/error.h"
 #include "core/base/file.h"
@@ -36,9 +37,13 @@ Json conditions_of(const ViewpointProblem<D>& p) {
 
 /// The shortest decimal that reads back to the same float: a file of many is a third as long.
 double shortest(float value) {
-    std::array<char, 32> text;
-    const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
-    return *parse_number(std::string_view(text.data(), static_cast<std::size_t>(end - text.data())));
+    for (int digits = 1; digits < 9; ++digits) {
+        std::array<char, 32> text;
+        std::snprintf(text.data(), text.size(), "%.*g", digits, static_cast<double>(value));
+        const std::optional<double> read = parse_number(text.data());
+        if (read && static_cast<float>(*read) == value) return *read;
+    }
+    return value;
 }
 
 /// [place, chosen, reason, interior, few, all, occluders, [primitives], [culling, drawing, drawn, …]]

@@ -24,10 +24,12 @@ TEST_F(EachCommand, work_out) {
     run("work-out region");
     EXPECT_EQ(fact_of(*bench).known, 4u);
     EXPECT_NE(said.back().find("worked out 3 entries; 4 of 16 entries"), std::string::npos) << said.back();
-    for (const DirectionFact& direction : fact_of(*bench).rose) EXPECT_NE(direction.technique, none);
+    const ViewpointFact<2> of_region = fact_of(*bench);
+    for (const DirectionFact& direction : of_region.rose) EXPECT_NE(direction.technique, none);
     run("work-out all");
     EXPECT_EQ(fact_of(*bench).known, 16u);
-    for (const RegionFact<2>& region : fact_of(*bench).map) EXPECT_NE(region.technique, none);
+    const ViewpointFact<2> of_all = fact_of(*bench);
+    for (const RegionFact<2>& region : of_all.map) EXPECT_NE(region.technique, none);
     EXPECT_THROW(run("work-out some"), InputError);
 }
 
