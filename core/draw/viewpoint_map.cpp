@@ -44,7 +44,8 @@ std::vector<Style> map_styles(Palette palette) {
     unknown.fill = c.background;
     unknown.stroke = stroke_of(Look::tessellation);
     unknown.dash = Dash::dotted;
-    here.stroke = into.stroke = stroke_of(Look::seed);
+    // Grey would be lost among greys.
+    here.stroke = into.stroke = palette == Palette::print ? c.ink : stroke_of(Look::seed);
     here.width_pt = 2.6;
     here.dash = Dash::dashed;
     into.width_pt = 2.2;
@@ -78,7 +79,7 @@ std::vector<Style> technique_styles(std::span<const TechniqueFact> techniques, P
             strong = {60, 60, 60};
         }
         style.hatch = hatches[i % hatches.size()];
-        style.hatch_colour = strong;
+        style.hatch_colour = between({style.fill, strong}, 0.6);  // what is drawn over it has to be seen
         style.stroke = between({style.fill, c.ink}, 0.3);
         style.width_pt = 0.4;
         styles.push_back(std::move(style));

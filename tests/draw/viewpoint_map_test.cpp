@@ -151,7 +151,7 @@ TEST(ViewpointMap, TechniquesStayApartInEveryPalette) {
                 EXPECT_NE(styles[i].hatch, styles[j].hatch) << styles[i].name << " and " << styles[j].name;
             }
             if (styles[i].hatch != Hatch::none) {
-                EXPECT_GE(std::abs(lightness(styles[i].fill) - lightness(styles[i].hatch_colour)), 12)
+                EXPECT_GE(std::abs(lightness(styles[i].fill) - lightness(styles[i].hatch_colour)), 8)
                     << "no hatch can be seen on " << styles[i].name;
             }
         }

@@ -146,10 +146,10 @@ class App {
   /// Files that a command wrote become downloads.
   private takeWrittenFiles() {
     const files = this.core.files;
-    for (const name of files.readdir("/work")) {
+    for (const name of files.readdir("/files")) {
       if (name === "." || name === ".." || this.dropped.has(name)) continue;
-      download(name, files.readFile("/work/" + name) as BlobPart, "application/octet-stream");
-      files.unlink("/work/" + name);
+      download(name, files.readFile("/files/" + name) as BlobPart, "application/octet-stream");
+      files.unlink("/files/" + name);
     }
   }
   private readonly dropped = new Set<string>();
@@ -170,7 +170,7 @@ class App {
     const names: string[] = [];
     for (const file of files) {
       const name = file.name.replace(/[\\/;"]/g, "_");
-      this.core.files.writeFile("/work/" + name, new Uint8Array(await file.arrayBuffer()));
+      this.core.files.writeFile("/files/" + name, new Uint8Array(await file.arrayBuffer()));
       this.dropped.add(name);
       names.push(name);
     }

@@ -34,7 +34,7 @@ export async function loadCore(): Promise<Module> {
     module.FS.mkdirTree(file.name.slice(0, file.name.lastIndexOf("/")));
     module.FS.writeFile(file.name, file.bytes);
   }
-  module.FS.mkdirTree("/work");
-  module.FS.chdir("/work");
+  module.FS.mkdirTree("/files");
+  module.FS.chdir("/files");
   return module;
 }

@@ -120,7 +120,7 @@ test("nonsense in files is refused in a line, and the page lives on", () => {
     const [ending, good] = sources[i % sources.length], bytes = Buffer.from(good);
     for (let k = random(4); k >= 0 && bytes.length > 0; --k) bytes[random(bytes.length)] = random(256);
     const name = "dropped" + ending;
-    page.FS.writeFile("/work/" + name, bytes.subarray(0, i % 3 === 0 ? random(bytes.length + 1) : bytes.length));
+    page.FS.writeFile("/files/" + name, bytes.subarray(0, i % 3 === 0 ? random(bytes.length + 1) : bytes.length));
     const answer = page.json("open", name);
     if (answer.error) {
       ++refused;

@@ -14,8 +14,8 @@ export async function loadPage() {
   const { FS } = module;
   FS.mkdirTree("/examples");
   FS.writeFile("/examples/lessons.json", readFileSync(join(root, "examples/lessons.json")));
-  FS.mkdirTree("/work");
-  FS.chdir("/work");
+  FS.mkdirTree("/files");
+  FS.chdir("/files");
   const page = module._page_new();
   const call = (name, ...values) => {
     const taken = [];
