@@ -43,25 +43,22 @@ bool is_in_the_open(const Scene<D>& scene, const RayTree& rays, const Vec<D>& ey
     return backs <= fronts;
 }
 
+/// Where the ray through corner i of the cone is at a distance of 1 ahead, relative to the eye.
+template <int D>
+Vec<D> corner_at_1(const View<D>& view, std::size_t i) {
+    const Vec<D> ray = view.corners[i] - view.eye;
+    return ray / glm::dot(ray, view.forward());
+}
+
 /// What the view sees at a distance of 1: a length in 2D, an area in 3D, as area-angles are measured.
 double view_size(const View<2>& view) {
     if (view.all_round) return 2 * pi;
-    const Vec<2> ahead = view.forward();
-    const auto at_1 = [&](const Vec<2>& corner) {
-        const Vec<2> ray = corner - view.eye;
-        return ray / glm::dot(ray, ahead);
-    };
-    const Vec<2> line = at_1(view.corners[1]) - at_1(view.corners[0]);
+    const Vec<2> line = corner_at_1(view, 1) - corner_at_1(view, 0);
     return std::sqrt(glm::dot(line, line));
 }
 double view_size(const View<3>& view) {
-    const Vec<3> ahead = view.forward();
-    const auto at_1 = [&](const Vec<3>& corner) {
-        const Vec<3> ray = corner - view.eye;
-        return ray / glm::dot(ray, ahead);
-    };
-    const Vec<3> a = at_1(view.corners[1]) - at_1(view.corners[0]), b = at_1(view.corners[3]) - at_1(view.corners[0]);
-    const Vec<3> area = glm::cross(a, b);
+    const Vec<3> corner = corner_at_1(view, 0);
+    const Vec<3> area = glm::cross(corner_at_1(view, 1) - corner, corner_at_1(view, 3) - corner);
     return std::sqrt(glm::dot(area, area));
 }
 

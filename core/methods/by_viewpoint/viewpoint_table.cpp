@@ -94,10 +94,15 @@ void ViewpointTable<D>::put(std::size_t place, Entry entry) const {
 }
 
 template <int D>
+void ViewpointTable<D>::work_out(std::size_t place, Analyst<D>& analyst) const {
+    put(place, choose(analyst.facts(region_of(place), interval_of(place)), problem_.choice, problem_.by_rule));
+}
+
+template <int D>
 const Entry& ViewpointTable<D>::at(std::size_t place) const {
     if (const Entry* entry = find(place)) return *entry;
     Analyst<D> analyst(problem_);
-    put(place, choose(analyst.facts(region_of(place), interval_of(place)), problem_.choice, problem_.by_rule));
+    work_out(place, analyst);
     return *find(place);
 }
 
@@ -120,7 +125,7 @@ void ViewpointTable<D>::fill(int threads, const std::function<bool(std::size_t)>
             const std::size_t place = next++;
             if (place >= range.end) return;
             if (find(place)) continue;
-            put(place, choose(analyst.facts(region_of(place), interval_of(place)), problem_.choice, problem_.by_rule));
+            work_out(place, analyst);
             const std::lock_guard lock(reporting);
             if (!stopped && done && !done(known())) stopped = true;
         }

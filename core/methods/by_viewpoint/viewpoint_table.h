@@ -62,6 +62,8 @@ public:
     std::size_t memory_bytes() const;
 
 private:
+    void work_out(std::size_t place, Analyst<D>& analyst) const;
+
     ViewpointProblem<D> problem_;
     mutable std::mutex mutex_;
     mutable std::vector<std::atomic<const Entry*>> entries_;

@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "core/base/workers.h"
+#include "core/run/make_steps.h"
 
 namespace sightline {
 
@@ -67,13 +68,7 @@ Stop VisibleRun<D>::run(std::uint32_t steps, Recorder* recorder) {
     if (!recorder && steps == none && workers_ != 1 && !by_change_ && this->steps_ == 0 &&
         this->problem_.budget == none)
         run_side_by_side();
-    const std::uint64_t end = std::uint64_t{this->steps_} + steps;
-    Stop stop = Stop::none;
-    while (stop == Stop::none && this->steps_ < end) {
-        stop = next(recorder);
-        if (recorder && stop == Stop::none) recorder->finished(this->counters_);
-    }
-    return stop == Stop::none ? Stop::steps : stop;
+    return make_steps(this->steps_, steps, this->counters_, recorder, [&] { return next(recorder); });
 }
 
 template <int D>

@@ -6,6 +6,7 @@
 
 #include "core/methods/transmittance/light.h"
 #include "core/raster/image_plane.h"
+#include "core/run/make_steps.h"
 #include "core/scene/view.h"
 
 namespace sightline {
@@ -133,12 +134,7 @@ bool FeedbackRun<D>::finished() const {
 
 template <int D>
 Stop FeedbackRun<D>::run(std::uint32_t steps, Recorder* recorder) {
-    const std::uint64_t end = std::uint64_t{this->steps_} + steps;
-    while (this->steps_ < end) {
-        if (const Stop stop = step(recorder); stop != Stop::none) return stop;
-        if (recorder) recorder->finished(this->counters_);
-    }
-    return Stop::steps;
+    return make_steps(this->steps_, steps, this->counters_, recorder, [&] { return step(recorder); });
 }
 
 template <int D>

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/methods/portals/collect.h"
+#include "core/run/make_steps.h"
 
 namespace sightline {
 
@@ -75,13 +76,7 @@ bool PortalRun<D>::finished() const {
 
 template <int D>
 Stop PortalRun<D>::run(std::uint32_t steps, Recorder* recorder) {
-    const std::uint64_t end = std::uint64_t{this->steps_} + steps;
-    Stop stop = Stop::none;
-    while (stop == Stop::none && this->steps_ < end) {
-        stop = next(recorder);
-        if (recorder && stop == Stop::none) recorder->finished(this->counters_);
-    }
-    return stop == Stop::none ? Stop::steps : stop;
+    return make_steps(this->steps_, steps, this->counters_, recorder, [&] { return next(recorder); });
 }
 
 template <int D>
