@@ -1,41 +1,34 @@
-// What `lab viewpoint` found: text, a table of frames, a chart of frame times.
+// What `lab viewpoint` found: text, tables of frames, charts, claims, and a page of documentation.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <filesystem>
 
-#include "lab/measure/conditions.h"
 #include "lab/report/chart.h"
-#include "lab/viewpoint/calibrate.h"
-#include "lab/viewpoint/viewpoint_walk.h"
+#include "lab/report/claims.h"
+#include "lab/viewpoint/viewpoint_results.h"
 
 namespace sightline::lab {
-
-/// Working out entries beforehand.
-struct TableFill {
-    std::size_t known_before = 0;  ///< entries that a file had
-    double seconds = 0;            ///< 0: it was not asked for
-    MergedSize merged{};
-    std::size_t file_bytes = 0;  ///< 0: none was written
-};
-
-struct ViewpointResults {
-    Conditions conditions;
-    std::string scene, path, method;
-    std::vector<std::uint32_t> frames;  ///< of the path
-    std::size_t scene_bytes = 0;        ///< of the primitives
-    std::vector<Calibration> fits;      ///< one a reading; empty: none was fitted
-    std::shared_ptr<const ViewpointTable<3>> table;
-    TableFill fill;
-    ViewpointWalk walk;
-
-    const Calibration& best_fit() const;  ///< by r2
-};
 
 /// For the console, with all figures.
 std::string viewpoint_text(const ViewpointResults& results);
 
-/// viewpoint.csv, viewpoint.txt and frames.{svg,pdf,png,gp}. Throws WorkError.
+/// t_select / valid_frames + t(α) against t(β) of the technique, as measured over the path.
+std::string inequality_text(const ViewpointWalk& walk, std::size_t technique);
+
+Chart walk_chart(const ViewpointScene& scene);
+/// Bytes of the table by its intervals of directions, and what merging would leave of them.
+Chart table_sizes_chart(const ViewpointScene& scene);
+
+/// What the paper says of its campus (DAS 6), judged on each scene: shapes, not figures.
+std::vector<Claim> viewpoint_claims(const ViewpointResults& results);
+
+/// viewpoint.txt, and of each scene SCENE-PATH.csv, SCENE-PATH-frames.{svg,pdf,png,gp}, and -sizes where there are
+/// some. Throws WorkError.
 void write_viewpoint(const ViewpointResults& results, const std::filesystem::path& folder, const ChartFormat& format);
+
+/// As a page of documentation, its charts in images/ beside it. `command` is what made it. Throws WorkError.
+void write_viewpoint_page(const ViewpointResults& results, const std::string& command,
+                          const std::filesystem::path& file, const ChartFormat& format);
 
 }  // namespace sightline::lab

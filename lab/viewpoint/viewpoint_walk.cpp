@@ -2,8 +2,12 @@
 #include "lab/viewpoint/viewpoint_walk.h"
 
 #include <algorithm>
+#include <limits>
+#include <numeric>
 
+#include "core/measure/drawn_image.h"
 #include "core/run/drawn_levels.h"
+#include "core/truth/truth.h"
 #include "lab/viewpoint/calibrate.h"
 
 namespace sightline::lab {
@@ -19,7 +23,7 @@ struct Traveller {
     std::vector<double> cull{}, draw{};
 };
 
-double mean_of(const std::vector<WalkFrame>& frames, const std::function<double(const WalkFrame&)>& value) {
+double mean_over(const std::vector<WalkFrame>& frames, const std::function<double(const WalkFrame&)>& value) {
     double sum = 0;
     for (const WalkFrame& frame : frames) sum += value(frame);
     return frames.empty() ? 0 : sum / static_cast<double>(frames.size());
@@ -42,22 +46,38 @@ double look_up_ns(const ViewpointTable<3>& table, const std::vector<View<3>>& vi
     return sum > 0 ? ns : 0;
 }
 
+/// Nobody asks which cells are seen.
+Reference exact_image(const Scene<3>& scene, const View<3>& view, const ImageSize& size, const DrawIds& draw_ids) {
+    return make_reference(scene, CellComplex<3>{}, view, size, draw_ids);
+}
+
 }  // namespace
 
-double WalkFrame::best_ms() const {
-    double best = alone.front().ms();
-    for (const FrameTime& time : alone) best = std::min(best, time.ms());
-    return best;
+EyePlace eye_place(const Scene<3>& scene, const Vec<3>& eye) {
+    if (!rooms_at(scene.rooms, eye).rooms.empty()) return EyePlace::inside;
+    const int up = scene.up_axis;
+    double top = -std::numeric_limits<double>::infinity();
+    for (const Primitive<3>& primitive : scene.primitives)
+        for (const Vec<3>& vertex : primitive) top = std::max(top, vertex[up]);
+    return eye[up] > top ? EyePlace::above : EyePlace::street;
 }
 
+std::size_t WalkFrame::best() const {
+    std::size_t best = 0;
+    for (std::size_t i = 1; i < alone.size(); ++i)
+        if (alone[i].ms() < alone[best].ms()) best = i;
+    return best;
+}
+double WalkFrame::best_ms() const { return alone[best()].ms(); }
+
 double ViewpointWalk::adaptive_ms() const {
-    return mean_of(frames, [](const WalkFrame& frame) { return frame.adaptive.ms(); });
+    return mean_over(frames, [](const WalkFrame& frame) { return frame.adaptive.ms(); });
 }
 double ViewpointWalk::hindsight_ms() const {
-    return mean_of(frames, [](const WalkFrame& frame) { return frame.best_ms(); });
+    return mean_over(frames, [](const WalkFrame& frame) { return frame.best_ms(); });
 }
 double ViewpointWalk::alone_ms(std::size_t technique) const {
-    return mean_of(frames, [&](const WalkFrame& frame) { return frame.alone[technique].ms(); });
+    return mean_over(frames, [&](const WalkFrame& frame) { return frame.alone[technique].ms(); });
 }
 double ViewpointWalk::worst_adaptive_ms() const {
     return most_of(frames, [](const WalkFrame& frame) { return frame.adaptive.ms(); });
@@ -72,21 +92,39 @@ std::size_t ViewpointWalk::best_alone() const {
     return best;
 }
 
-ViewpointWalk walk_by_viewpoint(const Method<3>& by_viewpoint, const Parameters& parameters,
-                                const ViewpointTable<3>& table, const std::shared_ptr<const Scene<3>>& scene,
-                                const CellComplex<3>& cells, const std::vector<View<3>>& views,
-                                const TimeDrawing& time_drawing, int repeats,
-                                const std::function<bool(std::size_t)>& go_on) {
+double ViewpointWalk::mean_at(EyePlace where, const std::function<double(const WalkFrame&)>& value) const {
+    std::vector<WalkFrame> there;
+    for (const WalkFrame& frame : frames)
+        if (frame.where == where) there.push_back(frame);
+    return there.empty() ? std::numeric_limits<double>::quiet_NaN() : mean_over(there, value);
+}
+std::size_t ViewpointWalk::frames_at(EyePlace where) const {
+    return static_cast<std::size_t>(
+        std::count_if(frames.begin(), frames.end(), [&](const WalkFrame& frame) { return frame.where == where; }));
+}
+double ViewpointWalk::r2() const {
+    std::vector<double> predicted, measured;
+    for (const WalkFrame& frame : frames) {
+        predicted.push_back(frame.predicted_ms);
+        measured.push_back(frame.adaptive.ms());
+    }
+    return r_squared(predicted, measured);
+}
+
+ViewpointWalk walk_by_viewpoint(const Variant<3>& by_viewpoint, const ViewpointTable<3>& table,
+                                const std::shared_ptr<const Scene<3>>& scene, const CellComplex<3>& cells,
+                                const std::vector<View<3>>& views, const WalkTools& tools) {
     const ViewpointProblem<3>& of = table.problem();
     std::vector<Traveller> travellers;
     for (const Variant<3>& option : of.options) travellers.push_back({&option.method, option.parameters});
-    travellers.push_back({&by_viewpoint, parameters});
+    travellers.push_back({&by_viewpoint.method, by_viewpoint.parameters});
     Services services;
     services.image = of.image;
     const auto drawn = one_scene(of, scene);
     ViewpointWalk walk;
     std::vector<double> empty;
-    std::vector<std::uint32_t> ids;
+    std::vector<std::uint32_t> ids, all(scene->primitives.size());
+    std::iota(all.begin(), all.end(), 0u);
     std::uint32_t last = none;
     for (const View<3>& view : views) {
         for (Traveller& t : travellers) {
@@ -94,8 +132,10 @@ ViewpointWalk walk_by_viewpoint(const Method<3>& by_viewpoint, const Parameters&
             t.draw.clear();
         }
         WalkFrame& frame = walk.frames.emplace_back();
-        for (int repeat = 0; repeat < repeats; ++repeat) {
-            const DrawTimes nothing = time_drawing(drawn, view, {});
+        frame.where = eye_place(*scene, view.eye);
+        std::vector<double> everything;
+        for (int repeat = 0; repeat < tools.repeats; ++repeat) {
+            const DrawTimes nothing = tools.time_drawing(drawn, view, {});
             const double nothing_ms = nothing.upload + nothing.draw;
             empty.push_back(nothing_ms);
             for (Traveller& t : travellers) {
@@ -103,13 +143,18 @@ ViewpointWalk walk_by_viewpoint(const Method<3>& by_viewpoint, const Parameters&
                     make_problem(*t.method, t.parameters, *scene, cells, view, none, services, t.history);
                 t.cull.push_back(run_milliseconds(*t.method, problem, t.run));
                 drawn_ids(*t.run, ids);
-                const DrawTimes times = time_drawing(drawn, view, ids);
+                const DrawTimes times = tools.time_drawing(drawn, view, ids);
                 t.draw.push_back(std::max(0.0, times.upload + times.draw - nothing_ms));
                 if (repeat == 0) t.next = t.run->next_history();
             }
+            const DrawTimes times = tools.time_drawing(drawn, view, all);
+            everything.push_back(std::max(0.0, times.upload + times.draw - nothing_ms));
         }
+        frame.everything = {0, median(everything), static_cast<std::uint32_t>(all.size()), 0};
+        const Reference exact = exact_image(*scene, view, of.image, tools.draw_ids);
         for (Traveller& t : travellers) {
-            const FrameTime time{median(t.cull), median(t.draw), t.run->counters().drawn()};
+            const FrameTime time{median(t.cull), median(t.draw), t.run->counters().drawn(),
+                                 wrong_pixels(exact, *t.run, tools.draw_ids)};
             if (&t == &travellers.back())
                 frame.adaptive = time;
             else
@@ -123,7 +168,7 @@ ViewpointWalk walk_by_viewpoint(const Method<3>& by_viewpoint, const Parameters&
         frame.predicted_ms = run.table().find(run.place())->facts.costs[frame.technique].ms();
         walk.switches += last != none && last != frame.technique;
         last = frame.technique;
-        if (!go_on(walk.frames.size())) break;
+        if (!tools.go_on(walk.frames.size())) break;
     }
     walk.empty_ms = median(empty);
     walk.look_up_ns = look_up_ns(table, views);
