@@ -135,7 +135,7 @@ struct Maker {
                                        "coorg-teller connected=on",
                                        "coorg-teller connected=grow leaves=polygons",
                                        "shadow-frusta"};
-        if (!scene.rooms.empty()) texts.insert(texts.end(), {"portals", "pvs"});
+        if (!scene.rooms.empty()) texts.insert(texts.end(), {"portals", "pvs", "by-viewpoint grid=2 samples=1"});
         for (const char* text : texts) {
             const Variant<D> variant = make_variant<D>(method_table<D>(), text, start.parameters);
             Services services;

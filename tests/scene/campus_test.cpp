@@ -168,6 +168,51 @@ TEST(Campus, FromInsideARoomIsClosedButAtItsPortals) {
     EXPECT_GT(closed, 10'000u);
 }
 
+// For eyes in the air, in the street and under the ground.
+TEST(Campus, FromOutsideRoomsAreClosedButAtTheirPortals) {
+    const Generated made = campus_of(14);
+    Scene<3> scene;
+    scene.primitives = made.triangles;
+    scene.rooms = made.rooms;
+    const Box<3> around = bounds<3>(made.triangles);
+    Random random(5);
+    std::size_t through = 0, closed = 0, below = 0;
+    while (closed < 700) {
+        Vec<3> eye;
+        for (int a = 0; a < 3; ++a) eye[a] = random.uniform(around.min[a] - 10, around.max[a] + 10);
+        if (!closed_for(scene.rooms, eye)) continue;
+        const Room<3>& room = made.rooms.all[random.below(made.rooms.all.size())];
+        Vec<3> target;
+        for (int a = 0; a < 3; ++a) target[a] = random.uniform(room.shape.min[a], room.shape.max[a]);
+        const Vec<3> way = target - eye;
+        // Where the way first enters any room: of what lies behind nothing is asked here.
+        double enters = 1;
+        for (const Room<3>& any : made.rooms.all) {
+            double in = 0, out = 1;
+            for (int a = 0; a < 3; ++a) {
+                const double p = (any.shape.min[a] - eye[a]) / way[a], q = (any.shape.max[a] - eye[a]) / way[a];
+                in = std::max(in, std::min(p, q));
+                out = std::min(out, std::max(p, q));
+            }
+            if (in < out) enters = std::min(enters, in);
+        }
+        const Vec<3> at = eye + enters * way;
+        const bool in_portal = std::any_of(
+            made.rooms.portals.begin(), made.rooms.portals.end(),
+            [&](const Portal<3>& portal) { return portal.rooms[1] == none && is_around(box_of(portal), at, 1e-9); });
+        ++(in_portal ? through : closed);
+        if (in_portal) continue;
+        below += eye.z < 0;
+        std::vector<Primitive<3>> fronts;
+        for (const Primitive<3>& t : made.triangles)
+            if (glm::dot(glm::cross(t[1] - t[0], t[2] - t[0]), eye - t[0]) > 0) fronts.push_back(t);
+        EXPECT_LE(cast(fronts, eye, way).distance, enters)
+            << room.name << " from " << eye.x << " " << eye.y << " " << eye.z;
+    }
+    EXPECT_GT(through, 3u);
+    EXPECT_GT(below, 100u);
+}
+
 TEST(Campus, TheWalkLeavesARoomFollowsTheCorridorAndRisesAboveTheRoofs) {
     for (const std::uint64_t seed : {14u, 15u, 16u}) {
         SCOPED_TRACE(seed);

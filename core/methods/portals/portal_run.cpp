@@ -147,12 +147,9 @@ bool PortalRun<D>::is_looked_at(const RoomVisit<D>& visit, std::uint32_t primiti
 
 template <int D>
 void PortalRun<D>::collect(const RoomVisit<D>& visit, std::vector<std::uint32_t>& found) const {
-    const RoomContents& contents = graph_->contents;
-    if (visit.room != graph_->outside())
-        return collect_list(this->problem_, view_of(visit), this->drawn_, contents.of(visit.room), found);
-    collect_boxes(
-        this->problem_, view_of(visit), this->drawn_,
-        [&](std::uint32_t primitive) { return !closed_ || contents.outside[primitive]; }, found);
+    if (visit.room == graph_->outside() && !closed_)
+        return collect_boxes(this->problem_, view_of(visit), this->drawn_, found);
+    collect_row(this->problem_, view_of(visit), this->drawn_, *graph_, visit.room, found);
 }
 
 template <int D>

@@ -84,8 +84,7 @@ bool PvsRun<D>::draw(const Part& part) {
     if (part.set)
         collect_list(problem, problem.view, this->drawn_, part.set->of(part.set->rooms[part.index]), found_);
     else
-        collect_boxes(
-            problem, problem.view, this->drawn_, [](std::uint32_t) { return true; }, found_);
+        collect_boxes(problem, problem.view, this->drawn_, found_);
     return std::all_of(found_.begin(), found_.end(),
                        [&](std::uint32_t primitive) { return this->meet(primitive, false); });
 }

@@ -3,6 +3,28 @@
 
 namespace sightline {
 
+namespace {
+
+template <int D>
+void make_blocks(const Scene<D>& scene, RoomGraph<D>& graph) {
+    for (std::uint32_t room = 0; room <= graph.outside(); ++room) {
+        const auto row = graph.contents.of(room);
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            if (i % (RoomGraph<D>::block_size * RoomGraph<D>::blocks_a_group) == 0) graph.groups.emplace_back();
+            if (i % RoomGraph<D>::block_size == 0) graph.blocks.emplace_back();
+            for (const Vec<D>& corner : scene.primitives[row[i]]) {
+                graph.blocks.back().add(corner);
+                graph.groups.back().add(corner);
+            }
+        }
+        graph.first_group.push_back(static_cast<std::uint32_t>(graph.groups.size()));
+        graph.first_block.push_back(static_cast<std::uint32_t>(graph.blocks.size()));
+    }
+    if constexpr (D == 3) graph.facing = FacingPlanes(scene, graph.contents.primitives);
+}
+
+}  // namespace
+
 template <int D>
 RoomGraph<D> make_room_graph(const Scene<D>& scene) {
     const Rooms<D>& rooms = scene.rooms;
@@ -18,6 +40,7 @@ RoomGraph<D> make_room_graph(const Scene<D>& scene) {
         graph.begin.push_back(static_cast<std::uint32_t>(graph.portals.size()));
     }
     for (const Room<D>& room : rooms.all) graph.middles.push_back(middle_of(room));
+    make_blocks(scene, graph);
     return graph;
 }
 

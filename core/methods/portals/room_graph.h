@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "core/run/problem.h"
+#include "core/space/facing.h"
 #include "core/space/room_contents.h"
 
 namespace sightline {
@@ -15,6 +16,14 @@ struct RoomGraph {
     std::vector<std::uint32_t> begin{0};  ///< of each room's row, that of the outside last
     std::vector<std::uint32_t> portals;
     std::vector<Vec<D>> middles;  ///< a point inside each room
+    /// Around so many primitives each, one after the other in a row of `contents`: block_size.
+    std::vector<Box<D>> blocks;
+    std::vector<std::uint32_t> first_block{0};  ///< per row and one more
+    std::vector<Box<D>> groups;                 ///< around so many blocks of a row each: blocks_a_group
+    std::vector<std::uint32_t> first_group{0};  ///< per row and one more
+    FacingPlanes facing;                        ///< 3D: in the order of contents.primitives
+
+    static constexpr std::uint32_t block_size = 16, blocks_a_group = 16;
 
     std::uint32_t outside() const { return contents.rooms(); }
     std::span<const std::uint32_t> portals_of(std::uint32_t room) const {
@@ -28,7 +37,8 @@ struct RoomGraph {
     }
     std::size_t memory_bytes() const {
         return contents.memory_bytes() + (begin.capacity() + portals.capacity()) * sizeof(std::uint32_t) +
-               middles.capacity() * sizeof(Vec<D>);
+               middles.capacity() * sizeof(Vec<D>) + (blocks.capacity() + groups.capacity()) * sizeof(Box<D>) +
+               (first_block.capacity() + first_group.capacity()) * sizeof(std::uint32_t) + facing.memory_bytes();
     }
 };
 

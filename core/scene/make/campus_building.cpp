@@ -12,6 +12,7 @@ namespace {
 
 constexpr double door_side = 0.875, window_side = 1.25, row_depth = 5, hallway = 2.25;
 constexpr double sill_height = 0.875, lintel_height = 2.25, roof_slab = 0.25;
+static_assert(roof_slab <= campus_facade && campus_step <= campus_facade, "what lies between rooms and the outside");
 
 /// Of a straight wall from a to b, whose front is on the right of the way.
 struct PlanWall {
@@ -161,7 +162,8 @@ void add_storey(NamedModel& made, const BuildingPlan& plan, int storey, Numbered
     }
 }
 
-/// The outside: four walls, what is between their openings and those of the rooms, and the roof.
+/// The outside: four walls, what is between their openings and those of the rooms, the roof, and the base: closed but
+/// for the openings.
 void add_outside(NamedModel& made, const BuildingPlan& plan, NumberedNames& names) {
     constexpr double t = campus_facade;
     const double top = floor_of(plan.storeys) + roof_slab;
@@ -205,6 +207,7 @@ void add_outside(NamedModel& made, const BuildingPlan& plan, NumberedNames& name
     }
     std::reverse(ring.begin(), ring.end());
     made.add(names.next("roof"), [&](Model& m) { level_sheet(m, ring, top, true); });
+    made.add(names.next("base"), [&](Model& m) { level_sheet(m, ring, 0, false); });
     for (double x = 3; x + 3 < plan.length; x += 6)
         made.add(names.next("vent"), [&](Model& m) {
             m.box({x, plan.depth / 2 - 0.6, top}, {x + 1.2, plan.depth / 2 + 0.6, top + 0.9}, all_sides & ~bottom_side);

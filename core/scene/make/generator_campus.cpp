@@ -203,6 +203,7 @@ Generated campus(std::uint64_t seed, std::size_t triangles) {
     const std::vector<Plot> plots = plots_by_squares(copies + 1);
     for (std::size_t i = 0; i < copies; ++i) add_copy(made, whole, plots[i], i);
     if (!fits) add_copy(made, one_campus(seed, triangles - copies * each), plots[copies], copies);
+    made.rooms.closed_from = campus_facade;
     made.paths.push_back(campus_walk(seed));
     made.paths.push_back(test_path(made.paths.front()));
     return made;
