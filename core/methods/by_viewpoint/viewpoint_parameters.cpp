@@ -136,7 +136,7 @@ const ParameterRow& valid_frames_row() {
 
 const ParameterRow& cull_times_row() {
     static const ParameterRow row = text_row(
-        "cull_times", "view 60/8; shadow-frusta 900/20; hom 200/60; boxes 200/60; levels 200/8; portals 200/8",
+        "cull_times", "view 300/7; shadow-frusta 200/40; hom 0/400; boxes 300/300; levels 150/16; portals 3500/50",
         times_form, "docs/methods.md",
         "nanoseconds that techniques take a step and a primitive that they meet; lab viewpoint fits them", check_times);
     return row;
