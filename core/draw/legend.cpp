@@ -38,6 +38,9 @@ constexpr std::array entries{
     Entry{Look::missed, ShapeKind::polyline, "visible, not rendered"},
     Entry{Look::wasted, ShapeKind::polyline, "rendered but hidden"},
     Entry{Look::other, ShapeKind::polyline, "hidden, not rendered"},
+    Entry{Look::level_1, ShapeKind::polyline, "level 1 of an object"},
+    Entry{Look::level_2, ShapeKind::polyline, "level 2"},
+    Entry{Look::level_3, ShapeKind::polyline, "level 3 or coarser"},
     Entry{Look::eye, ShapeKind::disc, "eye"},
     Entry{Look::view, ShapeKind::polyline, "border of the view"},
     Entry{Look::seed, ShapeKind::polygon, "seed cell"},
@@ -76,6 +79,9 @@ constexpr std::array solid_entries{
     SolidEntry{SolidLook::wasted, text_of(Look::wasted)},
     SolidEntry{SolidLook::other, text_of(Look::other)},
     SolidEntry{SolidLook::plain, "rendered"},
+    SolidEntry{SolidLook::level_1, text_of(Look::level_1)},
+    SolidEntry{SolidLook::level_2, text_of(Look::level_2)},
+    SolidEntry{SolidLook::level_3, text_of(Look::level_3)},
     SolidEntry{SolidLook::rest, "not rendered"},
 };
 

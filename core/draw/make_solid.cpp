@@ -4,6 +4,7 @@
 
 #include "core/draw/box_palette.h"
 #include "core/draw/cell_number.h"
+#include "core/draw/paint_rooms.h"
 #include "core/draw/palette.h"
 #include "core/draw/picture_3d.h"
 #include "core/draw/round_fields.h"
@@ -134,6 +135,33 @@ void paint_boxes(const Session<3>& session, std::size_t first, SolidList& list) 
     add_boxes(boxes, paint, list);
 }
 
+/// Rooms as boxes, with their portals.
+void paint_rooms(const Session<3>& session, SolidList& list) {
+    const Settings& set = session.settings();
+    const Rooms<3>& rooms = session.scene().rooms;
+    const std::vector<CellState> states = states_of_rooms(session);
+    std::vector<Box<3>> boxes;
+    std::vector<CellPaint> paint;
+    for (std::size_t room = 0; room < states.size(); ++room) {
+        const SolidLook look = look_of(states[room], InRounds::nothing);
+        CellPaint own;
+        own.as = drawn_as(set, look);
+        if (look == SolidLook::projected && own.as != DrawnAs::off && set.triangles != Triangles::off)
+            own.as = DrawnAs::wireframe;  // else it would hide what is drawn in it
+        if (list.slice && glm::dot(list.slice->normal, rooms.all[room].shape.centre()) > list.slice->offset) continue;
+        own.group = own.style = own.border = look_index(look);
+        boxes.push_back(rooms.all[room].shape);
+        paint.push_back(own);
+    }
+    add_boxes(boxes, paint, list);
+    for (const Portal<3>& portal : rooms.portals)
+        for (std::size_t i = 0; i < portal.corners.size(); ++i) {
+            for (const std::size_t k : {i, (i + 1) % portal.corners.size()})
+                list.edge_points.push_back(portal.corners[k]);
+            list.edge_style.push_back(look_index(SolidLook::border));
+        }
+}
+
 /// The supporting planes between the box and the occluder at hand, as glass; the separating ones where one is not
 /// satisfied; the one that is pointed out alone.
 void add_plane_pieces(const Session<3>& session, std::size_t first, SolidList& list) {
@@ -191,7 +219,7 @@ std::vector<ShownBox<3>> drawn_boxes(const Session<3>& session) {
 
 std::vector<std::uint32_t> wire_cells(const Session<3>& session) {
     std::vector<std::uint32_t> wire;
-    if (!seen_from_outside(session) || walks_boxes(session)) return wire;
+    if (!seen_from_outside(session) || walks_boxes(session) || walks_rooms(session)) return wire;
     const std::vector<std::uint8_t> shown = shown_cells(session, slice_of(session));
     const RoundFields<3> in_rounds(session.traversal());
     for (std::uint32_t cell = 0; cell < shown.size(); ++cell)
@@ -221,6 +249,10 @@ SolidList make_solid(const Session<3>& session, const PictureOptions3& options) 
     add_triangles(session, set.show_visibility == Switch::on && (outside || set.triangles > Triangles::missed), list);
     if (!outside) return list;
     make_glass(set, list);
+    if (walks_rooms(session)) {
+        paint_rooms(session, list);
+        return list;
+    }
     if (walks_boxes(session)) {
         paint_boxes(session, first, list);
         if (by_planes && set.show_planes == Switch::on) add_plane_pieces(session, first, list);

@@ -2,7 +2,6 @@
 #include "core/draw/paint_rooms.h"
 
 #include "core/draw/palette.h"
-#include "core/methods/portals/portal_run.h"
 
 namespace sightline {
 
@@ -22,35 +21,25 @@ std::vector<Vec<2>> left_of(const std::vector<Vec<2>>& polygon, const Vec<2>& a,
 
 }  // namespace
 
-bool walks_rooms(const Session<2>& session) {
-    const Kind pops = session.method().pops;
-    return !session.scene().rooms.empty() && (pops == Kind::portal || pops == Kind::region);
-}
-
 void paint_windows(const Session<2>& session, DrawList& list) {
     const std::vector<Room<2>>& rooms = session.scene().rooms.all;
-    const Run<2>& run = session.traversal();
-    const auto paint = [&](const std::vector<Vec<2>>& outline, CellState state) {
-        if (outline.size() < 3 || state == CellState::clean) return;
-        const Look look = state == CellState::projected ? Look::projected : Look::enqueued;
-        list.add(ShapeKind::polygon, static_cast<std::uint16_t>(look), outline);
-    };
-    const auto* const walk = dynamic_cast<const PortalRun<2>*>(&run);
-    if (!walk) {  // rooms as wholes
-        for (std::uint32_t room = 0; room < rooms.size(); ++room)
-            paint(rooms[room].shape, run.mark({room, Kind::region}).state);
-        return;
-    }
     const Vec<2>& eye = session.culling_view().eye;
-    std::uint32_t left = run.steps();
-    for (const RoomVisit<2>& visit : walk->visits()) {
-        const CellState state = left > 0 ? CellState::projected : CellState::enqueued;
-        left -= left > 0;
-        if (visit.room >= rooms.size()) continue;
-        std::vector<Vec<2>> outline = rooms[visit.room].shape;
-        if (!visit.window.all) outline = left_of(left_of(outline, eye, visit.window.right), visit.window.left, eye);
-        paint(outline, state);
+    for (const RoomSeen<2>& seen : session.traversal().rooms_seen().value_or(std::vector<RoomSeen<2>>{})) {
+        std::vector<Vec<2>> outline = rooms[seen.room].shape;
+        if (!seen.whole) outline = left_of(left_of(outline, eye, seen.window.corners[0]), seen.window.corners[1], eye);
+        if (outline.size() < 3) continue;
+        const Look look = seen.state == CellState::projected ? Look::projected : Look::enqueued;
+        list.add(ShapeKind::polygon, static_cast<std::uint16_t>(look), outline);
     }
+}
+
+std::vector<CellState> states_of_rooms(const Session<3>& session) {
+    std::vector<CellState> states(session.scene().rooms.all.size(), CellState::clean);
+    const auto all = session.traversal().rooms_seen();
+    if (!all) return states;
+    for (const RoomSeen<3>& seen : *all)
+        if (states[seen.room] != CellState::projected) states[seen.room] = seen.state;
+    return states;
 }
 
 void paint_portals(const Session<2>& session, DrawList& list) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "core/draw/draw_list.h"
@@ -37,8 +38,17 @@ enum class Look : std::uint16_t {
     completed,  ///< projected by a round that completes the picture
     hidden,     ///< in the front, tested by a round and hidden
     next,       ///< the cell that came next when the last one was taken
+    level_1,    ///< primitives of levels that stand in for objects, from fine to coarse
+    level_2,
+    level_3,  ///< and coarser ones
     count,
 };
+
+/// Of a level from 1: `first`, the one behind it, or the third.
+template <typename LevelLook>
+LevelLook level_look(LevelLook first, std::uint32_t level) {
+    return static_cast<LevelLook>(static_cast<std::uint32_t>(first) + std::min(level, 3u) - 1);
+}
 
 struct Colours {
     Colour background, ink, halo, accent;

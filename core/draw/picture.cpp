@@ -197,7 +197,7 @@ private:
             const std::shared_ptr<const Levels<2>> levels = session_.traversal().levels();
             const Level& level = levels->at(stand_in.object, stand_in.level);
             for (std::uint32_t i = level.begin; i < level.end; ++i)
-                list_.add(ShapeKind::polyline, index(Look::rendered),
+                list_.add(ShapeKind::polyline, index(level_look(Look::level_1, stand_in.level)),
                           {levels->primitives[i][0], levels->primitives[i][1]});
         }
     }

@@ -22,7 +22,8 @@ std::vector<SolidStyle> standard_solids() {
         solid("missed", {200, 70, 0}),         solid("wasted", {185, 135, 175}),
         solid("other", {228, 230, 234}),       solid("fresh", {240, 175, 20}),
         solid("completed", {95, 160, 140}),    solid("hidden", {120, 150, 190}),
-        solid("added", {95, 160, 140}),
+        solid("added", {95, 160, 140}),        solid("level_1", {165, 190, 215}),
+        solid("level_2", {125, 160, 200}),     solid("level_3", {85, 125, 185}),
     };
 }
 
@@ -48,6 +49,9 @@ std::vector<SolidStyle> paper_solids() {
         solid("completed", {255, 160, 60}),
         solid("hidden", {50, 80, 160}),
         solid("added", {255, 160, 60}),
+        solid("level_1", {170, 205, 255}),
+        solid("level_2", {120, 165, 255}),
+        solid("level_3", {80, 120, 235}),
     };
 }
 
@@ -60,7 +64,8 @@ std::vector<SolidStyle> print_solids() {
         edge("border", grey(110), 0.5), solid("plain", grey(190)),       solid("rest", grey(235)),
         solid("rendered", grey(175)),   solid("missed", grey(30)),       solid("wasted", grey(120)),
         solid("other", grey(235)),      solid("fresh", grey(70)),        solid("completed", grey(175)),
-        solid("hidden", grey(100)),     solid("added", grey(175)),
+        solid("hidden", grey(100)),     solid("added", grey(175)),       solid("level_1", grey(150)),
+        solid("level_2", grey(125)),    solid("level_3", grey(95)),
     };
 }
 

@@ -27,6 +27,9 @@ enum class SolidLook : std::uint8_t {
     completed,   ///< cells projected by a round that completes the picture
     hidden,      ///< cells in the front, tested by a round and hidden
     added,       ///< triangles rendered by rounds
+    level_1,     ///< triangles of levels that stand in for objects, from fine to coarse
+    level_2,
+    level_3,  ///< and coarser ones
     count,
 };
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/draw/box_palette.h"
+#include "core/draw/palette.h"
 #include "core/draw/shown_cells.h"
 #include "core/draw/shown_planes.h"
 #include "core/draw/solid_palette.h"
@@ -16,7 +17,7 @@ namespace {
 
 /// The levels that stand in for objects; the one of the last step apart.
 template <typename ByLook>
-void add_levels(const Session<3>& session, bool tell_visible, bool recorded, ByLook& by_look) {
+void add_levels(const Session<3>& session, bool recorded, ByLook& by_look) {
     const Run<3>& run = session.traversal();
     const auto stand_ins = run.stand_ins();
     if (stand_ins.empty()) return;
@@ -25,9 +26,8 @@ void add_levels(const Session<3>& session, bool tell_visible, bool recorded, ByL
     const std::uint32_t last =
         recorded ? id_of(session.timeline().steps[session.position() - 1].item, Kind::object) : none;
     for (const StandIn& stand_in : stand_ins) {
-        const SolidLook look = stand_in.object == last ? SolidLook::fresh
-                               : tell_visible          ? SolidLook::rendered
-                                                       : SolidLook::plain;
+        const SolidLook look =
+            stand_in.object == last ? SolidLook::fresh : level_look(SolidLook::level_1, stand_in.level);
         const Level& level = levels->at(stand_in.object, stand_in.level);
         auto& triangles = by_look[static_cast<std::size_t>(look)];
         for (std::uint32_t i = level.begin; i < level.end; ++i) triangles.push_back(behind + i);
@@ -87,7 +87,7 @@ void add_triangles(const Session<3>& session, bool tell_visible, SolidList& list
     }
     if (!is_rendered.empty())
         for_stood_in(session.traversal(), [&](std::uint32_t triangle) { is_rendered[triangle] = 1; });
-    add_levels(session, tell_visible, recorded, by_look);
+    add_levels(session, recorded, by_look);
     for (std::uint32_t triangle = 0; triangle < is_rendered.size(); ++triangle) {
         if (is_rendered[triangle] || (wanted != Triangles::all && !visible[triangle])) continue;
         SolidLook look = SolidLook::rest;

@@ -10,6 +10,7 @@
 #include "core/run/explanation.h"
 #include "core/run/problem.h"
 #include "core/run/recorder.h"
+#include "core/run/room_seen.h"
 #include "core/space/levels.h"
 
 namespace sightline {
@@ -142,6 +143,9 @@ public:
     /// Of the polygon of a primitive; nothing: it never is one.
     virtual std::optional<OccluderRegion<D>> occluder_region(std::uint32_t /*primitive*/) const { return std::nullopt; }
 
+    /// Of a method that goes from room to room, in the order of its steps, in a scene that has some; nothing: it does
+    /// not.
+    virtual std::optional<std::vector<RoomSeen<D>>> rooms_seen() const { return std::nullopt; }
     /// Of a method that chooses a technique by viewpoint.
     virtual std::optional<ViewpointFact<D>> viewpoint() const { return std::nullopt; }
 

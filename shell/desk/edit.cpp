@@ -8,6 +8,7 @@
 #include "core/base/file.h"
 #include "core/base/index.h"
 #include "core/scene/clean.h"
+#include "core/scene/plan_rooms.h"
 #include "core/scene/read/read_json.h"
 #include "shell/desk/change.h"
 #include "shell/desk/undo.h"
@@ -47,7 +48,9 @@ void check(const Scene<2>& scene, std::uint32_t index) {
     }
 }
 
+/// Rooms are made anew: those of the scene before are closed by its walls.
 void put(Workbench<2>& bench, Scene<2> scene, const std::string& gesture, std::span<const std::uint32_t> numbers = {}) {
+    if (!scene.rooms.empty()) scene.rooms = plan_rooms(scene.primitives);
     change_scene(bench, std::make_shared<const Scene<2>>(std::move(scene)), gesture, numbers);
 }
 

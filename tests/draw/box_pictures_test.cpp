@@ -57,7 +57,7 @@ std::size_t count_of(const DrawList& list, std::string_view name) {
 }
 
 /// Goldens: the plan in the middle and at the end, the town from above with a box and a plane selected.
-constexpr std::array plane_goldens{"02e5033e42b67f56", "e0b5186927e96c64", "b0f8f334a539eb4a", "8a44a85bae961a0f"};
+constexpr std::array plane_goldens{"5002f986ff2d3d2d", "118d713df5c4aaa0", "5ff25eee1ebe8d89", "862a162a2547b4f0"};
 
 TEST(BoxPictures, AreThoseOfTheGoldens) {
     std::array<std::string, 4> now;

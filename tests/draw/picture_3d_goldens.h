@@ -10,14 +10,10 @@ namespace sightline::test {
 using Goldens = std::vector<std::array<const char*, 6>>;
 
 inline const Goldens picture_3d_goldens{
-    {"69bb8ce7a76361c6", "5532d0df7e98983e", "e7731886870cce84", "67bdf8acbb356f63", "e37fd0c6db0c161d",
-     "2dc1497b5aff3a91"},
-    {"4e65bb5032bfcc5d", "6f1cf8e40c2e2d34", "7fdea05f3851ac45", "16e3f7fb28521cd0", "96cc74b633942d4a",
-     "f7ab330d577ebc59"},
-    {"edc1af6354a59721", "23c4aeb6c75fd06e", "5b1b011178156b3c", "a150634a83a5f469", "3f6420d4252e4a85",
-     "3d4787e1e91e6e0a"},
-    {"ab7fafc81e503023", "6b26f91fb9dc5d39", "fc34d97b1fa1840d", "0e617f17753d6734", "e2514e0ab96a3c5e",
-     "035f528aa95c4ca6"},
+    {"6d1688a40f702d0f", "fc5a6f7d3c704504", "859ea15dec5e176a", "13243365a74dcfb2", "d20e1cd20c181108", "495773fd4a2084d6"},
+    {"40b209f6e366d192", "779c3131cea35b58", "9e52e0d36045ef8a", "f47509da2db655fc", "44b814f136d9bb5d", "3e6acabb500993c6"},
+    {"180f9636a19a287a", "90e796348cc29940", "fab4745de890d348", "609353a017039364", "29c813a9e684fd62", "9d94a476c361fd48"},
+    {"fb96d5d9200c72da", "05a5230a831ef9c2", "af2c4204bd697fea", "21063cb2c84cfa14", "7050226eacb72e0c", "35e538bca3553d0e"},
 };
 
 }  // namespace sightline::test

@@ -311,21 +311,21 @@ TEST(Picture, AnEmptySceneHasAWorld) {
 
 const std::vector<Golden>& goldens() {
     static const std::vector<Golden> table{
-        {"bottleneck", {"c38c1dc4944d0b95", "2ae18757557125be", "3c94a3bf70aef439"}},
-        {"field", {"afade6770b3f6e9a", "45150bd778ac74e8", "771fb0dcb763e1a1"}},
-        {"streets", {"47ef962932caa6bf", "64efdcf40004430a", "3f89881d91085ab1"}},
-        {"rooms", {"a545e53e009ac757", "9826ca825b20bb51", "2b8bba39f54839bd"}},
-        {"cars", {"47b6dc783bee6435", "e9fc1ca93a3ea21d", "cbb8e702c0115137"}},
-        {"jungle", {"47113205cec194e1", "a82056c8e4dd7993", "2a950d31bbc03215"}},
-        {"terrain", {"e099a0b75eab897f", "4d077e29d2dee063", "b2ab54edd559e6b3"}},
-        {"wallholes", {"6d7f02aeb53bf1b1", "e96c547fe7a86efe", "dd5a6c553e46891d"}},
-        {"wall2", {"c001e5b34146f8a0", "9d6a90609fa58034", "6d2069bd4b1b094e"}},
-        {"statue", {"e845247ff14df033", "1b34694f565b550d", "c3a085796ad724a2"}},
-        {"forget", {"89cab5430b17bab8", "c030b7804849ce50", "2ecb3b7f21b7e1c9"}},
-        {"soda", {"29c6a75cbc62619f", "d34b6ee6c25fcda7", "ebdc50d234a6e335"}},
-        {"blocks", {"b67e9885bf606872", "d5d344e6a5a56bbd", "a706f56b853a6885"}},
-        {"tetra", {"692a372cc10b881d", "b3ddce2ea6def704", "cf52ee6a26114d95"}},
-        {"campus", {"722b8f28c1253806", "45207e2d3988f8ae", "55c68e57d4f920e1"}},
+        {"bottleneck", {"1e93a0995ee17217", "587cb178f786dad9", "95e8f11a54c30cfc"}},
+        {"field", {"58c8d937da66b2a2", "9a4090a12bb53c54", "9e0df9876e16395b"}},
+        {"streets", {"a8814d2c51b10795", "ed1a078b2cbee62d", "33068dda224bd5e9"}},
+        {"rooms", {"83f511d4554e6406", "8c2d3a43d1db2802", "4ba687fc97fdf9d8"}},
+        {"cars", {"d829716d195a50f1", "a96eda00bf7344f9", "4b1fb15166caf645"}},
+        {"jungle", {"5d17f65cd600cce2", "8877f0c82d9427ef", "3275ee19a7e6fbc0"}},
+        {"terrain", {"48ea59f613c80cbd", "19a35d3a39cb2c2e", "7cc881f1161bd3c5"}},
+        {"wallholes", {"166be9c656e9f56e", "3f709bef69399b60", "e3b8854ddf89e250"}},
+        {"wall2", {"2b69a0820955d43b", "8a534d4cd0b03c72", "4b94e5413dbde31a"}},
+        {"statue", {"24384035fe539532", "342ea2e8dda2f992", "a7abffae4203f951"}},
+        {"forget", {"c3f5494110532b58", "ca786a5c4bdeaa32", "988c9c665a32bd1b"}},
+        {"soda", {"5f0549688ce76d34", "1fb1c44fac1da629", "f46939123aa83f27"}},
+        {"blocks", {"f54986a44553f37d", "f2fd430e1768005d", "73b85b8f5af56223"}},
+        {"tetra", {"9f04dd2d47ef2624", "047b168b1f8cee47", "b9fd20461682f892"}},
+        {"campus", {"67417d7421e8e940", "76fc3dab8f96c8c8", "af16db176c70a7da"}},
     };
     return table;
 }

@@ -13,8 +13,10 @@
 #include "core/methods/method_table.h"
 #include "core/run/timeline.h"
 #include "core/scene/make/catalogue.h"
+#include "core/scene/read/load.h"
 #include "core/scene/scene_view.h"
 #include "core/space/builders.h"
+#include "core/truth/software_ids.h"
 #include "core/truth/visible_set.h"
 #include "tests/scene/random_scene.h"
 #include "tests/soak.h"
@@ -371,23 +373,83 @@ TEST(ByViewpoint, GoesBackAndForthThroughRooms) {
     }
 }
 
-TEST(ByViewpoint, NothingVisibleIsLost) {
+/// An eye anywhere in an entry's region, looking anywhere into its interval: not only the views that the entry was
+/// worked out in.
+template <int D>
+View<D> view_of_an_entry(const ViewpointTable<D>& table, const Scene<D>& scene, Random& random) {
+    const std::size_t place = random.below(static_cast<std::uint32_t>(table.size()));
+    const Box<D> box = table.regions().box(table.region_of(place));
+    ViewSpec<D> spec;
+    for (int a = 0; a < D; ++a) spec.eye[a] = random.uniform(box.min[a], box.max[a]);
+    spec.look_at = spec.eye + table.directions().inside(table.interval_of(place), random.unit(), random.unit());
+    return scene_view(spec, scene, {64, 48});
+}
+
+TEST(ByViewpoint, NothingVisibleIsLostAnywhereInTheVolumesOfEntries2d) {
     Random random(12);
-    std::size_t visible = 0;
+    std::size_t visible = 0, drawn_in_all = 0, views = 0;
+    const auto look = [&](const Scene<2>& scene, const CellComplex<2>& cells, const std::string& settings, int count) {
+        const Variant<2> variant = make_variant<2>(method_table<2>(), "by-viewpoint " + settings);
+        Services services;
+        services.image = {512, 1};
+        const auto problem = [&](const View<2>& view) {
+            return make_problem(variant.method, variant.parameters, scene, cells, view, none, services);
+        };
+        const auto table = viewpoint_table<2>(method_table<2>(), problem(make_view(ViewSpec<2>{{0, 0}, {1, 0}, 60})));
+        for (int i = 0; i < count; ++i, ++views) {
+            const View<2> view = view_of_an_entry(*table, scene, random);
+            const auto run = variant.method.start(problem(view));
+            run->run(none);
+            ASSERT_EQ(run->misses(), Misses::none);
+            const auto drawn = rendered_mask(run->met(), scene.primitives.size());
+            const auto seen = exact_visible_set(scene.primitives, view).visible;
+            for (std::size_t p = 0; p < seen.size(); ++p) {
+                ASSERT_LE(seen[p], drawn[p]) << settings << " " << view.eye.x << " " << view.eye.y;
+                visible += seen[p];
+                drawn_in_all += drawn[p];
+            }
+        }
+    };
     for (int i = 0; i < test::soak_count(20); ++i) {
-        const ViewpointCase<2> made(random, std::string(three) + " techniques='view; shadow-frusta; coorg-teller'");
-        const View<2> view = made.view(random);
-        const auto run = made.method.start(made.problem(view));
-        run->run(none);
-        EXPECT_EQ(run->misses(), Misses::none);
-        const auto drawn = rendered_mask(run->met(), made.scene.primitives.size());
-        const auto seen = exact_visible_set(made.scene.primitives, view).visible;
-        for (std::size_t p = 0; p < seen.size(); ++p) {
-            ASSERT_LE(seen[p], drawn[p]);
-            visible += seen[p];
+        const ViewpointCase<2> made(random, "samples=1");
+        look(made.scene, made.cells, "samples=1 techniques='view; shadow-frusta; coorg-teller'", 450);
+    }
+    const Scene<2> rooms = make_scene(*find_in_catalogue<2>("rooms"));
+    const CellComplex<2> none_needed;
+    look(rooms, none_needed, "samples=1 grid=4 techniques='portals; pvs; coorg-teller'", test::soak_count(500));
+    look(rooms, none_needed, "samples=1 grid=4 choose_by=paper allotted_ms=0", test::soak_count(500));
+    EXPECT_GE(views, 10'000u);
+    EXPECT_GT(visible, 20'000u);
+    EXPECT_GT(drawn_in_all, visible);
+}
+
+// At the centres of an image's pixels.
+TEST(ByViewpoint, NothingVisibleIsLostAnywhereInTheVolumesOfEntries3d) {
+    Random random(13);
+    for (const char* const id : {"soda", "campus"}) {
+        const Scene<3> scene = load_scene<3>(id);
+        CellComplex<3> cells;
+        cells.boxes->of(scene);
+        const Variant<3> variant = make_variant<3>(
+            method_table<3>(),
+            "by-viewpoint samples=1 choose_by=paper allotted_ms=0 techniques='view; shadow-frusta; portals'");
+        Services services;
+        services.image = {64, 48};
+        const auto problem = [&](const View<3>& view) {
+            return make_problem(variant.method, variant.parameters, scene, cells, view, none, services);
+        };
+        const auto table = viewpoint_table<3>(
+            method_table<3>(), problem(scene_view(ViewSpec<3>{{0, 0, 0}, {1, 0, 0}, 60}, scene, {64, 48})));
+        for (int i = 0; i < test::soak_count(60); ++i) {
+            const View<3> view = view_of_an_entry(*table, scene, random);
+            const auto run = variant.method.start(problem(view));
+            run->run(none);
+            const auto drawn = rendered_mask(run->met(), scene.primitives.size());
+            const IdImage exact = draw_ids_in_software(scene, view, {64, 48}, 1).front();
+            for (const std::uint32_t seen : exact.ids)
+                ASSERT_TRUE(seen == none || drawn[seen]) << id << " " << seen;
         }
     }
-    EXPECT_GT(visible, 0u);
 }
 
 TEST(ByViewpoint, KeepsTheLastTechniqueUntilChangingPays) {

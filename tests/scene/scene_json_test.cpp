@@ -33,6 +33,7 @@ void expect_same(const Scene<2>& a, const Scene<2>& b) {
     EXPECT_EQ(a.title, b.title);
     EXPECT_EQ(a.lesson, b.lesson);
     EXPECT_EQ(a.seed, b.seed);
+    EXPECT_EQ(a.rooms, b.rooms);
 }
 
 TEST(SceneJson, RoundTripsTheCatalogueBitForBit) {

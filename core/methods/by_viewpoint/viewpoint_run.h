@@ -63,6 +63,7 @@ public:
     std::vector<TestedOccluder> tested_occluders(const Item& box) const override {
         return inner().tested_occluders(box);
     }
+    std::optional<std::vector<RoomSeen<D>>> rooms_seen() const override { return inner().rooms_seen(); }
     std::optional<Box<D>> eye_box() const override { return table_->regions().box(table_->region_of(place_)); }
     std::optional<OccluderRegion<D>> occluder_region(std::uint32_t primitive) const override {
         return inner().occluder_region(primitive);

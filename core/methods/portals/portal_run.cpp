@@ -198,6 +198,20 @@ std::vector<std::pair<Item, Mark>> PortalRun<D>::front() const {
 }
 
 template <int D>
+std::optional<std::vector<RoomSeen<D>>> PortalRun<D>::rooms_seen() const {
+    if (this->problem_.scene->rooms.empty()) return std::nullopt;
+    std::vector<RoomSeen<D>> seen;
+    for (std::uint32_t i = 0; i < visits_.size(); ++i) {
+        if (visits_[i].room == graph_->outside()) continue;
+        bool whole = false;
+        if constexpr (D == 2) whole = visits_[i].window.all;
+        seen.push_back(
+            {visits_[i].room, i < next_ ? CellState::projected : CellState::enqueued, whole, view_of(visits_[i])});
+    }
+    return seen;
+}
+
+template <int D>
 Misses PortalRun<D>::misses() const {
     return this->counters_.partial_cell == none && next_ == visits_.size() ? Misses::none : Misses::may;
 }

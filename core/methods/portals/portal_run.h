@@ -47,6 +47,7 @@ public:
     Mark mark(const Item&) const override;
     std::vector<std::pair<Item, Mark>> front() const override;
     Misses misses() const override;
+    std::optional<std::vector<RoomSeen<D>>> rooms_seen() const override;
 
     std::string_view rule_words(std::uint8_t rule) const override { return portal_rule_words[rule]; }
     std::string popped_words(const Step&) const override;

@@ -114,6 +114,16 @@ std::vector<std::pair<Item, Mark>> PvsRun<D>::front() const {
 }
 
 template <int D>
+std::optional<std::vector<RoomSeen<D>>> PvsRun<D>::rooms_seen() const {
+    if (this->problem_.scene->rooms.empty()) return std::nullopt;
+    std::vector<RoomSeen<D>> seen;
+    for (std::uint32_t i = 0; i < parts_.size(); ++i)
+        if (parts_[i].set)
+            seen.push_back({item_of(parts_[i]).id, i < next_ ? CellState::projected : CellState::enqueued, true, {}});
+    return seen;
+}
+
+template <int D>
 std::string PvsRun<D>::popped_words(const Step& step) const {
     const Part& part = parts_[static_cast<std::size_t>(step.key)];
     const Rooms<D>& rooms = this->problem_.scene->rooms;

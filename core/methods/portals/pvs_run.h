@@ -27,6 +27,7 @@ public:
     Misses misses() const override {
         return this->counters_.partial_cell == none && next_ == parts_.size() ? Misses::none : Misses::may;
     }
+    std::optional<std::vector<RoomSeen<D>>> rooms_seen() const override;
 
     std::string_view rule_words(std::uint8_t) const override { return "drawn"; }
     std::string popped_words(const Step&) const override;

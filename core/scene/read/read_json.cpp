@@ -82,9 +82,58 @@ Objects objects_of(const Json& value, std::size_t primitives, const std::string&
     return objects;
 }
 
+std::vector<Vec<2>> points_of(const Json& value, const JsonPlace& place, const std::string& name) {
+    if (!value.is_array())
+        throw input_error(name, place.text(), std::string("expected an array, found ") + json_kind(value));
+    std::vector<Vec<2>> points;
+    for (std::size_t i = 0; i < value.size(); ++i) {
+        const auto p = numbers<2>(value[i], place.element(i), name);
+        points.push_back({p[0], p[1]});
+    }
+    return points;
+}
+
+/// {"all": [{"name": "hall", "shape": [[0, 0], …]}, …],
+///  "portals": [{"rooms": [0, null], "corners": [[0, 1], [0, 2]]}, …]}; null: the outside.
+Rooms<2> rooms_of(const Json& value, const std::string& name) {
+    const JsonPlace top, place = top.member("rooms");
+    if (!value.is_object())
+        throw input_error(name, "/rooms", std::string("expected an object, found ") + json_kind(value));
+    const Json &all = required(value, "all", place, name), &portals = required(value, "portals", place, name);
+    if (!all.is_array() || !portals.is_array())
+        throw input_error(name, "/rooms", "expected arrays of rooms and of portals");
+    Rooms<2> rooms;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const JsonPlace of_rooms = place.member("all"), at = of_rooms.element(i);
+        if (!all[i].is_object() || !all[i].value("name", Json()).is_string())
+            throw input_error(name, at.text(), "expected a room with a name");
+        rooms.all.push_back({all[i]["name"].get<std::string>(),
+                             points_of(required(all[i], "shape", at, name), at.member("shape"), name)});
+    }
+    for (std::size_t i = 0; i < portals.size(); ++i) {
+        const JsonPlace of_portals = place.member("portals"), at = of_portals.element(i);
+        if (!portals[i].is_object()) throw input_error(name, at.text(), "expected a portal");
+        const auto corners = points_of(required(portals[i], "corners", at, name), at.member("corners"), name);
+        const Json& leads = required(portals[i], "rooms", at, name);
+        if (corners.size() != 2 || !leads.is_array() || leads.size() != 2)
+            throw input_error(name, at.text(), "expected two corners and two rooms");
+        Portal<2> portal;
+        for (std::size_t k = 0; k < 2; ++k) {
+            portal.corners.push_back(corners[k]);
+            if (leads[k].is_null()) continue;
+            if (!leads[k].is_number_unsigned() || leads[k].get<std::uint64_t>() >= all.size())
+                throw input_error(name, at.text(), "expected numbers of rooms, from 0, or null for the outside");
+            portal.rooms[k] = leads[k].get<std::uint32_t>();
+        }
+        rooms.portals.push_back(portal);
+    }
+    check_rooms(rooms, name);
+    return rooms;
+}
+
 void warn_of_unknown(const Json& root, Scene<2>& scene) {
-    static constexpr std::array known = {"format", "version",  "dimension", "id",     "title",  "lesson",
-                                         "seed",   "segments", "view",      "origin", "objects"};
+    static constexpr std::array known = {"format", "version",  "dimension", "id",     "title",   "lesson",
+                                         "seed",   "segments", "view",      "origin", "objects", "rooms"};
     for (const auto& [key, value] : root.items())
         if (std::find(known.begin(), known.end(), key) == known.end())
             scene.warnings.push_back("member \"" + one_line(key, 40) + "\" is not known and was ignored");
@@ -121,6 +170,7 @@ Scene<2> scene_from_json(const Json& root, const std::string& name) {
         scene.primitives.push_back({Vec<2>(s[0], s[1]), Vec<2>(s[2], s[3])});
     }
     if (root.contains("objects")) scene.objects = objects_of(root["objects"], scene.primitives.size(), name);
+    if (root.contains("rooms")) scene.rooms = rooms_of(root["rooms"], name);
     warn_of_unknown(root, scene);
     clean(scene, Recentre::no, name);
     scene.start_view = root.contains("view") ? view_of(root["view"], name) : default_view(scene.primitives);
@@ -166,6 +216,25 @@ std::string write_json(const Scene<2>& scene) {
         for (const std::string& object : scene.objects.names) names.push_back(object);
         out += ",\n  \"objects\": {\"names\": " + names.dump(-1, ' ', false, Json::error_handler_t::replace) +
                ",\n    \"of\": " + Json(scene.objects.of).dump() + "}";
+    }
+    if (!scene.rooms.empty()) {
+        const auto room = [](std::uint32_t number) { return number == none ? "null" : std::to_string(number); };
+        out += ",\n  \"rooms\": {\"all\": [";
+        separator = "\n";
+        for (const Room<2>& one : scene.rooms.all) {
+            out += separator + std::string("    {\"name\": ") + quoted(one.name) + ", \"shape\": [";
+            for (std::size_t i = 0; i < one.shape.size(); ++i) out += (i ? ", " : "") + point(one.shape[i]);
+            out += "]}";
+            separator = ",\n";
+        }
+        out += "\n   ], \"portals\": [";
+        separator = "\n";
+        for (const Portal<2>& portal : scene.rooms.portals) {
+            out += separator + std::string("    {\"rooms\": [") + room(portal.rooms[0]) + ", " + room(portal.rooms[1]) +
+                   "], \"corners\": [" + point(portal.corners[0]) + ", " + point(portal.corners[1]) + "]}";
+            separator = ",\n";
+        }
+        out += "\n   ]}";
     }
     return out + "\n}\n";
 }

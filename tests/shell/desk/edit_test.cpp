@@ -147,6 +147,31 @@ TEST(Edit, AnEditedSceneIsNotTakenForTheOriginal) {
     EXPECT_EQ(opened.session.hash(), session.hash());
 }
 
+// Walls close rooms: where one is taken away, a method that goes from room to room sees through.
+TEST(Edit, RoomsAreThoseOfTheWallsThatAreLeft) {
+    Settings settings;
+    settings.method = "portals";
+    settings.budget = parse_budget("unlimited");
+    test::Bench on(open_scene("rooms", settings, method_table<2>(), [](const std::string&) {}));
+    Session<2>& session = on.bench.session;
+    const Rooms<2> before = session.scene().rooms;
+    ASSERT_FALSE(before.empty());
+    for (int i = 0; i < 40; ++i) {
+        session.run(none);
+        const auto seen = session.reference().visible;
+        const auto wall = std::find(seen.begin(), seen.end(), 1);
+        ASSERT_NE(wall, seen.end());
+        delete_segment(on.bench, static_cast<std::uint32_t>(wall - seen.begin()));
+    }
+    session.run(none);
+    EXPECT_NE(session.scene().rooms, before);
+    const auto drawn = rendered_mask(session.met(), session.scene().primitives.size());
+    const auto& seen = session.reference().visible;
+    for (std::size_t p = 0; p < seen.size(); ++p) EXPECT_LE(seen[p], drawn[p]) << p;
+    const OpenedState opened = open_state(state_json(session), "text");
+    EXPECT_EQ(opened.session.scene().rooms, session.scene().rooms);
+}
+
 TEST(Edit, AStateFileHoldsAnEditedSceneHoweverLarge) {
     Random random(108);
     Scene<2> scene;
