@@ -24,10 +24,10 @@ namespace fs = std::filesystem;
 
 /// Azimuths and elevations of tables whose sizes are compared.
 constexpr auto compared_intervals =
-    std::to_array<std::array<std::uint32_t, 2>>({{4, 1}, {8, 1}, {8, 3}, {16, 3}, {16, 5}});
+    std::to_array<std::array<std::uint32_t, 2>>({{4, 1}, {8, 1}, {8, 3}, {16, 3}, {16, 7}});
 
 /// Of larger tables no more is worked out than what the path needs.
-constexpr std::size_t most_entries = 10'000;
+constexpr std::size_t most_entries = 10'000, most_to_compare = 2500;
 
 /// Views for the cost model: some of the path, and as many of entries from all over the table.
 std::vector<View<3>> views_to_fit(const std::vector<View<3>>& of_path, const ViewpointTable<3>& table,
@@ -101,7 +101,7 @@ public:
         if (options_.fills && is_small) fill();
         if (!options_.table.empty() || (options_.fills && is_small))
             made_.fill.file_bytes = bytes_as_a_file(*made_.table, options_.table);
-        if (options_.sizes && is_small) compare_sizes();
+        if (options_.sizes && made_.table->size() <= most_to_compare) compare_sizes();
         if (interrupted()) return std::nullopt;
         WalkTools tools{graphics_.time_drawing(options_.image), graphics_.draw_ids(), options_.repeats,
                         [&](std::size_t done) {

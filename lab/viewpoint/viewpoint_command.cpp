@@ -37,8 +37,10 @@ int viewpoint_command(int argc, const char* const* argv, const MethodTables& tab
     app.add_flag("!--no-fit", options.calibrates, "take the cost model's constants from --method, and fit none");
     app.add_flag("--fill", options.fills,
                  "work out all entries of tables with at most 10,000, not only those that the path needs");
-    app.add_flag("--sizes", options.sizes,
-                 "work out tables with more and more intervals, where --fill would, and compare their sizes");
+    app.add_flag(
+        "--sizes", options.sizes,
+        "work out tables with more and more intervals, of scenes where one has at most 2,500 entries, and compare "
+        "their sizes");
     app.add_option("--table", options.table,
                    "file of the table: entries in it are not worked out again, and it is written when all is done");
     app.add_option("--threads", options.threads, "to work out entries; 0: as many as the machine has")

@@ -124,7 +124,7 @@ TEST(ViewpointCommand, WritesItsPageAndNamesWhatIsWrong) {
              "--out", folder.string(), "--markdown", (folder / "page.md").string()});
     EXPECT_EQ(status, 0) << said;
     EXPECT_NE(said.find("soda, path walk, 2 frames"), std::string::npos) << said;
-    EXPECT_NE(said.find("16 × 5 and two caps"), std::string::npos) << said;
+    EXPECT_NE(said.find("16 × 7 and two caps"), std::string::npos) << said;
     const std::string page = read_file(folder / "page.md");
     for (const char* const part :
          {"| by viewpoint |", "| levels |", "| everything |", "Choosing pays",
