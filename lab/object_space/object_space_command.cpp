@@ -88,6 +88,7 @@ int object_space_command(int argc, const char* const* argv, const MethodTables& 
     app.add_option("--line", options.line, "path of the table of speeds")->capture_default_str();
     app.add_option("--frames", options.frames,
                    "frames, spread evenly over the walk, that are held against the exact set and drawn; 0: all")
+        ->check(CLI::Range(0, 1'000'000))
         ->capture_default_str();
     app.add_option("--repeats", options.repeats, "passes over a path, of which each frame's median is taken")
         ->check(CLI::Range(1, 1000))

@@ -24,6 +24,7 @@ int viewpoint_command(int argc, const char* const* argv, const MethodTables& tab
                    "default: campus");
     app.add_option("--path", study.paths.front(), "a path of the scenes, or a file; default: test");
     app.add_option("--frames", options.frames, "so many frames, spread evenly over the path; 0: all")
+        ->check(CLI::Range(0, 1'000'000))
         ->capture_default_str();
     app.add_option("--method", options.method, "by-viewpoint with parameters, such as its techniques")
         ->capture_default_str();
