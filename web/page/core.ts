@@ -70,8 +70,8 @@ export type Shapes = { points: Float64Array; bytes: Uint8Array; shorts: Uint16Ar
 export const shapeBytes = 24;
 
 export class Core {
-  private readonly page: number;
-  constructor(private readonly module: Module) {
+  protected readonly page: number;
+  constructor(protected readonly module: Module) {
     this.page = module._page_new();
   }
 
@@ -79,12 +79,12 @@ export class Core {
   /// Good until the next call.
   get memory() { return this.module.HEAPU8.buffer; }
 
-  private read<T>(at: number): T {
+  protected read<T>(at: number): T {
     const answer = JSON.parse(this.module.UTF8ToString(at)) as T & { error?: string };
     if (answer && answer.error) throw new Error(answer.error);
     return answer;
   }
-  private withText(text: string, call: (at: number) => number): number {
+  protected withText(text: string, call: (at: number) => number): number {
     const size = this.module.lengthBytesUTF8(text) + 1, at = this.module._malloc(size);
     this.module.stringToUTF8(text, at, size);
     try { return call(at); } finally { this.module._free(at); }
