@@ -6,6 +6,7 @@ import { existsSync, mkdirSync, readFileSync, readdirSync, statSync, writeFileSy
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { gzipSync } from "node:zlib";
+import { writeArticle } from "./article/build.mjs";
 
 const [buildFolder, outFolder] = process.argv.slice(2);
 const here = dirname(fileURLToPath(import.meta.url)), root = dirname(here);
@@ -102,3 +103,4 @@ for (const [name, content] of [["index.html", hosted], ["page.css", style], ["pa
 const kb = bytes => `${Math.round(bytes / 1024)} KiB`;
 console.log(`${join(outFolder, "sightline.html")}: ${kb(single.length)} (core ${kb(wasm.length)}, packed with ` +
             `${files.length} files to ${kb(payload.length)}); ${join(outFolder, "web")}/: the same as files to host`);
+await writeArticle({ outFolder, glue, payload, licence });
