@@ -2,6 +2,8 @@
 #include "core/scene/plan_rooms.h"
 
 #include <algorithm>
+#include <array>
+#include <set>
 
 #include "core/geometry/plan_mesh.h"
 #include "core/geometry/predicates.h"
@@ -93,7 +95,43 @@ private:
     std::vector<std::uint8_t> alive_;
 };
 
+/// Whether it lies on a side of a room.
+bool lies_on_a_border(const std::vector<Primitive<2>>& sides, const Primitive<2>& segment) {
+    const Box<2> box = bounds<2>({segment});
+    return std::any_of(sides.begin(), sides.end(), [&](const Primitive<2>& side) {
+        const Box<2> around = bounds<2>({side});
+        for (int i = 0; i < 2; ++i)
+            if (box.min[i] > around.max[i] || box.max[i] < around.min[i]) return false;
+        return orient(side[0], side[1], segment[0]) == 0 && orient(side[0], side[1], segment[1]) == 0;
+    });
+}
+
+using EndPoints = std::array<double, 4>;
+EndPoints end_points(const Primitive<2>& s) { return {s[0].x, s[0].y, s[1].x, s[1].y}; }
+
+std::set<EndPoints> segments_of(const Scene<2>& scene) {
+    std::set<EndPoints> all;
+    for (const Primitive<2>& segment : scene.primitives) all.insert(end_points(segment));
+    return all;
+}
+
 }  // namespace
+
+Rooms<2> rooms_after_edit(const Scene<2>& before, const Scene<2>& after) {
+    std::vector<Primitive<2>> sides, openings, walls;
+    for (const Room<2>& room : before.rooms.all)
+        for (std::size_t i = 0; i < room.shape.size(); ++i)
+            sides.push_back({room.shape[i], room.shape[(i + 1) % room.shape.size()]});
+    const std::set<EndPoints> then = segments_of(before), now = segments_of(after);
+    const bool stands = std::all_of(before.primitives.begin(), before.primitives.end(), [&](const Primitive<2>& s) {
+        return now.contains(end_points(s)) || !lies_on_a_border(sides, s);
+    });
+    if (stands) return before.rooms;
+    for (const Primitive<2>& segment : after.primitives)
+        if (!then.contains(end_points(segment)) || lies_on_a_border(sides, segment)) walls.push_back(segment);
+    for (const Portal<2>& portal : before.rooms.portals) openings.push_back({portal.corners[0], portal.corners[1]});
+    return plan_rooms(walls, openings);
+}
 
 Rooms<2> plan_rooms(std::span<const Primitive<2>> walls, std::span<const Primitive<2>> openings) {
     std::vector<PlanLine> lines;

@@ -15,4 +15,8 @@ namespace sightline {
 /// that walls that do not quite meet leave a portal.
 Rooms<2> plan_rooms(std::span<const Primitive<2>> walls, std::span<const Primitive<2>> openings = {});
 
+/// The rooms of `after`, which is `before` with walls changed: the same ones while all that closes them stands, else
+/// those between the walls that are left; portals stay where they can.
+Rooms<2> rooms_after_edit(const Scene<2>& before, const Scene<2>& after);
+
 }  // namespace sightline

@@ -142,6 +142,16 @@ std::vector<std::string> rows(const Session<D>& session, const PrimitiveExplanat
             text.push_back("  By itself " + verdict.sentence + ".");
         return text;
     }
+    if (session.traversal().rooms_seen() || session.method().pops == Kind::object) {  // cells decide nothing
+        const Item item = primitive_item(e.primitive);
+        for (const Verdict& verdict : {session.traversal().why_not(item), session.traversal().why_drawn(item)})
+            if (verdict) {
+                std::string sentence = verdict.sentence;
+                sentence[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence[0])));
+                text.push_back("  " + sentence + ".");
+            }
+        return text;
+    }
     if (count == 0) text.push_back("No cell holds it.");
     if (const std::string why = put_off_sentence(session, e); !why.empty()) text.push_back(why);
     for (std::size_t i = 0; i < told; ++i)

@@ -109,6 +109,7 @@ public:
                             return !interrupted();
                         }};
         made_.walk = walk_by_viewpoint(variant_, *made_.table, scene_, cells_, views_, tools);
+        if (!options_.table.empty()) made_.fill.file_bytes = bytes_as_a_file(*made_.table, options_.table);
         if (interrupted()) return std::nullopt;
         return std::move(made_);
     }

@@ -11,6 +11,7 @@
 #include "shell/desk/conceal.h"
 #include "shell/desk/moved.h"
 #include "shell/desk/open.h"
+#include "shell/panels/panel_table.h"
 
 namespace sightline {
 
@@ -36,6 +37,8 @@ void open_part(Workbench<D>& bench, std::size_t part) {
     bench.session.selected_cell = bench.session.selected_primitive = none;
     bench.session.selected_node = bench.session.selected_plane = none;
     bench.desk.projector_panel = opened.panel;
+    if (const Panel<D>* panel = find_panel<D>(opened.panel))
+        (panel->column == Column::left ? bench.desk.left : bench.desk.right) = opened.panel;
 }
 
 template <int D>

@@ -48,9 +48,8 @@ void check(const Scene<2>& scene, std::uint32_t index) {
     }
 }
 
-/// Rooms are made anew: those of the scene before are closed by its walls.
 void put(Workbench<2>& bench, Scene<2> scene, const std::string& gesture, std::span<const std::uint32_t> numbers = {}) {
-    if (!scene.rooms.empty()) scene.rooms = plan_rooms(scene.primitives);
+    if (!scene.rooms.empty()) scene.rooms = rooms_after_edit(bench.session.scene(), scene);
     change_scene(bench, std::make_shared<const Scene<2>>(std::move(scene)), gesture, numbers);
 }
 

@@ -29,8 +29,13 @@ std::vector<Row> missed_rows(const Workbench<D>& bench) {
     const Faults* const found = faults(bench);
     if (!found) return {{"Missed", Tone::heading}, {"measured when nothing moves", Tone::faint}};
     const Missed& missed = found->missed;
-    if (missed.primitives.empty())
-        return {{"Nothing is missed", Tone::heading}, {"the run renders all that is visible"}};
+    if (missed.primitives.empty()) {
+        const std::size_t levels = bench.session.traversal().stand_ins().size();
+        if (levels == 0) return {{"Nothing is missed", Tone::heading}, {"the run renders all that is visible"}};
+        return {{"No object is missed", Tone::heading},
+                {counted(levels, "object") + (levels == 1 ? " is" : " are") + " drawn at a level of detail; " +
+                 percent_text(missed.share()) + " of the pixels show another object than they should"}};
+    }
     std::vector<Row> rows{{"Missed at the end of the run", Tone::heading}};
     rows.push_back({percent_text(missed.share()) + " of the pixels are wrong, in " +
                         counted(missed.regions.size(), "region") + "; " +

@@ -108,9 +108,21 @@ void read_table(const ViewpointTable<D>& table, const std::filesystem::path& pat
     if (root.value("version", Json()) != file_version)
         throw input_error(name, "", "is of another version: expected " + std::to_string(file_version));
     const Json asked = conditions_of(table.problem());
-    for (const char* what : {"dimension", "scene", "image", "fov", "parameters"})
+    for (const char* what : {"dimension", "scene"})
         if (root.value(what, Json()) != asked[what])
             throw input_error(name, what, "was worked out for another " + std::string(what));
+    for (const char* what : {"image", "fov"})
+        if (root.value(what, Json()) != asked[what])
+            throw input_error(
+                name, what,
+                "was worked out for " + root.value(what, Json()).dump() + ", and is asked for " + asked[what].dump());
+    const Json stored = root.value("parameters", Json::object());
+    for (const auto& [parameter, value] : asked["parameters"].items())
+        if (!stored.is_object() || stored.value(parameter, Json()) != value)
+            throw input_error(
+                name, "parameters/" + parameter,
+                "was worked out with " + stored.value(parameter, Json()).dump() + ", and is asked for " + value.dump());
+    if (stored != asked["parameters"]) throw input_error(name, "parameters", "were others");
     try {
         for (const Json& row : root.at("entries")) put_entry(table, row);
     } catch (const Json::exception&) {

@@ -54,6 +54,19 @@ Verdict LevelsRun<D>::why_not(const Item& item) const {
     if (item.kind == Kind::cell) return {"no-cells", "the method takes objects, not cells"};
     if (item.kind == Kind::object && mark(item).state == CellState::unseen)
         return {"outside-view", "its box lies outside the view"};
+    if (item.kind != Kind::primitive || this->drawn_.has(item.id)) return {};
+    const Item object{levels_->objects.of[item.id], Kind::object};
+    const std::uint32_t place = place_of(object.id);
+    if (place == none)
+        return {"outside-view", object_name(object.id) + ", which it is a part of, lies outside the view"};
+    if (place >= level_of_.size()) return {"waits", object_name(object.id) + ", which it is a part of, waits", object};
+    if (level_of_[place] > 0)
+        return {"level",
+                object_name(object.id) + ", which it is a part of, is drawn at level " +
+                    std::to_string(level_of_[place]) + ": as " +
+                    counted(levels_->at(object.id, level_of_[place]).count(), primitive_word<D>) + " in place of " +
+                    std::to_string(levels_->primitives_of(object.id).size()),
+                object};
     return {};
 }
 

@@ -122,7 +122,9 @@ Rooms<2> rooms_of(const Json& value, const std::string& name) {
             portal.corners.push_back(corners[k]);
             if (leads[k].is_null()) continue;
             if (!leads[k].is_number_unsigned() || leads[k].get<std::uint64_t>() >= all.size())
-                throw input_error(name, at.text(), "expected numbers of rooms, from 0, or null for the outside");
+                throw input_error(name, at.text(),
+                                  "no room " + leads[k].dump() + ": there are " + std::to_string(all.size()) +
+                                      ", from 0; null is the outside");
             portal.rooms[k] = leads[k].get<std::uint32_t>();
         }
         rooms.portals.push_back(portal);

@@ -17,6 +17,9 @@ TEST_F(EachCommand, lesson) {
     EXPECT_FALSE(bench->desk.lessons);
     EXPECT_EQ(bench->teaching->part, 2u);
     EXPECT_EQ(bench->desk.projector_panel, "code");
+    EXPECT_TRUE(bench->desk.left == "code" || bench->desk.right == "code");
+    run("previous; lesson plp 3");
+    EXPECT_TRUE(bench->desk.left == "code" || bench->desk.right == "code") << "not shown and hidden in turn";
     EXPECT_THROW(run("lesson plp 0"), InputError);
     EXPECT_THROW(run("lesson pl"), InputError);
     EXPECT_EQ(bench->teaching->part, 2u);

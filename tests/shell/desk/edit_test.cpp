@@ -156,18 +156,32 @@ TEST(Edit, RoomsAreThoseOfTheWallsThatAreLeft) {
     Session<2>& session = on.bench.session;
     const Rooms<2> before = session.scene().rooms;
     ASSERT_FALSE(before.empty());
-    for (int i = 0; i < 40; ++i) {
+    // A chair may go: it closes nothing.
+    std::uint32_t chair = 0;
+    while (chair < session.scene().primitives.size()) {
+        const Primitive<2>& segment = session.scene().primitives[chair];
+        if (std::any_of(before.all.begin(), before.all.end(), [&](const Room<2>& room) {
+                return holds_inside(room, segment[0]) && holds_inside(room, segment[1]);
+            }))
+            break;
+        ++chair;
+    }
+    delete_segment(on.bench, chair);
+    EXPECT_EQ(session.scene().rooms, before);
+    for (int i = 0; i < 12; ++i) {
         session.run(none);
         const auto seen = session.reference().visible;
         const auto wall = std::find(seen.begin(), seen.end(), 1);
         ASSERT_NE(wall, seen.end());
         delete_segment(on.bench, static_cast<std::uint32_t>(wall - seen.begin()));
+        session.run(none);
+        const auto drawn = rendered_mask(session.met(), session.scene().primitives.size());
+        const auto& now = session.reference().visible;
+        for (std::size_t p = 0; p < now.size(); ++p) ASSERT_LE(now[p], drawn[p]) << p;
+        EXPECT_LT(session.scene().rooms.all.size(), 2 * before.all.size()) << "furniture makes no rooms";
     }
     session.run(none);
     EXPECT_NE(session.scene().rooms, before);
-    const auto drawn = rendered_mask(session.met(), session.scene().primitives.size());
-    const auto& seen = session.reference().visible;
-    for (std::size_t p = 0; p < seen.size(); ++p) EXPECT_LE(seen[p], drawn[p]) << p;
     const OpenedState opened = open_state(state_json(session), "text");
     EXPECT_EQ(opened.session.scene().rooms, session.scene().rooms);
 }
