@@ -165,7 +165,7 @@ private:
             size.azimuths = azimuths;
             size.elevations = elevations;
             size.intervals = table->directions().count();
-            size.seconds = fill_all(*table);
+            size.seconds = table->known() < table->size() ? fill_all(*table) : made_.fill.seconds;
             size.merged = merged_size(*table);
             size.file_bytes = bytes_as_a_file(*table, "");
         }
