@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/geometry/crossing.h"
 
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Interval_nt.h>
 
 #include "core/geometry/predicates.h"
+#include "core/geometry/rational.h"
 
 namespace sightline {
 
 namespace {
 
-using Rational = CGAL::Exact_rational;
 using Interval = CGAL::Interval_nt<false>;
 
 template <typename T>
@@ -19,8 +18,16 @@ struct Vector {
 };
 
 template <typename T>
+T number(double value) {
+    if constexpr (std::is_same_v<T, Rational>)
+        return to_rational(value);
+    else
+        return T(value);
+}
+
+template <typename T>
 Vector<T> difference(const Vec<2>& head, const Vec<2>& tail) {
-    return {T(head.x) - T(tail.x), T(head.y) - T(tail.y)};
+    return {number<T>(head.x) - number<T>(tail.x), number<T>(head.y) - number<T>(tail.y)};
 }
 
 template <typename T>
@@ -69,7 +76,8 @@ Vec<2> meet_exactly(const Segment& s, const Vec<2>& origin, const Vector<Rationa
     const Rational side1 = cross_of(along, difference<Rational>(s[1], origin));
     const Rational part = side0 / (side0 - side1);
     const Vector<Rational> whole = difference<Rational>(s[1], s[0]);
-    return clamped(s, {CGAL::to_double(s[0].x + part * whole.x), CGAL::to_double(s[0].y + part * whole.y)});
+    return clamped(
+        s, {to_nearest(to_rational(s[0].x) + part * whole.x), to_nearest(to_rational(s[0].y) + part * whole.y)});
 }
 
 /// Where the line pq meets s.

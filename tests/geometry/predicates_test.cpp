@@ -5,6 +5,7 @@
 #include "core/base/random.h"
 #include "core/base/trig.h"
 #include "core/geometry/predicates.h"
+#include "tests/geometry/near_degenerate.h"
 #include "tests/soak.h"
 
 namespace sightline {
@@ -76,6 +77,36 @@ TEST(Predicates, OrientSurvivesUnderflowInSingleFactors) {
     }
     EXPECT_EQ(orient(Vec<3>(0), Vec<3>(1e200, 0, 0), Vec<3>(0, 1e200, 0), Vec<3>(0, 0, 1e200)), 1);
     EXPECT_EQ(orient(Vec<3>(0), Vec<3>(1e-200, 0, 0), Vec<3>(0, 1e-200, 0), Vec<3>(0, 0, -1e-200)), -1);
+}
+
+/// web/tests/predicates.cpp tries the same in WebAssembly, where rounding and large numbers are others.
+TEST(Predicates, AgreeWithRationalsWhereInputsAreNextToDegenerate) {
+    const auto found = test::try_near_degenerate(test::soak_count(50'000));
+    EXPECT_EQ(found.wrong, 0);
+    EXPECT_EQ(found.rounded, 0);
+    EXPECT_GT(found.collinear, found.inputs / 100);
+    EXPECT_GT(found.coplanar, found.inputs / 1000);
+    EXPECT_GT(found.crossings, found.inputs / 100);
+}
+
+TEST(Rational, AreRoundedToTheNearestDouble) {
+    Random random(12);
+    const Rational tiny = to_rational(0x1p-1074);
+    EXPECT_EQ(to_nearest(tiny), 0x1p-1074);
+    EXPECT_EQ(to_nearest(tiny / 2), 0) << "of two the even one";
+    EXPECT_EQ(to_nearest(tiny * 3 / 2), 0x1p-1073);
+    EXPECT_EQ(to_nearest(-tiny * 2 / 3), -0x1p-1074);
+    EXPECT_EQ(to_nearest(to_rational(0x1p1000) * to_rational(0x1p1000)), 0x1.fffffffffffffp1023);
+    for (int i = 0; i < test::soak_count(2000); ++i) {
+        const double value = std::ldexp(random.uniform(-1, 1), static_cast<int>(random.below(2000)) - 1060);
+        const double next = std::nextafter(value, 1e300);
+        ASSERT_EQ(to_nearest(to_rational(value)), value);
+        const Rational middle = (to_rational(value) + to_rational(next)) / 2,
+                       bit = (middle - to_rational(value)) / 1024;
+        ASSERT_EQ(to_nearest(middle - bit), value);
+        ASSERT_EQ(to_nearest(middle + bit), next);
+        ASSERT_EQ(std::bit_cast<std::uint64_t>(to_nearest(middle)) & 1, 0u);
+    }
 }
 
 TEST(Predicates, SegmentsMeetAgreesWithExactIntersection) {
