@@ -8,9 +8,9 @@
 #include "core/base/percent.h"
 #include "core/base/text.h"
 #include "core/scene/read/load.h"
-#include "core/scene/read/parsed_scene.h"
 #include "core/scene/read/read_json.h"
 #include "core/session/condition.h"
+#include "core/session/embedded_scene.h"
 #include "core/session/start_settings.h"
 #include "core/session/state_scene.h"
 
@@ -132,29 +132,15 @@ Note<D> read_note(const Json& json) {
     return note;
 }
 
-/// A scene that travels inside the state file; only 2D scenes do.
-Scene<2> embedded_scene(const Json& json, const std::string& name) {
-    Scene<2> scene = scene_from_json(json.at("embedded"), name + ": scene");
-    // What a scene's own file does not say.
-    scene.source = json.value("source", scene.source);
-    if (json.contains("dropped")) {
-        const Json& dropped = json.at("dropped");
-        scene.dropped = {read_count(dropped, "degenerate", 0), read_count(dropped, "duplicate", 0),
-                         read_count(dropped, "not_finite", 0)};
-    }
-    return scene;
-}
-
 template <int D>
 Scene<D> read_scene(const Json& json, const std::string& name, LoadOptions options) {
-    if constexpr (D == 2)
-        if (json.contains("embedded")) {
-            Scene<2> scene = embedded_scene(json, name);
-            if (json.contains("hash") &&  // else written by hand
-                hash_text(scene_hash(scene)) != json.at("hash").get<std::string>())
-                throw InputError("scene '" + scene.id + "' is not the one the state was made with (its hash differs)");
-            return scene;
-        }
+    if (json.contains("embedded")) {
+        Scene<D> scene = embedded_scene<D>(json, name + ": scene");
+        if (json.contains("hash") &&  // else written by hand
+            hash_text(scene_hash(scene)) != json.at("hash").get<std::string>())
+            throw InputError("scene '" + scene.id + "' is not the one the state was made with (its hash differs)");
+        return scene;
+    }
     std::string file = json.value("name", json.at("id").get<std::string>());
     if (json.contains("name_bytes")) file = percent_decoded(json.at("name_bytes").get<std::string>());
     options.choose_view = false;  // the state has its own
@@ -282,8 +268,17 @@ void read_other(const Json& json, const std::string& name, std::span<const Metho
     }
 }
 
+/// Whether the scene lies in the state itself.
 template <int D>
-OrderedJson scene_part(const Scene<D>& scene) {
+bool embeds(const Scene<D>& scene, Carry carry) {
+    if (scene.source == "edited") return true;
+    if (carry == Carry::what_no_generator_makes) return scene.source != "generated" || scene.name.empty();
+    if constexpr (D == 2) return write_json(scene).size() <= embed_limit_bytes;
+    return false;
+}
+
+template <int D>
+OrderedJson scene_part(const Scene<D>& scene, Carry carry) {
     OrderedJson json{{"id", scene.id},
                      {"seed", scene.seed},
                      {"hash", hash_text(scene_hash(scene))},
@@ -292,12 +287,10 @@ OrderedJson scene_part(const Scene<D>& scene) {
                       {{"degenerate", scene.dropped.degenerate},
                        {"duplicate", scene.dropped.duplicate},
                        {"not_finite", scene.dropped.not_finite}}}};
-    if constexpr (D == 2)
-        if (std::string embedded = write_json(scene);
-            embedded.size() <= embed_limit_bytes || scene.source == "edited") {
-            json["embedded"] = OrderedJson::parse(embedded);
-            return json;
-        }
+    if (embeds(scene, carry)) {
+        embed_scene(scene, json);
+        return json;
+    }
     const std::string& file = scene.name.empty() ? scene.id : scene.name;
     json["name"] = file;
     // Names of files are bytes, of which JSON keeps those that are text.
@@ -348,11 +341,12 @@ OrderedJson session_part(const Session<D>& session) {
 }  // namespace
 
 template <int D>
-std::string state_json(const Session<D>& session, const FigureSpec& figure, const Session<D>* other, Align align) {
+std::string state_json(const Session<D>& session, const FigureSpec& figure, const Session<D>* other, Align align,
+                       Carry carry) {
     OrderedJson head{{"format", "sightline-state"}, {"version", 1}};
     if (D == 3) head["dimension"] = D;
     OrderedJson json = head;
-    json["scene"] = scene_part(session.scene());
+    json["scene"] = scene_part(session.scene(), carry);
     json["figure"] = {{"size", figure.size},
                       {"font_pt", figure.font_pt},
                       {"dpi", figure.dpi},
@@ -363,7 +357,7 @@ std::string state_json(const Session<D>& session, const FigureSpec& figure, cons
         OrderedJson beside = head;
         const Scene<D>&one = session.scene(), &two = other->scene();
         if (scene_hash(one) != scene_hash(two) || one.up_axis != two.up_axis)
-            beside["scene"] = scene_part(other->scene());
+            beside["scene"] = scene_part(other->scene(), carry);
         beside.update(session_part(*other));
         json["align"] = align_words[static_cast<std::size_t>(align)];
         json["other"] = std::move(beside);
@@ -395,9 +389,9 @@ OpenedState<D> open_state(std::string_view text, const std::string& name, std::s
     }
 }
 
-#define SIGHTLINE_INSTANTIATE(D)                                                                            \
-    template std::string state_json<D>(const Session<D>&, const FigureSpec&, const Session<D>*, Align);     \
-    template OpenedState<D> open_state<D>(std::string_view, const std::string&, std::span<const Method<D>>, \
+#define SIGHTLINE_INSTANTIATE(D)                                                                               \
+    template std::string state_json<D>(const Session<D>&, const FigureSpec&, const Session<D>*, Align, Carry); \
+    template OpenedState<D> open_state<D>(std::string_view, const std::string&, std::span<const Method<D>>,    \
                                           const DrawIds&, const Progress&, const std::string&);
 SIGHTLINE_INSTANTIATE(2)
 SIGHTLINE_INSTANTIATE(3)

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,10 +20,16 @@ namespace sightline {
 /// it was edited: then it lies nowhere else.
 inline constexpr std::size_t embed_limit_bytes = 1'000'000;
 
+/// Which scenes travel inside.
+enum class Carry : std::uint8_t {
+    small_ones,              ///< see embed_limit_bytes
+    what_no_generator_makes  ///< files of any size; generated ones by id, seed and hash
+};
+
 /// `other`: a session that stands beside the first one, moved along as `align` says.
 template <int D>
 std::string state_json(const Session<D>& session, const FigureSpec& figure = {}, const Session<D>* other = nullptr,
-                       Align align = Align::step);
+                       Align align = Align::step, Carry carry = Carry::small_ones);
 
 template <int D>
 struct OpenedState {
