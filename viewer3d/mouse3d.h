@@ -9,7 +9,7 @@
 #include "shell/pane/click_cycle.h"
 #include "shell/pane/note_field.h"
 #include "viewer3d/pane3d.h"
-#include "viewer3d/picking3d.h"
+#include "core/draw/picking_3d.h"
 
 namespace sightline {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "viewer3d/picking3d.h"
+#include "core/draw/picking_3d.h"
 
 #include <limits>
 
