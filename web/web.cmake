@@ -1,5 +1,5 @@
 # What takes time is compiled for speed, the rest for a small file.
-foreach(library geometry scene space delaunay raster)
+foreach(library geometry space delaunay raster)
   target_compile_options(sightline_${library} PRIVATE -O2)
 endforeach()
 
@@ -10,7 +10,8 @@ target_sources(sightline_read PRIVATE web/core/no_assimp.cpp)
 
 sightline_library(sightline_desk FOLDERS shell/desk shell/lesson EXCEPT "/launch[.]cpp"
                   PUBLIC sightline_core sightline_read)
-target_sources(sightline_desk PRIVATE web/core/no_programs.cpp shell/export/save.cpp web/core/no_figures.cpp
+target_sources(sightline_desk PRIVATE web/core/no_programs.cpp shell/export/save.cpp shell/export/handout.cpp
+                                      web/core/no_figures.cpp
                                       shell/pane/side_by_side.cpp)
 target_compile_definitions(sightline_desk PRIVATE SIGHTLINE_EXAMPLES="/examples")
 sightline_library(sightline_panels FOLDERS shell/panels PUBLIC sightline_desk)
@@ -21,7 +22,7 @@ list(FILTER page_sources EXCLUDE REGEX "/no_[a-z]+[.]cpp$")
 add_executable(sightline_page ${page_sources})
 set_target_properties(sightline_page PROPERTIES OUTPUT_NAME sightline)
 target_link_libraries(sightline_page PRIVATE sightline_commands)
-target_link_options(sightline_page PRIVATE --no-entry -sALLOW_MEMORY_GROWTH=1 -sMAXIMUM_MEMORY=2GB -sMODULARIZE=1
+target_link_options(sightline_page PRIVATE -Oz --no-entry -sALLOW_MEMORY_GROWTH=1 -sMAXIMUM_MEMORY=2GB -sMODULARIZE=1
                     -sEXPORT_NAME=sightline -sENVIRONMENT=web,worker,node -sEXPORTED_FUNCTIONS=_malloc,_free
                     -sEXPORTED_RUNTIME_METHODS=FS,UTF8ToString,stringToUTF8,lengthBytesUTF8 -sFORCE_FILESYSTEM=1)
 

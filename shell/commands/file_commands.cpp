@@ -10,6 +10,7 @@
 #include "shell/desk/recent.h"
 #include "shell/export/export.h"
 #include "shell/export/film.h"
+#include "shell/export/handout.h"
 
 namespace sightline {
 
@@ -59,6 +60,13 @@ void film(Workbench<D>& bench, Text text) {
     write_film(bench, spec);
 }
 
+/// Browsers go by the ending.
+std::string page_argument(Text text) {
+    const std::string file = file_argument(text);
+    if (!file.ends_with(".html")) throw InputError("a page is a file such as handout.html");
+    return file;
+}
+
 template <int D>
 void copy(Workbench<D>& bench, Text) {
     if (!bench.clipboard.set) throw InputError("there is no clipboard without a window");
@@ -98,6 +106,8 @@ std::span<const Command<D>> file_commands() {
                    [](Workbench<D>& bench, Text text) { set_figure_size(bench, text); }},
         Command<D>{"shot", "Export figure", "FILE", "write a figure (.png, .svg, .pdf) and its sidecar", "Ctrl+E=?",
                    [](Workbench<D>& bench, Text text) { write_shot(bench, file_argument(text)); }},
+        Command<D>{"page", "Export page", "FILE", "write what is shown as a page for any browser (.html)", "",
+                   [](Workbench<D>& bench, Text text) { write_page(bench, page_argument(text)); }},
         Command<D>{"film", "Export film", D == 2 ? "FROM-TO FILE [4fps]" : "[path] FROM-TO FILE [4fps]",
                    D == 2 ? "write steps as numbered .png, as pages of a .pdf, as .gif or as .mp4"
                           : "write steps, or frames of the path, as numbered .png, pages of a .pdf, .gif or .mp4",

@@ -75,8 +75,9 @@ MenuRow row_with_menu(std::string_view title) {
 template <int D>
 std::vector<Menu> make_menus() {
     std::vector<Menu> all{
-        {"File", menu_rows<D>({"scenes", "open ?", "<Recent scenes>", "-", "save ?", "shot ?", "size ?", "film ?",
-                               "<Export data>", "-", "copy", "paste", "2D: viewer3d", "3D: viewer2d", "-", "quit"})},
+        {"File",
+         menu_rows<D>({"scenes", "open ?", "<Recent scenes>", "-", "save ?", "shot ?", "size ?", "film ?", "page ?",
+                       "<Export data>", "-", "copy", "paste", "2D: viewer3d", "3D: viewer2d", "-", "quit"})},
         {"Edit", menu_rows<D>({"undo", "redo", "-", "2D: edit", "2D: tool segment", "2D: tool gap", "2D: scene new",
                                "2D: scene save ?", "2D: -", "tool select", "tool text", "tool arrow", "tool ring",
                                "tool callout", "delete", "-", "bookmark ?", "mark ?"})},

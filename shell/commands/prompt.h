@@ -16,6 +16,7 @@ std::string prompt(const Workbench<D>& bench, const std::string& id) {
     const std::string scene = std::filesystem::path(s.scene().id).stem().string();
     const std::string place = scene + "-" + std::to_string(s.position());
     if (id == "shot") return "shot " + place + ".svg";
+    if (id == "page") return "page " + place + ".html";
     if (id == "save") return "save " + place + ".json";
     if (id == "stats" || id == "trace") return id + " " + place + "-" + id + ".json";
     if (id == "path save") return "path save " + scene + "-path.json";

@@ -100,6 +100,7 @@ struct Workbench {
     std::optional<Completing> completing{};
     TradeOff<D> trade_off{};
     std::filesystem::path auto_file{};  ///< where what `auto` measured is remembered; empty: nowhere
+    std::filesystem::path page{};       ///< that hand-outs are made of; empty: the one that ./run web makes
     std::optional<WhatIf> what_if{};
     std::optional<Faults> faults{};
     std::optional<std::array<int, 2>> pixel{};  ///< 3D: column and row of the exact image, whose history is told

@@ -122,6 +122,9 @@ void add_file_options(CLI::App& app, Options& o, Typed& typed) {
     app.add_option(
         "--state", o.state,
         "open a state file or sidecar: same scene, settings, view, step; SCENE, if given, in place of its scene");
+    app.add_option("--page", o.page,
+                   "the page that the command page takes, such as a sightline.html; default: the one that ./run web "
+                   "has made");
     app.add_option("--trace", o.trace, "write the records of all steps as JSON (- for standard output)");
     app.add_option("--stats", o.stats, "write the statistics as JSON (- for standard output)");
 }

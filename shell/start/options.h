@@ -32,7 +32,7 @@ struct Options {
     std::optional<double> font_pt, dpi;
     std::optional<std::uint32_t> columns;
     std::vector<std::string> shots;
-    std::string cells, state, trace, stats;
+    std::string cells, state, trace, stats, page;
     std::optional<double> scale;               ///< of the window
     std::optional<std::array<int, 2>> window;  ///< its size
 

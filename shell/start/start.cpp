@@ -359,6 +359,7 @@ void obey(const Options& o, std::span<const Method<D>> methods, const Viewer<D>&
     if (!o.panels.empty()) bench.figure.panels = split_panels(o.panels);
     start_path(bench, o);
     bench.auto_file = auto_file();
+    bench.page = o.page;
     if (o.automatic) choose_auto<D>(bench, false, [&](Settings& settings) { apply_options(settings, o); });
     if (o.frames) return write_text(o.stats, path_stats(bench, *o.frames));
     move(bench, o, asked.state.has_value(), in_window);

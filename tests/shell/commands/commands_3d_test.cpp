@@ -10,6 +10,7 @@
 #include "shell/commands/groups.h"
 #include "shell/desk/camera.h"
 #include "shell/desk/open_scene.h"
+#include "shell/export/handout.h"
 #include "tests/scene/scene_support.h"
 #include "tests/session/session_3d_support.h"
 #include "tests/shell/commands/commands_support.h"
@@ -404,6 +405,22 @@ TEST_F(EachCommand3, shot) {
         EXPECT_TRUE(exists(name)) << name;
     EXPECT_EQ(opened("c.pdf.json").hash(), hash);
     EXPECT_EQ(opened("c.pdf.json").display_view(), display());
+}
+
+TEST_F(EachCommand3, page) {
+    write_file(file("built.html"), "<script type=\"application/json\" id=\"handout\"></script>");
+    bench->page = file("built.html");
+    const std::uint64_t hash = session().hash();
+    run("freeze; orbit 40,20; page " + file("h.html"));
+    const std::string page = read_file(file("h.html"));
+    const std::size_t begin = page.find('{');
+    const std::string text = page.substr(begin, page.rfind('}') + 1 - begin);
+    const ViewSpec<3> shown = display();
+    run("unfreeze; seek 3");
+    open_handout(*bench, text, "h.html");
+    EXPECT_EQ(session().hash(), hash);
+    EXPECT_EQ(display(), shown);
+    EXPECT_TRUE(session().frozen());
 }
 
 TEST_F(EachCommand3, film) {

@@ -44,6 +44,16 @@ TEST_F(EachCommand, shot) {
     EXPECT_EQ(open_state(read_file(file("a.svg.json")), "f").session.hash(), hash);
 }
 
+/// tests/shell/export/handout_test.cpp says what is in it.
+TEST_F(EachCommand, page) {
+    write_file(file("built.html"), "<script type=\"application/json\" id=\"handout\"></script>");
+    bench->page = file("built.html");
+    run("page " + file("h.html"));
+    EXPECT_NE(read_file(file("h.html")).find("\"sightline-state\""), std::string::npos);
+    EXPECT_THROW(run("page " + file("h.txt")), InputError);
+    EXPECT_THROW(run("page"), InputError);
+}
+
 TEST_F(EachCommand, film) {
     const std::uint64_t hash = session().hash();
     run("size 200x150; film 2-4 " + file("f.png") + "; film 0-1 " + file("f.pdf"));

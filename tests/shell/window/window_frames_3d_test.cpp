@@ -235,7 +235,7 @@ void Window3OffScreen::anything() {
     if (kind < 11) return use_the_picture();
     if (kind < 12) return arrange();
     if (kind < 13) return fly();
-    if (kind < 16) return act("set " + setting());
+    if (kind < 16) return act(quote_command("set " + setting()));
     const auto table = command_table<3>();
     const Command<3>& command = table[random.below(table.size())];
     if (!leaves_the_program(command.id)) act(std::string(command.id) + " " + argument(command.id));
