@@ -9,5 +9,5 @@ include(${EMSCRIPTEN_ROOT_PATH}/cmake/Modules/Platform/Emscripten.cmake)
 # where it was not).
 set(CMAKE_CXX_FLAGS_INIT "-fwasm-exceptions -include ${CMAKE_CURRENT_LIST_DIR}/core/missing.h \
 -DCGAL_ALWAYS_ROUND_TO_NEAREST=1 -DCGAL_DISABLE_GMP=1 -DCGAL_DISABLE_MPFR=1 -DCGAL_USE_BOOST_MP=1")
-set(CMAKE_CXX_FLAGS_RELEASE "-Os -DNDEBUG" CACHE STRING "")
+set(CMAKE_CXX_FLAGS_RELEASE "-Oz -DNDEBUG -fno-threadsafe-statics" CACHE STRING "")
 set(CMAKE_EXE_LINKER_FLAGS_INIT "-fwasm-exceptions")

@@ -59,6 +59,9 @@ OrderedJson terms_json(const KeyExplanation& key) {
     return json;
 }
 
+/// One member: all of them in one pair of braces compile to several times as much.
+void put(OrderedJson& json, const char* name, OrderedJson value) { json[name] = std::move(value); }
+
 }  // namespace
 
 template <int D>
@@ -78,57 +81,57 @@ std::string stats_json(const Session<D>& session, Stop stop) {
     for (const Inversion& inversion : inversions) wasted += inversion.step <= session.position() ? inversion.wasted : 0;
     const std::size_t found = session.visible_rendered();
     const Times& ms = session.times();
-    OrderedJson json{
-        {"scene", scene.id},
-        {"title", scene.title},
-        {"seed", scene.seed},
-        {"scene_hash", hash_text(scene_hash(scene))},
-        {"method", session.settings().method},
-        {"approximate", session.traversal().misses() == Misses::may},
-        {"guarantee", session.guarantee()},
-        {"tessellation", words<Tessellation>[static_cast<std::size_t>(session.settings().tessellation)]},
-        {"cells", session.cells().cell_count()},
-        {"primitives", scene.primitives.size()},
-        {"unassigned", session.cells().unassigned},
-        {"references", session.cells().cell_primitives.size()},
-        {"rho_max", session.cells().rho_max},
-        {"budget", budget_in_primitives(session)},
-        {"steps", session.position()},
-        {"zero_key_share", or_null(zero_key_share(session.traversal()))},
-        {"projected", cells_in[static_cast<std::size_t>(CellState::projected)]},
-        {"enqueued", cells_in[static_cast<std::size_t>(CellState::enqueued)]},
-        {"unseen", cells_in[static_cast<std::size_t>(CellState::unseen)]},
-        {"rendered", session.counters().drawn()},
-        {"visible", reference.count},
-        {"visible_rendered", found},
-        {"coverage", or_null(coverage(reference, found))},
-        {"oracle", or_null(oracle(reference, budget_in_primitives(session)))},
-        {"cell_oracle", or_null(cell_oracle(reference, session.problem()))},
-        {"inversions", mis_ranked + unreached},
-        {"mis_ranked", mis_ranked},
-        {"unreached", unreached},
-        {"wasted", wasted},
-        {"reference", reference.name},
-        {"eye_on", reference.eye_on},
-        {"stop", stop_words[static_cast<std::size_t>(stop)]},
-        {"state_hash", hash_text(session.hash())},
-        {"ms",
-         {{"read", ms.read},
-          {"tessellate", ms.tessellate},
-          {"assign", ms.assign},
-          {"reference", ms.reference},
-          {"traverse", ms.traverse},
-          {"draw", ms.draw}}},
-        {"memory_bytes",
-         {{"scene", scene.primitives.size() * sizeof(Primitive<D>)},
-          {"tessellation", session.cells().memory_bytes()},
-          {"references", session.cells().reference_memory_bytes()},
-          {"timeline", session.timeline().memory_bytes()}}},
-        {"dropped",
-         {{"degenerate", scene.dropped.degenerate},
-          {"duplicate", scene.dropped.duplicate},
-          {"not_finite", scene.dropped.not_finite}}},
-    };
+    OrderedJson json;
+    put(json, "scene", scene.id);
+    put(json, "title", scene.title);
+    put(json, "seed", scene.seed);
+    put(json, "scene_hash", hash_text(scene_hash(scene)));
+    put(json, "method", session.settings().method);
+    put(json, "approximate", session.traversal().misses() == Misses::may);
+    put(json, "guarantee", session.guarantee());
+    put(json, "tessellation", words<Tessellation>[static_cast<std::size_t>(session.settings().tessellation)]);
+    put(json, "cells", session.cells().cell_count());
+    put(json, "primitives", scene.primitives.size());
+    put(json, "unassigned", session.cells().unassigned);
+    put(json, "references", session.cells().cell_primitives.size());
+    put(json, "rho_max", session.cells().rho_max);
+    put(json, "budget", budget_in_primitives(session));
+    put(json, "steps", session.position());
+    put(json, "zero_key_share", or_null(zero_key_share(session.traversal())));
+    put(json, "projected", cells_in[static_cast<std::size_t>(CellState::projected)]);
+    put(json, "enqueued", cells_in[static_cast<std::size_t>(CellState::enqueued)]);
+    put(json, "unseen", cells_in[static_cast<std::size_t>(CellState::unseen)]);
+    put(json, "rendered", session.counters().drawn());
+    put(json, "visible", reference.count);
+    put(json, "visible_rendered", found);
+    put(json, "coverage", or_null(coverage(reference, found)));
+    put(json, "oracle", or_null(oracle(reference, budget_in_primitives(session))));
+    put(json, "cell_oracle", or_null(cell_oracle(reference, session.problem())));
+    put(json, "inversions", mis_ranked + unreached);
+    put(json, "mis_ranked", mis_ranked);
+    put(json, "unreached", unreached);
+    put(json, "wasted", wasted);
+    put(json, "reference", reference.name);
+    put(json, "eye_on", reference.eye_on);
+    put(json, "stop", stop_words[static_cast<std::size_t>(stop)]);
+    put(json, "state_hash", hash_text(session.hash()));
+    OrderedJson times, bytes, dropped;
+    put(times, "read", ms.read);
+    put(times, "tessellate", ms.tessellate);
+    put(times, "assign", ms.assign);
+    put(times, "reference", ms.reference);
+    put(times, "traverse", ms.traverse);
+    put(times, "draw", ms.draw);
+    put(json, "ms", std::move(times));
+    put(bytes, "scene", scene.primitives.size() * sizeof(Primitive<D>));
+    put(bytes, "tessellation", session.cells().memory_bytes());
+    put(bytes, "references", session.cells().reference_memory_bytes());
+    put(bytes, "timeline", session.timeline().memory_bytes());
+    put(json, "memory_bytes", std::move(bytes));
+    put(dropped, "degenerate", scene.dropped.degenerate);
+    put(dropped, "duplicate", scene.dropped.duplicate);
+    put(dropped, "not_finite", scene.dropped.not_finite);
+    put(json, "dropped", std::move(dropped));
     if constexpr (D == 2)
         json["item_buffer"] = other_reference(session);
     else
@@ -144,25 +147,27 @@ std::string trace_json(const Session<D>& session) {
     for (std::uint32_t step = 1; step <= session.position(); ++step) {
         const StepExplanation e = explain_step(session, step);
         const Counters& after = session.timeline().after(step);
-        OrderedJson row{{"step", step},
-                        {"cell", or_null(e.cell)},
-                        {"key", e.key},
-                        {"stamp", e.stamp},
-                        {"runner_up", or_null(e.runner_up)},
-                        {"runner_up_key", e.runner_up == none ? OrderedJson(nullptr) : OrderedJson(e.runner_up_key)},
-                        {"visible_share", e.visible_share},
-                        {"rendered_now", e.rendered},
-                        {"visible_now", e.visible},
-                        {"rendered", after.drawn()},
-                        {"front", after.front_size}};
+        OrderedJson row;
+        put(row, "step", step);
+        put(row, "cell", or_null(e.cell));
+        put(row, "key", e.key);
+        put(row, "stamp", e.stamp);
+        put(row, "runner_up", or_null(e.runner_up));
+        put(row, "runner_up_key", e.runner_up == none ? OrderedJson(nullptr) : OrderedJson(e.runner_up_key));
+        put(row, "visible_share", e.visible_share);
+        put(row, "rendered_now", e.rendered);
+        put(row, "visible_now", e.visible);
+        put(row, "rendered", after.drawn());
+        put(row, "front", after.front_size);
         if (e.item && e.cell == none) row["item"] = {{"kind", kind_word(e.item.kind)}, {"id", e.item.id}};
         row["primitives"] = rendered_ids(session.timeline().met_in(step, session.met()));
         OrderedJson facets = OrderedJson::array();
         for (const Considered& c : e.looked_at) {
-            OrderedJson facet{{"neighbour", c.item ? OrderedJson(c.item.id) : OrderedJson(nullptr)},
-                              {"rule", c.words},
-                              {"state_before", cell_state_words[static_cast<std::size_t>(c.before.state)]},
-                              {"key_before", c.before.key}};
+            OrderedJson facet;
+            put(facet, "neighbour", c.item ? OrderedJson(c.item.id) : OrderedJson(nullptr));
+            put(facet, "rule", c.words);
+            put(facet, "state_before", cell_state_words[static_cast<std::size_t>(c.before.state)]);
+            put(facet, "key_before", c.before.key);
             if (c.key) facet["terms"] = terms_json(*c.key);
             facets.push_back(std::move(facet));
         }

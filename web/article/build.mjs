@@ -18,10 +18,11 @@ export function articleProse() {
   });
 }
 
-/// `glue`: the script that starts the core; `payload`: the packed core; `licence`: what it says of itself.
-export async function writeArticle({ outFolder, glue, payload, licence }) {
+/// `glue`: the script that starts the core; `inside`: the element that holds the packed core; `licence`: what it says of
+/// itself.
+export async function writeArticle({ outFolder, glue, inside, licence }) {
   const { outputFiles } = await build({
-    entryPoints: [join(here, "main.ts")], bundle: true, minify: true, format: "iife", target: "es2020", write: false,
+    entryPoints: [join(here, "main.ts")], bundle: true, minify: true, format: "iife", target: "es2022", write: false,
     legalComments: "none",
   });
   const css = readFileSync(join(here, "style.css"), "utf8");
@@ -38,13 +39,12 @@ export async function writeArticle({ outFolder, glue, payload, licence }) {
   page = put(page, "licence", licence.split("\n\n").map(one => `<p>${one}</p>`).join(""));
   page = put(page, "style", `<style>${style}</style>`);
   const script = `${glue}\n${outputFiles[0].text}`.replaceAll("</script", "<\\/script");
-  const inside = `<script type="application/octet-stream" id="payload">${payload.toString("base64")}</script>`;
   const single = put(put(page, "payload", inside), "script", `<script>${script}</script>`);
   const hosted = put(put(page, "payload", ""), "script", `<script src="article.js" defer></script>`)
     .replaceAll('href="sightline.html#', 'href="index.html#');
   writeFileSync(join(outFolder, "article.html"), single);
   writeFileSync(join(outFolder, "web/article.html"), hosted);
   writeFileSync(join(outFolder, "web/article.js"), script);
-  console.log(`${join(outFolder, "article.html")}: ${Math.round(single.length / 1024)} KiB, of which prose ` +
-              `${Math.round(body.length / 1024)} and script ${Math.round(outputFiles[0].text.length / 1024)}`);
+  console.log(`${join(outFolder, "article.html")}: ${Math.round(Buffer.byteLength(single) / 1000)} kB, of which ` +
+              `prose ${Math.round(body.length / 1000)} and script ${Math.round(outputFiles[0].text.length / 1000)}`);
 }

@@ -3,6 +3,7 @@
 import type { Module } from "../page/core";
 import { make } from "../page/dom";
 import { labelFont } from "../page/paint";
+import { packedBlock, partsOf } from "../page/parts";
 import { loadCore } from "../page/payload";
 import { Core } from "../page/core";
 import { Diagram } from "./diagram";
@@ -20,7 +21,8 @@ function characterWidths(): number[] {
 
 let loaded: Promise<{ module: Module; widths: number[] }> | null = null;
 const load = () => loaded ??= (async () => {
-  const module = await loadCore(), widths = characterWidths();
+  const [, , ...ofCore] = partsOf(await packedBlock());  // the first two are of the other page
+  const module = await loadCore(ofCore), widths = characterWidths();
   const failed = new Core(module).selfTest(2000);
   if (failed) throw new Error(`exact geometry is not exact in this browser (${failed}), so nothing is shown`);
   return { module, widths };

@@ -60,6 +60,9 @@ EMSCRIPTEN_KEEPALIVE const char* page_open_state(Page* page, const char* text) {
 EMSCRIPTEN_KEEPALIVE const char* page_state(Page* page) {
     return answer(page, [&] { return state_of_page(*page); });
 }
+EMSCRIPTEN_KEEPALIVE const char* page_handout(Page* page) {
+    return answer(page, [&] { return handout_of_page(*page); });
+}
 EMSCRIPTEN_KEEPALIVE const char* page_do(Page* page, const char* commands) {
     return does(page, [&] { run_on_page(*page, commands); });
 }
@@ -120,7 +123,17 @@ EMSCRIPTEN_KEEPALIVE const char* page_tap(Page* page, double x, double y, double
 EMSCRIPTEN_KEEPALIVE const char* page_tap_twice(Page* page, double x, double y) {
     return does(page, [&] { tap_twice(*page, {x, y}); });
 }
-EMSCRIPTEN_KEEPALIVE int page_take(Page* page, double x, double y, double reach) { return take(*page, {x, y}, reach); }
+/// 0: of the picture, 1: of the eye, 2: of a wall.
+EMSCRIPTEN_KEEPALIVE int page_take(Page* page, double x, double y, double reach) {
+    return static_cast<int>(take(*page, {x, y}, reach));
+}
+/// The eye of a flight: seconds to its right, up and ahead at the flight's speed; degrees to the right and up.
+EMSCRIPTEN_KEEPALIVE const char* page_fly(Page* page, double right, double up, double ahead, double turn, double rise) {
+    return does(page, [&] { fly_on_page(*page, {right, up, ahead}, {turn, rise}); });
+}
+EMSCRIPTEN_KEEPALIVE const char* page_trade_off(Page* page) {
+    return answer(page, [&] { return trade_off_json(*page); });
+}
 EMSCRIPTEN_KEEPALIVE const char* page_drag(Page* page, double x, double y) {
     return does(page, [&] { drag(*page, {x, y}); });
 }

@@ -26,6 +26,9 @@ std::string scenes_json();
 /// The curve of the run: coverage and the best possible per step, the cell of each, marks.
 std::string curve_json(Page& page);
 
+/// The trade-off's chart: its axes, and a dot for each method and budget that is measured.
+std::string trade_off_json(Page& page);
+
 /// The lines that a term of a key lights up in the picture.
 std::string light_json(Page& page, int about, std::uint32_t from, std::uint32_t facet, std::uint32_t cell);
 

@@ -12,6 +12,7 @@
 #include "core/scene/read/import_mesh.h"
 #include "shell/commands/arguments.h"
 #include "shell/commands/command_table.h"
+#include "shell/desk/camera.h"
 #include "shell/desk/faults.h"
 #include "shell/desk/fly.h"
 #include "shell/desk/measure_trade_off.h"
@@ -21,19 +22,23 @@
 #include "shell/desk/play.h"
 #include "shell/desk/what_if.h"
 #include "shell/export/export.h"
+#include "shell/export/handout.h"
 
 namespace sightline {
 
 namespace {
 
-/// A new bench keeps what a person set up beside the scene.
-template <int D>
-void put(Page& page, Workbench<D> bench) {
+/// What a person set up beside the scene: a new bench keeps it.
+Desk kept_desk(const Page& page) {
     Desk desk;
     if (page.plane) desk = page.plane->bench.desk;
     if (page.space) desk = page.space->bench.desk;
     desk.chooser = desk.lessons = desk.help = desk.console = desk.edit = false;
-    bench.desk = desk;
+    return desk;
+}
+
+template <int D>
+void put(Page& page, Workbench<D> bench) {
     bench.say = [&page](const std::string& line) { page.said.push_back({line}); };
     auto made = std::make_unique<BenchOnPage<D>>(std::move(bench));
     page.plane.reset();
@@ -54,6 +59,7 @@ Workbench<D> bench_of(Page& page, const std::string& name) {
     Session<D> session = open_scene<D>(name, start_settings<D>(name, true), method_table<D>(), warn);
     add_bookmarks(session);
     Workbench<D> bench{.session = std::move(session)};
+    bench.desk = kept_desk(page);
     bench.record_ahead = true;
     record_whole_run(bench.session);
     bench.run = 1;
@@ -61,17 +67,20 @@ Workbench<D> bench_of(Page& page, const std::string& name) {
     return bench;
 }
 
-int dimension_of_state(const std::string& text) {
+int dimension_of_state(const std::string& text, const std::string& name) {
     const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
-    if (json.is_discarded() || !json.is_object()) throw InputError("this is not a state file");
-    return json.contains("view") && json["view"].contains("eye") && json["view"]["eye"].size() == 3 ? 3 : 2;
+    if (json.is_discarded() || !json.is_object()) throw input_error(name, "", "this is not a state file");
+    return json.contains("view") && json["view"].is_object() && json["view"].contains("eye") &&
+                   json["view"]["eye"].size() == 3
+               ? 3
+               : 2;
 }
 
 template <int D>
 void open_state(Page& page, const std::string& text, const std::string& name) {
     Workbench<D> bench = bench_of<D>(page, D == 2 ? "bottleneck" : "blocks");
     bench.say = [&page](const std::string& line) { page.said.push_back({line}); };
-    open_state_text(bench, text, name);
+    open_handout(bench, text, name);
     put(page, std::move(bench));
 }
 
@@ -96,16 +105,20 @@ double LabelFont::width(std::string_view utf8) const {
 }
 
 void open_state_on_page(Page& page, const std::string& text) {
-    dimension_of_state(text) == 3 ? open_state<3>(page, text, "state") : open_state<2>(page, text, "state");
+    dimension_of_state(text, "state") == 3 ? open_state<3>(page, text, "state") : open_state<2>(page, text, "state");
 }
 
 std::string state_of_page(Page& page) {
     return with_bench(page, [](auto& on) { return bench_state(on.bench); });
 }
 
+std::string handout_of_page(Page& page) {
+    return with_bench(page, [](auto& on) { return handout_text(on.bench); });
+}
+
 void open_on_page(Page& page, const std::string& name) {
     if (const auto text = state_text<2>(name))
-        dimension_of_state(*text) == 3 ? open_state<3>(page, *text, name) : open_state<2>(page, *text, name);
+        dimension_of_state(*text, name) == 3 ? open_state<3>(page, *text, name) : open_state<2>(page, *text, name);
     else if (is_3d(name))
         put(page, bench_of<3>(page, name));
     else
@@ -165,6 +178,15 @@ void run_on_page(Page& page, const std::string& commands) {
     } catch (const std::exception& error) {
         page.said.push_back({error.what(), true});
     }
+}
+
+void fly_on_page(Page& page, const Vec<3>& seconds, const Vec<2>& degrees) {
+    if (!page.space) return;
+    Workbench<3>& bench = page.space->bench;
+    const int up = bench.session.scene().up_axis;
+    const ViewSpec<3> aside = turned(bench.session.display_view(), up, degrees.x, degrees.y);
+    fly_to(bench, walked(aside, up, seconds * flight_speed(bench)), "flight");
+    ++page.revision;
 }
 
 bool tick(Page& page, double seconds) {

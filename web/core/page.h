@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -49,12 +50,18 @@ struct BenchOnPage {
     BenchOnPage(const BenchOnPage&) = delete;
 };
 
+/// What a hand on the picture drags.
+enum class Held : std::uint8_t { picture, eye, wall };
+
 /// The hand on the picture, while it drags.
 struct Hand {
     Gesture<2> before;
     Vec<2> from;
     Box<2> world;
-    bool eye = false;
+    Held held = Held::picture;
+    std::uint32_t wall = none;         ///< segment
+    std::optional<std::size_t> end{};  ///< of the wall; none: all of it
+    double reach = 0;                  ///< within which an end goes to that of another wall
 };
 
 struct Page {
@@ -81,9 +88,15 @@ void open_state_on_page(Page& page, const std::string& text);
 
 /// All that is shown, as a state file.
 std::string state_of_page(Page& page);
+/// The same for hand-outs and links (shell/export/handout.h).
+std::string handout_of_page(Page& page);
 
 /// Commands of the table; `viewer3d NAME` and `viewer2d NAME` open the scene on the page. What goes wrong is said.
 void run_on_page(Page& page, const std::string& commands);
+
+/// Moves the eye of a flight in seconds at its speed, to its right, up and ahead, and turns it by degrees to the right
+/// and up: the traversal follows, unrecorded. 3D.
+void fly_on_page(Page& page, const Vec<3>& seconds, const Vec<2>& degrees);
 
 /// Time goes by: true when something has moved.
 bool tick(Page& page, double seconds);

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <nlohmann/json.hpp>
 
 #include "core/base/number.h"
 #include "core/draw/eye_strip.h"
@@ -16,12 +15,11 @@
 #include "core/draw/shown_world.h"
 #include "shell/desk/compare.h"
 #include "shell/desk/into.h"
+#include "web/core/json_text.h"
 
 namespace sightline {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 // The page reads shapes and points where they lie: web/page/core.ts has the same numbers.
 static_assert(sizeof(Vec<2>) == 16);
@@ -34,33 +32,40 @@ constexpr auto hatch_words =
     std::to_array<std::string_view>({"none", "diagonal", "back_diagonal", "cross", "horizontal", "dots"});
 constexpr auto dash_words = std::to_array<std::string_view>({"solid", "dashed", "dotted"});
 
-Json style_json(const Style& style) {
-    Json json{{"name", style.name}, {"width", style.width_pt}};
-    if (style.fill.a > 0) json["fill"] = colour_text(style.fill);
-    if (style.stroke.a > 0) json["stroke"] = colour_text(style.stroke);
-    if (style.hatch != Hatch::none && style.hatch_colour.a > 0) {
-        json["hatch"] = hatch_words[static_cast<std::size_t>(style.hatch)];
-        json["hatchColour"] = colour_text(style.hatch_colour);
-    }
-    if (style.dash != Dash::solid) json["dash"] = dash_words[static_cast<std::size_t>(style.dash)];
-    return json;
+void put_style(JsonText& json, const Style& style) {
+    json.object().member("name", style.name).member("width", style.width_pt);
+    if (style.fill.a > 0) json.member("fill", colour_text(style.fill));
+    if (style.stroke.a > 0) json.member("stroke", colour_text(style.stroke));
+    if (style.hatch != Hatch::none && style.hatch_colour.a > 0)
+        json.member("hatch", hatch_words[static_cast<std::size_t>(style.hatch)])
+            .member("hatchColour", colour_text(style.hatch_colour));
+    if (style.dash != Dash::solid) json.member("dash", dash_words[static_cast<std::size_t>(style.dash)]);
+    json.end_object();
 }
 
-Json list_json(const DrawList& list) {
-    Json json{{"points", reinterpret_cast<std::uintptr_t>(list.points.data())},
-              {"pointCount", list.points.size()},
-              {"shapes", reinterpret_cast<std::uintptr_t>(list.shapes.data())},
-              {"shapeCount", list.shapes.size()},
-              {"styles", Json::array()}};
-    for (const Style& style : list.styles) json["styles"].push_back(style_json(style));
-    return json;
+/// Where something lies in memory.
+template <typename T>
+std::uintptr_t place_of(const std::vector<T>& list) {
+    return reinterpret_cast<std::uintptr_t>(list.data());
+}
+
+void put_list(JsonText& json, const DrawList& list) {
+    json.object()
+        .member("points", place_of(list.points))
+        .member("pointCount", list.points.size())
+        .member("shapes", place_of(list.shapes))
+        .member("shapeCount", list.shapes.size())
+        .name("styles")
+        .array();
+    for (const Style& style : list.styles) put_style(json, style);
+    json.end_array().end_object();
 }
 
 /// The font's size in pixels, at scale 1 of a label.
 constexpr double label_pixels = 13;
 
 /// Labels with their places in pixels, y down, as the window stands them.
-Json labels_json(const Page& page, Paper& paper, double width, double height, double unit) {
+void put_labels(JsonText& json, const Page& page, Paper& paper, double width, double height, double unit) {
     const double scale = width / paper.world.extent().x;
     LabelGround ground;
     ground.frame = {{0, 0}, {width, height}};
@@ -80,39 +85,37 @@ Json labels_json(const Page& page, Paper& paper, double width, double height, do
         return LabelSize{page.font.width(label.text) * em, 0.48 * em + margin, margin, radius_of(label)};
     };
     const std::vector<Label>& labels = paper.above.labels;
-    Json json = Json::array();
+    json.array();
     for (const StandingLabel& standing : stand_labels(labels, ground, {}, &paper.labels)) {
         const Label& label = labels[standing.label];
-        Json one{{"text", label.text},
-                 {"x", standing.box.centre().x},
-                 {"y", standing.box.centre().y},
-                 {"size", size_of(label)},
-                 {"colour", colour_text(label.colour)}};
-        if (label.halo.a > 0) one["halo"] = colour_text(label.halo);
-        if (label.disc) {
-            one["disc"] = colour_text(*label.disc);
-            one["radius"] = radius_of(label);
-        }
+        json.object()
+            .member("text", label.text)
+            .member("x", standing.box.centre().x)
+            .member("y", standing.box.centre().y)
+            .member("size", size_of(label))
+            .member("colour", colour_text(label.colour));
+        if (label.halo.a > 0) json.member("halo", colour_text(label.halo));
+        if (label.disc) json.member("disc", colour_text(*label.disc)).member("radius", radius_of(label));
         if (label.leader || standing.leader) {
             const Vec<2> tip = standing.leader ? standing.tip : standing.anchor;
             if (!standing.box.contains(tip)) {
                 const Vec<2> from = leader_start(standing.box, tip);
-                one["leader"] = {from.x, from.y, tip.x, tip.y};
+                json.name("leader").values(std::array{from.x, from.y, tip.x, tip.y});
             }
         }
-        json.push_back(std::move(one));
+        json.end_object();
     }
-    return json;
+    json.end_array();
 }
 
-Json legend_json(std::vector<LegendRow> rows) {
-    Json json = Json::array();
+void put_legend(JsonText& json, std::vector<LegendRow> rows) {
+    json.array();
     for (const LegendRow& row : short_legend(std::move(rows))) {
-        Json one{{"swatch", shape_words[static_cast<std::size_t>(row.swatch)]}, {"text", row.text}};
-        one["style"] = style_json(row.style);
-        json.push_back(std::move(one));
+        json.object().member("swatch", shape_words[static_cast<std::size_t>(row.swatch)]).member("text", row.text);
+        put_style(json.name("style"), row.style);
+        json.end_object();
     }
-    return json;
+    json.end_array();
 }
 
 std::vector<LegendRow> legend_of(const Session<2>& session, const Paper& paper) {
@@ -120,21 +123,19 @@ std::vector<LegendRow> legend_of(const Session<2>& session, const Paper& paper) 
     return legend_rows(lists, session.settings(), key_title(session), current_notes(session));
 }
 
-Json solid_json(const Solid& solid) {
-    return {{"triangles", reinterpret_cast<std::uintptr_t>(solid.triangles.data())},
-            {"triangleCorners", solid.triangles.size()},
-            {"opaque", solid.opaque},
-            {"edges", reinterpret_cast<std::uintptr_t>(solid.edges.data())},
-            {"edgeCorners", solid.edges.size()},
-            {"clip", solid.clip},
-            {"forward", solid.forward},
-            {"lamp", solid.lamp},
-            {"background", colour_text(solid.background)}};
+void put_solid(JsonText& json, const Solid& solid) {
+    json.object()
+        .member("triangles", place_of(solid.triangles))
+        .member("triangleCorners", solid.triangles.size())
+        .member("opaque", solid.opaque)
+        .member("edges", place_of(solid.edges))
+        .member("edgeCorners", solid.edges.size());
+    json.name("clip").values(solid.clip).name("forward").values(solid.forward).name("lamp").values(solid.lamp);
+    json.member("background", colour_text(solid.background)).end_object();
 }
 
 /// What the lists of a pane are made of.
 struct Made {
-    Json json;
     std::optional<std::array<double, 2>> heat_range;
     std::vector<LegendRow> legend;
 };
@@ -166,7 +167,7 @@ Made make(Page& page, BenchOnPage<2>& on, const Session<2>& session, std::size_t
     if (session.settings().show_eye == Switch::on) strip = eye_strip(session);
     options.eye = strip ? &*strip : nullptr;
     paper.above = make_picture(session, options);
-    return {{}, options.heat_range, legend_of(session, paper)};
+    return {options.heat_range, legend_of(session, paper)};
 }
 
 Made make(Page& page, BenchOnPage<3>& on, const Session<3>& session, std::size_t side, double aspect) {
@@ -181,11 +182,8 @@ Made make(Page& page, BenchOnPage<3>& on, const Session<3>& session, std::size_t
     paper.world = paper.above.world;
     const std::array<const DrawList*, 1> lists{&paper.above};
     const std::array<const SolidList*, 1> solids{&list};
-    Made made{{},
-              options.heat_range,
-              legend_rows(lists, solids, session.settings(), key_title(session), current_notes(session))};
-    made.json["solid"] = solid_json(paper.solid);
-    return made;
+    return {options.heat_range,
+            legend_rows(lists, solids, session.settings(), key_title(session), current_notes(session))};
 }
 
 template <int D>
@@ -198,21 +196,28 @@ std::string picture_of(Page& page, BenchOnPage<D>& on, int pane, double width, d
     Made made = make(page, on, session, side, width / height);
     Paper& paper = page.papers[side];
     const Colours& palette = colours(session.settings().palette);
-    Json json = std::move(made.json);
-    json["world"] = {paper.world.min.x, paper.world.min.y, paper.world.max.x, paper.world.max.y};
-    json["background"] = colour_text(palette.background);
-    json["ink"] = colour_text(palette.ink);
-    json["accent"] = colour_text(palette.accent);
-    json["lists"] = {list_json(paper.below), list_json(paper.tessellation), list_json(paper.above)};
-    if (!paper.still.empty()) json["still"] = paper.still;
-    json["labels"] = labels_json(page, paper, width, height, unit);
-    if (side == 0 && bench.desk.legend) json["legend"] = legend_json(std::move(made.legend));
+    JsonText json;
+    json.object();
+    if (D == 3) put_solid(json.name("solid"), paper.solid);
+    const Box<2>& world = paper.world;
+    json.name("world").values(std::array{world.min.x, world.min.y, world.max.x, world.max.y});
+    json.member("background", colour_text(palette.background))
+        .member("ink", colour_text(palette.ink))
+        .member("accent", colour_text(palette.accent));
+    json.name("lists").array();
+    for (const DrawList* list : {&paper.below, &paper.tessellation, &paper.above}) put_list(json, *list);
+    json.end_array();
+    if (!paper.still.empty()) json.member("still", paper.still);
+    put_labels(json.name("labels"), page, paper, width, height, unit);
+    if (side == 0 && bench.desk.legend) put_legend(json.name("legend"), std::move(made.legend));
     if (const auto bar = colour_bar(session, made.heat_range)) {
-        json["bar"] = {{"title", bar->title}, {"low", bar->low}, {"high", bar->high}};
-        for (const Colour& stop : bar->stops) json["bar"]["stops"].push_back(colour_text(stop));
+        json.name("bar").object().member("title", bar->title).member("low", bar->low).member("high", bar->high);
+        json.name("stops").array();
+        for (const Colour& stop : bar->stops) json.value(colour_text(stop));
+        json.end_array().end_object();
     }
-    if (bench.other) json["head"] = side_head(session, side_titles(bench)[side]).text();
-    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+    if (bench.other) json.member("head", side_head(session, side_titles(bench)[side]).text());
+    return json.end_object().take();
 }
 
 }  // namespace

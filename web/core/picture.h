@@ -15,13 +15,14 @@ std::string picture_json(Page& page, int pane, double width, double height, doub
 /// What lies at a point of the plane: cell, segment, whether the eye is within reach, and words about it.
 std::string under_json(Page& page, const Vec<2>& at, double reach);
 
-/// A click: selects what lies there, as the window does.
+/// A click: selects what lies there, as the window does; in three dimensions `at` is of the picture's plane.
 void tap(Page& page, const Vec<2>& at, double reach);
 /// A second one: runs until that cell is projected.
 void tap_twice(Page& page, const Vec<2>& at);
 
-/// A drag begins: of the eye where that is within reach, else of the picture. True: of the eye.
-bool take(Page& page, const Vec<2>& at, double reach);
+/// A drag begins: of the eye where that is within reach, in the edit mode of a wall or an end of one, else of the
+/// picture.
+Held take(Page& page, const Vec<2>& at, double reach);
 /// To a point of the plane as it was shown when the drag began.
 void drag(Page& page, const Vec<2>& to);
 /// It ends; `back`: as if it had not been.

@@ -11,7 +11,8 @@ export type Look = {
   position: number; recorded: number; run: number; method: string; guarantee: string; state: string;
   frozen: boolean; selected: number; asks: boolean; undo: boolean; redo: boolean; panes: number; eye: [number, number];
   desk: { projector: boolean; blank: boolean; speaker: boolean; edit: boolean; left: string; right: string;
-          legend: boolean; fullscreen: boolean; tool: string; animate: boolean };
+          legend: boolean; timeline: boolean; fullscreen: boolean; tool: string; animate: boolean };
+  flight?: boolean; formula?: string;
   lesson: Row[]; teaching?: { id: string; part: number; asksKey: boolean }; speaker?: Row[]; panel?: Row[];
   said?: { text: string; bad: boolean }[];
 };
@@ -31,8 +32,8 @@ export type SceneChoice = { group: string; title: string; text: string; command:
 export type Setting = { name: string; help: string; source: string; values: string; group: string; value: string;
                         otherwise: string; parameter: boolean; words?: string[] };
 export type Curve = { run?: number; tells?: boolean; coverage?: (number | null)[]; oracle?: (number | null)[];
-                      hidden?: number[]; visible?: number[]; cell?: number[]; other?: (number | null)[];
-                      bookmarks?: { step: number; label: string }[] };
+                      hidden?: number[]; visible?: number[]; key?: (number | null)[]; cell?: number[];
+                      other?: (number | null)[]; bookmarks?: { step: number; label: string }[] };
 
 export type Style = { name: string; width: number; fill?: string; stroke?: string; hatch?: string; hatchColour?: string;
                       dash?: string };
@@ -49,7 +50,10 @@ export type Picture = {
   labels: PlacedLabel[]; legend?: LegendRow[]; head?: string;
   bar?: { title: string; low: string; high: string; stops: string[] };
 };
-export type Under = { cell?: number; primitive?: number; eye?: boolean; words?: string };
+export type TradeDot = { ms: number; share: number; variant: string; budget: string; primitives: number; colour: string;
+                         marker: string; filled: boolean; best: boolean; now: boolean; command: string };
+export type TradeOff = { time?: string; share?: string; dots?: TradeDot[] };
+export type Under = { cell?: number; primitive?: number; eye?: boolean; words?: string; drag?: string };
 export type Light = { points: [number, number][]; closed: boolean; arrow: boolean };
 
 export type Module = {
@@ -99,10 +103,9 @@ export class Core {
   }
   open(name: string) { this.read(this.withText(name, at => this.module._page_open(this.page, at))); }
   openState(text: string) { this.read(this.withText(text, at => this.module._page_open_state(this.page, at))); }
-  state() {
-    const text = this.module.UTF8ToString(this.module._page_state(this.page));
-    return text;
-  }
+  state() { return this.module.UTF8ToString(this.module._page_state(this.page)); }
+  /// The same for links and hand-outs: with the lesson, and with scenes inside that no generator makes.
+  handout() { return this.module.UTF8ToString(this.module._page_handout(this.page)); }
   run(commands: string) { this.read(this.withText(commands, at => this.module._page_do(this.page, at))); }
   tick(seconds: number) { return this.module._page_tick(this.page, seconds) !== 0; }
   idle(milliseconds: number) { return this.module._page_idle(this.page, milliseconds) !== 0; }
@@ -137,7 +140,12 @@ export class Core {
   }
   tap(x: number, y: number, reach: number) { this.read(this.module._page_tap(this.page, x, y, reach)); }
   tapTwice(x: number, y: number) { this.read(this.module._page_tap_twice(this.page, x, y)); }
+  /// True: something of the scene is held, not the picture.
   take(x: number, y: number, reach: number) { return this.module._page_take(this.page, x, y, reach) !== 0; }
+  fly([right, up, ahead]: [number, number, number], turn = 0, rise = 0) {
+    this.read(this.module._page_fly(this.page, right, up, ahead, turn, rise));
+  }
+  tradeOff() { return this.read<TradeOff>(this.module._page_trade_off(this.page)); }
   drag(x: number, y: number) { this.read(this.module._page_drag(this.page, x, y)); }
   letGo(back: boolean) { this.read(this.module._page_let_go(this.page, back ? 1 : 0)); }
   magnify(x: number, y: number, factor: number) { this.read(this.module._page_magnify(this.page, x, y, factor)); }

@@ -10,8 +10,8 @@ export const dialog = () => byId("dialog") as HTMLDialogElement;
 function show(title: string, ...inside: Node[]) {
   const box = dialog();
   box.setAttribute("aria-label", title);
-  box.replaceChildren(make("h2", {}, title), ...inside,
-                      make("div", { class: "buttons" }, make("button", { type: "button", onclick: () => box.close() }, "Close")));
+  const close = make("button", { type: "button", onclick: () => box.close() }, "Close");
+  box.replaceChildren(make("h2", {}, title), ...inside, make("div", { class: "buttons" }, close));
   if (!box.open) box.showModal();
 }
 
@@ -56,7 +56,8 @@ export function commandLine(tables: Tables, run: Run, begin: string) {
   const list = make("div", { class: "choices" });
   const fill = () => {
     const word = field.value.trim().split(" ")[0].toLowerCase();
-    list.replaceChildren(...tables.commands.filter(c => !word || c.id.startsWith(word) || c.label.toLowerCase().includes(word))
+    const fits = (id: string, label: string) => !word || id.startsWith(word) || label.toLowerCase().includes(word);
+    list.replaceChildren(...tables.commands.filter(command => fits(command.id, command.label))
       .slice(0, 12).map(command => make("button", { type: "button", onclick: () => {
         if (command.arguments.trim()) { field.value = command.id + " "; field.focus(); fill(); }
         else { dialog().close(); run(command.id); }
@@ -81,7 +82,7 @@ export function showKeys(tables: Tables) {
   for (const command of tables.commands) {
     if (!command.keys?.length) continue;
     if (command.group !== group)
-      table.append(make("tr", {}, make("th", { colspan: 2, style: "text-align:left;padding-top:8px" }, group = command.group)));
+      table.append(make("tr", {}, make("th", { colspan: 2 }, group = command.group)));
     const keys = make("td", {});
     for (const binding of command.keys) keys.append(make("kbd", {}, binding.key), " ");
     table.append(make("tr", {}, keys, make("td", {}, `${command.label}: ${command.text}`)));

@@ -20,8 +20,9 @@ export function make<K extends keyof HTMLElementTagNameMap>(
 export const byId = (id: string) => document.getElementById(id)!;
 
 const shapes: Record<string, string> = {
-  start: "M3 3h3v14H3zM17 3v14L7 10z", back: "M14 3v14L4 10z", play: "M5 3v14l12-7z", pause: "M4 3h4v14H4zM12 3h4v14h-4z",
-  step: "M4 3v14l9-7zM14 3h3v14h-3z", end: "M3 3v14l7-7zM10 3v14l5-7zM15 3h3v14h-3z",
+  start: "M3 3h3v14H3zM17 3v14L7 10z", back: "M14 3v14L4 10z", play: "M5 3v14l12-7z",
+  pause: "M4 3h4v14H4zM12 3h4v14h-4z", step: "M4 3v14l9-7zM14 3h3v14h-3z",
+  end: "M3 3v14l7-7zM10 3v14l5-7zM15 3h3v14h-3z",
 };
 export function icon(name: string): SVGElement {
   const svg = document.createElementNS("http://www.w3.org/2000/svg", "svg");
@@ -57,7 +58,7 @@ export function rowElement(row: Row, actions: RowActions): HTMLElement {
   if (row.indent) line.style.paddingLeft = `${row.indent * 14}px`;
   const inside = row.parts ? formula(row, actions) : [document.createTextNode(row.text)];
   if (row.command && !row.parts)
-    line.append(make("button", { type: "button", onclick: () => actions.run(row.command!) }, ...inside as (Node | string)[]));
+    line.append(make("button", { type: "button", onclick: () => actions.run(row.command!) }, ...inside));
   else
     line.append(...inside);
   if (row.cell !== undefined) {

@@ -32,7 +32,7 @@ export function bindings(commands: Command[]): Map<string, Binding> {
 /// What the browser does with this key where the focus is, and is to do.
 export function belongsToFocus(event: KeyboardEvent, name: string): boolean {
   const at = event.target as HTMLElement;
-  if (name.startsWith("Ctrl+") && ["Ctrl+Plus", "Ctrl+Minus", "Ctrl+0", "Ctrl+W", "Ctrl+T", "Ctrl+R"].includes(name)) return true;
+  if (["Ctrl+Plus", "Ctrl+Minus", "Ctrl+0", "Ctrl+W", "Ctrl+T", "Ctrl+R"].includes(name)) return true;
   if (name === "Tab" || name === "Shift+Tab" || name === "F12" || name === "F5") return true;
   if (name === "Ctrl+C" && String(getSelection())) return true;
   if (name === "Ctrl+V") return true;  // comes as the event "paste"

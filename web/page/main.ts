@@ -1,17 +1,22 @@
 // The page: it draws what the core says and forwards what people do. It decides nothing about a run.
 // SPDX-License-Identifier: GPL-3.0-or-later
+import type { Boot } from "./boot";
 import { Core, type Binding, type Look, type SceneChoice, type Tables } from "./core";
 import { about, askLine, chooseScene, commandLine, dialog, showKeys, showMenu } from "./dialogs";
 import { byId, download, make, rowElement } from "./dom";
+import { Flight } from "./flight";
+import { FormulaField } from "./formula";
 import { belongsToFocus, bindings, keyName } from "./keys";
 import { packState, readAddress } from "./link";
 import { labelFont } from "./paint";
 import { Pane } from "./pane";
 import { loadCore } from "./payload";
 import { settingsElements } from "./settings";
+import { Timeline } from "./timeline";
+import { tradeOffChart } from "./trade_off";
 import { Transport } from "./transport";
 
-declare const licence: string;
+declare const licence: string, boot: Boot;
 
 class App {
   private tables!: Tables;
@@ -20,6 +25,9 @@ class App {
   private look!: Look;
   private readonly panes: Pane[] = [];
   private readonly transport: Transport;
+  private readonly timeline: Timeline;
+  private readonly formula = new FormulaField(text => this.tryFormula(text));
+  private readonly flight = new Flight(by => { this.core.fly(by); this.refreshSoon(); });
   private dimension = 0;
   private settingsOpen = false;
   private drawPending = false;
@@ -32,6 +40,7 @@ class App {
 
   constructor(private readonly core: Core) {
     this.transport = new Transport({ run: command => this.run(command), seek: step => this.run(`seek ${step}`) });
+    this.timeline = new Timeline(step => this.run(`seek ${step}`));
     this.scenes = core.scenes();
     this.buildTools();
     this.listen();
@@ -42,7 +51,8 @@ class App {
     const few: [string, () => void, string][] = [
       ["Scenes", () => this.run("scenes"), "Choose a scene (O)"],
       ["Lessons", () => this.run("lesson"), "Lessons (F2)"],
-      ["Menu", () => showMenu(this.tables, more, command => this.run(command), begin => this.ask(begin)), "Every command"],
+      ["Menu", () => showMenu(this.tables, more, command => this.run(command), begin => this.ask(begin)),
+       "Every command"],
     ];
     const more: [string, () => void, string][] = [
       ["Compare", () => this.run("show compare"), "Two runs beside each other (5)"],
@@ -50,6 +60,7 @@ class App {
       ["Open file", () => this.pickFile(), "JSON, GeoJSON, WAD, OBJ, PLY, STL, OFF, glTF; or drop it on the page"],
       ["SVG", () => this.run("picture svg"), "Save the picture as SVG"],
       ["PNG", () => this.run("picture png"), "Save the picture as PNG"],
+      ["Export page", () => this.run("page"), "Save what is shown as a page that opens at it, to hand out"],
       ["Link", () => void this.copyLink(), "Copy a link to what is shown"],
       ["Keys", () => this.run("help"), "All keys (F1)"],
       ["About", () => about(licence), "Licence and sources"],
@@ -92,6 +103,7 @@ class App {
       if (this.look.desk.projector) return this.run("projector");
       return;
     }
+    if (this.look.flight && this.flight.key(event)) return event.preventDefault();
     const binding = this.keys.get(name);
     if (!binding) return;
     event.preventDefault();
@@ -107,12 +119,14 @@ class App {
     else if (command === "console") this.ask("");
     else if (command === "open") this.pickFile();
     else if (command === "copy") void navigator.clipboard.writeText(this.core.state()).then(
-      () => this.say("state copied to the clipboard, as text"), () => this.say("the browser keeps its clipboard to itself", true));
+      () => this.say("state copied to the clipboard, as text"),
+      () => this.say("the browser keeps its clipboard to itself", true));
     else if (command === "paste") this.say("press Ctrl+V to open the state on the clipboard");
     else if (command === "quit") this.say("close the tab to end this page");
     else if (command === "fullscreen") void (document.fullscreenElement ? document.exitFullscreen()
                                                                         : document.documentElement.requestFullscreen());
     else if (command === "show settings") { this.settingsOpen = !this.settingsOpen; this.refresh(); }
+    else if (command === "page") this.run(`page ${this.fileName()}-${this.look.position}.html`);
     else if (word === "picture" || word === "shot") this.savePicture(argument.endsWith("png") ? "png" : "svg");
     else return false;
     return true;
@@ -125,6 +139,17 @@ class App {
     if (!slow) return go();
     this.say(slow);
     setTimeout(go, 30);
+  }
+
+  /// What is wrong with the formula is said where it is typed.
+  private tryFormula(text: string): string {
+    this.saidLines = [];
+    this.core.run(`set key="${text.replaceAll('"', " ")}"`);
+    this.refresh();
+    const wrong = this.saidLines.filter(line => line.bad).map(line => line.text).join(" ");
+    if (wrong) this.saidLines = [];
+    this.showSaid();
+    return wrong.replace(/^[^]*?(?=column \d+: )/, "");  // whose command and setting it is shows already
   }
 
   private say(text: string, bad = false) {
@@ -148,14 +173,18 @@ class App {
     const files = this.core.files;
     for (const name of files.readdir("/files")) {
       if (name === "." || name === ".." || this.dropped.has(name)) continue;
-      download(name, files.readFile("/files/" + name) as BlobPart, "application/octet-stream");
+      const bytes = files.readFile("/files/" + name);
       files.unlink("/files/" + name);
+      if (!name.endsWith(".html")) download(name, bytes as BlobPart, "application/octet-stream");
+      else void boot.pageWith(new TextDecoder().decode(bytes)).then(text => download(name, text, "text/html"));
     }
   }
   private readonly dropped = new Set<string>();
 
+  private fileName() { return this.look.scene.replace(/^.*\//, "").replace(/[^\w.-]+/g, "-"); }
+
   private savePicture(kind: "svg" | "png") {
-    const name = this.look.scene.replace(/^.*\//, "").replace(/[^\w.#-]+/g, "-");
+    const name = this.fileName();
     if (kind === "svg") download(`${name}.svg`, this.panes[0].svg(this.look.headline), "image/svg+xml");
     else void this.panes[0].png().then(blob => download(`${name}.png`, blob, "image/png"));
     this.say(`${name}.${kind} is in the downloads`);
@@ -178,13 +207,15 @@ class App {
     this.attempt(() => this.core.open(first));
   }
 
-  async openAddress() {
+  /// What the page came with is opened before what the address asks for.
+  async openAddress(handout = "") {
     let asked = {} as Awaited<ReturnType<typeof readAddress>>;
     try { asked = await readAddress(location.hash); }
     catch { this.saidLines.push({ text: "the address holds no state that can be read", bad: true }); }
     try {
+      if (handout) this.core.openState(handout);
       if (asked.state) this.core.openState(asked.state);
-      else this.core.open(asked.open ?? "bottleneck");
+      else if (asked.open || !handout) this.core.open(asked.open ?? "bottleneck");
       if (asked.commands) this.core.run(asked.commands);
     } catch (error) {
       this.saidLines.push({ text: (error as Error).message, bad: true });
@@ -194,14 +225,14 @@ class App {
   }
   private async writeAddress() {
     if (this.look.source !== "generated") return;
-    const hash = "#" + await packState(this.core.state());
+    const hash = "#" + await packState(this.core.handout());
     if (hash.length > 8000 || this.look.state === "playing") return;
     this.ownHash = hash;
     history.replaceState(null, "", hash);
   }
   private async copyLink() {
     await this.writeAddress();
-    if (this.look.source !== "generated") return this.say("a link holds no file: save the state, and hand out both", true);
+    if (this.look.source !== "generated") return this.say("a link holds no file: Export page does", true);
     navigator.clipboard?.writeText(location.href).then(() => this.say("the link is on the clipboard"),
                                                        () => this.say("copy the address of this page"));
   }
@@ -225,6 +256,9 @@ class App {
     document.body.classList.toggle("blank", look.desk.blank);
     this.showSaid();
     this.transport.update(look, () => this.core.curve());
+    this.timeline.update(look, () => this.core.curve());
+    this.formula.show(look.formula);
+    if (!look.flight) this.flight.stop();
     this.showTabs();
     this.showPanel();
     this.showLesson();
@@ -241,6 +275,12 @@ class App {
     const pane = new Pane(this.core, this.panes.length, {
       changed: () => this.refreshSoon(),
       run: command => this.run(command),
+      turn: (right, up) => {
+        if (!this.look.flight) return false;
+        this.core.fly([0, 0, 0], right, up);
+        this.refreshSoon();
+        return true;
+      },
       hover: cell => { for (const one of this.panes) one.outline(cell); },
     });
     this.panes.push(pane);
@@ -280,17 +320,21 @@ class App {
     if (this.core.idle(60)) this.refresh();
   }
 
+  private tabsOf = "";
   private showTabs() {
+    byId("side").hidden = !this.look.panel;
+    const of = `${this.dimension} ${this.look.desk.right}`;
+    if (of === this.tabsOf) return;
+    this.tabsOf = of;
     const tabs = byId("tabs"), focused = tabs.contains(document.activeElement)
       ? (document.activeElement as HTMLElement).dataset.id : undefined;
     tabs.replaceChildren(...this.tables.panels.filter(panel => panel.id !== "settings").map(panel => {
       const here = panel.id === this.look.desk.right;
-      return make("button", { type: "button", title: panel.text, "data-id": panel.id, "aria-current": here ? "true" : "false",
+      return make("button", { type: "button", title: panel.text, "data-id": panel.id, "aria-current": String(here),
                               onclick: () => { if (panel.id !== this.look.desk.right) this.run(`show ${panel.id}`); } },
                   panel.title);
     }));
     if (focused) tabs.querySelector<HTMLElement>(`[data-id="${focused}"]`)?.focus();
-    byId("side").hidden = !this.look.panel;
   }
 
   private readonly rowActions = {
@@ -307,7 +351,10 @@ class App {
     this.panes[0]?.lightUp([]);
     const panel = byId("panel"), title = this.tables.panels.find(one => one.id === this.look.desk.right)?.title;
     panel.setAttribute("aria-label", title ?? "Panel");
-    panel.replaceChildren(...(this.look.panel ?? []).map(row => rowElement(row, this.rowActions)));
+    const rows: Node[] = (this.look.panel ?? []).map(row => rowElement(row, this.rowActions));
+    const chart = this.look.desk.right === "trade-off" && tradeOffChart(this.core.tradeOff(), this.rowActions.run);
+    if (chart) rows.unshift(chart);
+    panel.replaceChildren(...rows);
     panel.scrollTop = 0;
   }
 
@@ -327,6 +374,7 @@ class App {
                         ...(this.look.speaker ?? []).map(row => rowElement(row, this.rowActions)),
                         make("div", { class: "buttons" }, ...buttons));
     this.transport.forget();
+    this.timeline.forget();
   }
   private answer() { askLine("The key of the cell", text => this.run(`answer ${text}`)); }
 
@@ -355,16 +403,17 @@ function characterWidths(): number[] {
 async function start() {
   byId("panes").append(make("p", { class: "wait" }, "loading …"));
   try {
-    const core = new Core(await loadCore());
+    const core = new Core(await loadCore(boot.parts));
     const failed = core.selfTest(2000);
     if (failed) throw new Error(`exact geometry is not exact in this browser (${failed}), so nothing is shown`);
     core.setFont(characterWidths());
     byId("panes").replaceChildren();
     const app = new App(core);
-    await app.openAddress();
+    await app.openAddress(boot.handout);
     Object.assign(window, { app, core });
   } catch (error) {
-    byId("panes").replaceChildren(make("p", { class: "wait", role: "alert" }, `This page cannot start: ${(error as Error).message}`));
+    const words = `This page cannot start: ${(error as Error).message}`;
+    byId("panes").replaceChildren(make("p", { class: "wait", role: "alert" }, words));
   }
 }
 

@@ -105,7 +105,8 @@ class SvgSheet implements Sheet {
     const line = stroke && style.stroke
       ? ` stroke="${style.stroke}" stroke-width="${round(width)}" stroke-linejoin="round"` +
         (style.dash ? ` stroke-dasharray="${dashes(style, width).map(round).join(" ")}"` : "") : "";
-    this.body += `<path class="${style.name}" fill="${fill && style.fill ? style.fill : "none"}"${line} d="${this.path}"/>\n`;
+    const inside = fill && style.fill ? style.fill : "none";
+    this.body += `<path class="${style.name}" fill="${inside}"${line} d="${this.path}"/>\n`;
   }
 }
 
@@ -220,8 +221,10 @@ export function asSvg(core: Core, picture: Picture, view: View, title: string, u
         sheet.end({ name: "leader", width: 1, fill: label.colour, stroke: label.colour }, fill, !fill, view);
       });
     if (label.disc)
-      sheet.body += `<circle cx="${round(label.x)}" cy="${round(label.y)}" r="${round(label.radius!)}" fill="${label.disc}"/>\n`;
-    const halo = label.halo ? ` stroke="${label.halo}" stroke-width="${round(4 * view.unit)}" paint-order="stroke"` : "";
+      sheet.body += `<circle cx="${round(label.x)}" cy="${round(label.y)}" r="${round(label.radius!)}" ` +
+                    `fill="${label.disc}"/>\n`;
+    const halo = label.halo
+      ? ` stroke="${label.halo}" stroke-width="${round(4 * view.unit)}" paint-order="stroke"` : "";
     sheet.body += `<text x="${round(label.x)}" y="${round(label.y)}" font-size="${round(label.size)}" ` +
                   `fill="${label.colour}"${halo}>${escaped(label.text)}</text>\n`;
   }

@@ -8,6 +8,7 @@ import { asSvg, escaped, paintLabels, paintOnCanvas, toPixels, toScene, type Vie
 export type PaneActions = {
   changed(): void;         // the picture is to be made again
   run(command: string): void;
+  turn(right: number, up: number): boolean;  // a flight's eye; false: nobody flies
   hover(cell: number | null): void;
 };
 
@@ -15,7 +16,8 @@ const reachOf = (event: PointerEvent) => event.pointerType === "touch" ? 24 : 9;
 
 export class Pane {
   readonly element = make("div", { class: "pane" });
-  private readonly ground = make("canvas", { role: "img", "aria-label": "Plan of the scene; the panel tells what it shows" });
+  private readonly ground = make("canvas", {
+    role: "img", "aria-label": "Plan of the scene; the panel tells what it shows" });
   private readonly over = make("canvas", { class: "over", "aria-hidden": "true" });
   private readonly head = make("p", { class: "head", hidden: true });
   private readonly legend = make("ul", { class: "legend", hidden: true });
@@ -44,7 +46,8 @@ export class Pane {
     canvas.addEventListener("wheel", event => {
       if (event.ctrlKey) return;
       event.preventDefault();
-      const [x, y] = this.scene(event), factor = Math.pow(1.2, -Math.sign(event.deltaY) * Math.min(1, Math.abs(event.deltaY) / 60));
+      const [x, y] = this.scene(event), turns = Math.sign(event.deltaY) * Math.min(1, Math.abs(event.deltaY) / 60);
+      const factor = Math.pow(1.2, -turns);
       if (this.picture?.solid) return this.actions.run(`zoom ${factor.toFixed(4)}`);
       this.core.magnify(x, y, factor);
       this.actions.changed();
@@ -105,6 +108,7 @@ export class Pane {
     if (this.picture?.solid) {
       const [dx, dy] = [at[0] - this.drag.at[0], at[1] - this.drag.at[1]];
       this.drag.at = at;
+      if (this.actions.turn(dx / 5, -dy / 5)) return;
       return this.actions.run(`orbit ${(-dx / 3).toFixed(2)},${(dy / 3).toFixed(2)}`);
     }
     const [x, y] = this.scene(event, this.drag.eye ? this.drag.view : this.view);
@@ -122,7 +126,8 @@ export class Pane {
     const { moved } = this.drag;
     const [x, y] = this.scene(event), reach = this.reach(event);
     this.stop(cancelled);
-    if (!moved && !cancelled && !this.picture?.solid) {
+    if (!moved && !cancelled && this.picture?.solid) this.core.tap(x, y, reach / 1.5);
+    else if (!moved && !cancelled) {
       const twice = event.timeStamp - this.lastTap < 350;
       this.lastTap = event.timeStamp;
       twice ? this.core.tapTwice(x, y) : this.core.tap(x, y, reach / 1.5);
@@ -146,9 +151,9 @@ export class Pane {
     const [x, y] = this.scene(event), under = this.core.under(x, y, this.reach(event) / 1.5);
     const at = this.pixels(event);
     this.actions.hover(under.cell ?? null);
-    this.tip.textContent = under.eye ? "drag: move the eye" : under.words ?? "";
+    this.tip.textContent = under.eye ? "drag: move the eye" : under.drag ?? under.words ?? "";
     this.tip.hidden = !this.tip.textContent;
-    this.ground.style.cursor = under.eye ? "grab" : "crosshair";
+    this.ground.style.cursor = under.eye || under.drag ? "grab" : "crosshair";
     const left = at[0] > this.element.clientWidth * 0.55;
     this.tip.style.left = left ? "auto" : `${at[0] + 14}px`;
     this.tip.style.right = left ? `${this.element.clientWidth - at[0] + 14}px` : "auto";
@@ -210,14 +215,16 @@ export class Pane {
     const html = rows.map(row => {
       const { fill, stroke, dash } = row.style;
       const line = stroke ? ` stroke="${stroke}" stroke-width="1.6"${dash ? ' stroke-dasharray="4 3"' : ""}` : "";
-      const shape = row.swatch === "polygon" ? `<rect x="1" y="1" width="18" height="10" fill="${fill ?? "none"}"${line}/>`
+      const shape = row.swatch === "polygon"
+        ? `<rect x="1" y="1" width="18" height="10" fill="${fill ?? "none"}"${line}/>`
         : row.swatch === "disc" || row.swatch === "ring"
           ? `<circle cx="10" cy="6" r="4" fill="${row.swatch === "disc" ? fill ?? "none" : "none"}"${line}/>`
           : `<path d="M1 6h18" fill="none"${line}/>`;
       return `<li><svg viewBox="0 0 20 12" aria-hidden="true">${shape}</svg>${escaped(row.text)}</li>`;
     }).join("");
     const bar = picture?.bar;
-    const scale = bar ? `<li>${escaped(bar.title)}: ${escaped(bar.low)} <span style="display:inline-block;width:60px;height:10px;` +
+    const scale = bar ? `<li>${escaped(bar.title)}: ${escaped(bar.low)} ` +
+      `<span style="display:inline-block;width:60px;height:10px;` +
       `background:linear-gradient(90deg,${bar.stops.join(",")})"></span> ${escaped(bar.high)}</li>` : "";
     if (this.legend.innerHTML !== html + scale) this.legend.innerHTML = html + scale;
   }

@@ -18,7 +18,8 @@ export function settingsElements(settings: Setting[], tables: Tables, run: (comm
     if (setting.words) {
       const choice = make("select", { "aria-label": label });
       for (const word of setting.words) {
-        const title = setting.name === "method" ? tables.methods.find(method => method.id === word)?.title ?? word : word;
+        const method = setting.name === "method" && tables.methods.find(method => method.id === word);
+        const title = method ? method.title : word;
         choice.append(make("option", { value: word, selected: word === setting.value }, title));
       }
       choice.addEventListener("change", () => set(setting, choice.value));
@@ -36,7 +37,8 @@ export function settingsElements(settings: Setting[], tables: Tables, run: (comm
     nodes.push(make("h2", {}, title));
     for (const setting of some)
       nodes.push(make("label", { class: setting.value !== setting.otherwise ? "changed" : "",
-                                 title: `${setting.help} (${setting.values}; default ${setting.otherwise}; ${setting.source})` },
+                                 title: `${setting.help} (${setting.values}; default ${setting.otherwise}; ` +
+                                        `${setting.source})` },
                       setting.name, widget(setting)));
   }
   return nodes;

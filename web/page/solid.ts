@@ -80,8 +80,10 @@ export class SolidCanvas {
     gl.uniformMatrix4fv(place("clip"), false, solid.clip);
     gl.uniform3fv(place("forward"), solid.forward);
     gl.uniform3fv(place("lamp"), solid.lamp);
-    const upload = (from: number, corners: number) =>
-      gl.bufferData(gl.ARRAY_BUFFER, new Uint8Array(memory as ArrayBuffer, from, corners * cornerBytes), gl.DYNAMIC_DRAW);
+    const upload = (from: number, corners: number) => {
+      const bytes = new Uint8Array(memory as ArrayBuffer, from, corners * cornerBytes);
+      gl.bufferData(gl.ARRAY_BUFFER, bytes, gl.DYNAMIC_DRAW);
+    };
     if (solid.triangleCorners > 0) {
       upload(solid.triangles, solid.triangleCorners);
       gl.disable(gl.BLEND);

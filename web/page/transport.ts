@@ -15,8 +15,8 @@ export class Transport {
   constructor(actions: Actions) {
     const bar = byId("transport");
     const button = (name: string, command: string, label: string) => {
-      const made = make("button", { type: "button", title: label, "aria-label": label, onclick: () => actions.run(command) },
-                        icon(name));
+      const made = make("button", { type: "button", title: label, "aria-label": label,
+                                    onclick: () => actions.run(command) }, icon(name));
       this.buttons.set(name, made);
       bar.append(made);
     };
@@ -39,8 +39,10 @@ export class Transport {
     this.slider.setAttribute("aria-valuetext", `step ${look.position} of ${look.recorded}`);
     this.where.textContent = `step ${look.position} of ${look.recorded}`;
     const playing = look.state === "playing", button = this.buttons.get("play")!;
-    button.replaceChildren(icon(playing ? "pause" : "play"));
-    button.setAttribute("aria-pressed", String(playing));
+    if (button.getAttribute("aria-pressed") !== String(playing)) {
+      button.replaceChildren(icon(playing ? "pause" : "play"));
+      button.setAttribute("aria-pressed", String(playing));
+    }
     this.buttons.get("start")!.disabled = this.buttons.get("back")!.disabled = look.position === 0;
     this.buttons.get("step")!.disabled = this.buttons.get("end")!.disabled = look.position >= look.recorded;
     const key = `${look.run} ${look.recorded} ${look.panes}`;
@@ -65,13 +67,15 @@ export class Transport {
       return text;
     };
     const line = (d: string, colour: string, more = "") =>
-      d ? `<path d="${d}" fill="none" stroke="${colour}" stroke-width="2" vector-effect="non-scaling-stroke" ${more}/>` : "";
+      d && `<path d="${d}" fill="none" stroke="${colour}" stroke-width="2" vector-effect="non-scaling-stroke" ` +
+           `${more}/>`;
     const wasted = curve.tells ? (curve.cell ?? []).map((_, i) =>
       curve.hidden![i] > 0 && curve.visible![i] === 0 ? `M${(i + 1) / steps * 1000} 100V92` : "").join("") : "";
     this.chart.innerHTML =
       line(wasted, "#c2410c") + line(way(curve.oracle), "var(--faint)", 'stroke-dasharray="2 4"') +
       line(way(curve.other), "#9f5000") + line(way(curve.coverage), "var(--good)") +
-      (curve.bookmarks ?? []).map(mark => line(`M${mark.step / Math.max(steps, 1) * 1000} 0V40`, "var(--accent)")).join("") +
+      (curve.bookmarks ?? []).map(({ step }) => line(`M${step / Math.max(steps, 1) * 1000} 0V40`, "var(--accent)"))
+        .join("") +
       '<path class="here" d="" fill="none" stroke="var(--ink)" stroke-width="2" vector-effect="non-scaling-stroke"/>';
   }
 }

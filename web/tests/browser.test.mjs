@@ -1,7 +1,9 @@
 // The page as people use it, in Chromium, offline from a file: keys, mouse and touch at two sizes.
 // SPDX-License-Identifier: GPL-3.0-or-later
 import assert from "node:assert/strict";
+import { spawnSync } from "node:child_process";
 import { existsSync, mkdirSync, readFileSync } from "node:fs";
+import { createServer } from "node:http";
 import { createRequire } from "node:module";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
@@ -21,14 +23,18 @@ before(async () => {
 });
 after(() => browser?.close());
 
-async function open({ width, height, hasTouch }, hash = "", more = {}) {
-  const context = await browser.newContext({ viewport: { width, height }, hasTouch, offline: true, acceptDownloads: true, ...more });
+async function open({ width, height, hasTouch }, hash = "",
+                    { file = page_file, url = "file://" + file, ...more } = {}) {
+  const context = await browser.newContext({
+    viewport: { width, height }, hasTouch, offline: true, acceptDownloads: true, ...more });
   const page = await context.newPage();
   page.errors = [];
   page.on("pageerror", error => page.errors.push(error.message));
   page.on("console", line => { if (line.type() === "error") page.errors.push(line.text()); });
-  page.on("request", request => { if (!/^(file|blob|data):/.test(request.url())) page.errors.push(request.url()); });
-  await page.goto("file://" + page_file + hash);
+  page.on("request", request => {
+    if (!/^(file|blob|data):/.test(request.url()) && !request.url().startsWith(url)) page.errors.push(request.url());
+  });
+  await page.goto(url + hash);
   await page.waitForSelector("body[data-ready]", { timeout: 60_000 });
   return page;
 }
@@ -74,7 +80,8 @@ for (const size of sizes) {
 
   test(`buttons, slider and picture by ${size.hasTouch ? "touch" : "mouse"} at ${at}`, async () => {
     const page = await open(size);
-    const press = name => size.hasTouch ? page.getByRole("button", { name }).tap() : page.getByRole("button", { name }).click();
+    const button = name => page.getByRole("button", { name });
+    const press = name => size.hasTouch ? button(name).tap() : button(name).click();
     await press("One step forward");
     await press("One step forward");
     await press("One step back");
@@ -98,7 +105,8 @@ for (const size of sizes) {
     const [x, y] = await place(page, ...await page.evaluate(() => window.core.look().eye));
     if (size.hasTouch) {
       const session = await page.context().newCDPSession(page);
-      const touch = (type, at) => session.send("Input.dispatchTouchEvent", { type, touchPoints: at ? [{ x: at[0], y: at[1] }] : [] });
+      const touch = (type, at) => session.send("Input.dispatchTouchEvent",
+                                               { type, touchPoints: at ? [{ x: at[0], y: at[1] }] : [] });
       await touch("touchStart", [x, y]);
       for (let i = 1; i <= 6; ++i) await touch("touchMove", [x + 3 * i, y + i]);
       await touch("touchEnd");
@@ -183,6 +191,200 @@ test("a link opens the state that it was made of", async () => {
   await close(page);
 });
 
+/// Presses what saves the page, and opens that file in a browser of its own.
+async function exported(page, name) {
+  const [download] = await Promise.all([page.waitForEvent("download"), page.evaluate(() => window.app.run("page"))]);
+  assert.match(download.suggestedFilename(), /\.html$/);
+  const file = join(pictures, name);
+  await download.saveAs(file);
+  const text = readFileSync(file, "utf8");
+  assert.match(text, /GPL-3\.0-or-later/);
+  return open(sizes[0], "", { file });
+}
+
+test("an exported page opens at exactly what was shown, a comparison with a note, and exports itself", async () => {
+  const page = await open(sizes[0]);
+  await page.evaluate(() => {
+    window.app.run('compare penalty=none; step 7; note text 1,1 "a </script> <b>"; select 12; show code');
+  });
+  const shown = () => {
+    const { position, panes, selected, desk } = window.core.look();
+    return [window.core.hash(), position, panes, selected, desk.right,
+            JSON.parse(window.core.state()).notes.map(note => note.text)];
+  };
+  const before = await page.evaluate(shown);
+  const first = await exported(page, "handout.html");
+  assert.deepEqual(await first.evaluate(shown), before);
+  await first.keyboard.press("ArrowRight");
+  await settled(first);
+  const again = await exported(first, "handout-again.html");
+  assert.equal(await again.evaluate(() => window.core.look().position), 8);
+  await again.screenshot({ path: join(pictures, "handout.png") });
+  for (const one of [again, first, page]) await close(one);
+});
+
+test("a dropped scene and a lesson go along in an exported page", async () => {
+  const page = await open(sizes[0]);
+  await page.evaluate(async text => {
+    await window.app.openFiles([new File([text], "quarter.geojson")]);
+    window.app.run("step 5");
+  }, readFileSync(join(root, "examples/scenes/quarter.geojson"), "utf8"));
+  const hash = await page.evaluate(() => window.core.hash());
+  const map = await exported(page, "handout-map.html");
+  assert.equal(await map.evaluate(() => window.core.hash()), hash);
+  assert.equal(await map.evaluate(() => window.core.look().position), 5);
+  await close(map);
+  await page.evaluate(() => window.app.run("lesson plp 2; next; next"));
+  const lesson = await exported(page, "handout-lesson.html");
+  const taught = () => [window.core.look().teaching, window.core.look().lesson];
+  assert.deepEqual(await lesson.evaluate(taught), await page.evaluate(taught));
+  await close(lesson);
+  await page.evaluate(async () => {
+    const cube = ["v 0 0 0", "v 1 0 0", "v 1 1 0", "v 0 1 0", "v 0 0 1", "v 1 0 1", "v 1 1 1", "v 0 1 1", "f 4 3 2 1",
+                  "f 5 6 7 8", "f 1 2 6 5", "f 2 3 7 6", "f 3 4 8 7", "f 4 1 5 8"].join("\n");
+    await window.app.openFiles([new File([cube], "cube.obj")]);
+  });
+  const cube = await page.evaluate(() => [window.core.look().dimension, window.core.hash()]);
+  assert.equal(cube[0], 3);
+  const solid = await exported(page, "handout-cube.html");
+  assert.deepEqual(await solid.evaluate(() => [window.core.look().dimension, window.core.hash()]), cube);
+  await close(solid);
+  await close(page);
+});
+
+const viewer = join(root, "build/release/viewer2d");
+test("a page that a viewer exports opens at what that showed", { skip: !existsSync(viewer) }, async () => {
+  const file = join(pictures, "handout-desk.html"), commands = `step 40; page ${file}`;
+  const words = ["streets", "--headless", "--do", commands];
+  const { status, stderr, stdout } = spawnSync(viewer, words, { encoding: "utf8" });
+  assert.equal(status, 0, stderr);
+  const page = await open(sizes[0], "", { file });
+  assert.equal(await page.evaluate(() => window.core.look().position), 40);
+  assert.ok(stdout.includes(await page.evaluate(() => window.core.hash())), stdout);
+  await close(page);
+});
+
+test("on a server the page is files, and still exports itself as one", async () => {
+  const folder = join(root, "out/web");
+  const types = { html: "text/html; charset=utf-8", js: "text/javascript", lzma: "application/octet-stream" };
+  const server = createServer((request, answer) => {
+    const name = request.url === "/" ? "index.html" : request.url.slice(1);
+    if (!existsSync(join(folder, name))) return answer.writeHead(404).end();
+    answer.writeHead(200, { "content-type": types[name.replace(/^.*\./, "")] }).end(readFileSync(join(folder, name)));
+  });
+  await new Promise(done => server.listen(0, "127.0.0.1", done));
+  const url = `http://127.0.0.1:${server.address().port}/`;
+  const page = await open(sizes[0], "#open=bottleneck&do=step 7", { url, offline: false });
+  const alone = await exported(page, "handout-hosted.html");
+  assert.equal(await alone.evaluate(() => window.core.look().position), 7);
+  await close(alone);
+  await close(page);
+  server.close();
+});
+
+test("a formula is followed as it is typed, and errors stand under it", async () => {
+  const page = await open(sizes[0], "#open=bottleneck&do=method formula; run");
+  const field = page.getByLabel("key =");
+  const before = await page.evaluate(() => window.core.hash());
+  await field.fill("distance +");
+  assert.match(await page.locator("#formula-error").textContent(), /\S/);
+  assert.equal(await page.evaluate(() => window.core.hash()), before);
+  await field.fill("distance + hops");
+  await settled(page);
+  assert.equal(await page.locator("#formula-error").textContent(), "");
+  assert.notEqual(await page.evaluate(() => window.core.hash()), before);
+  assert.match(await page.evaluate(() => JSON.stringify(window.core.settings())), /"distance \+ hops"/);
+  await field.fill("no_such_term");
+  assert.match(await page.locator("#formula-error").textContent(), /no_such_term/);
+  await page.screenshot({ path: join(pictures, "formula.png") });
+  await page.evaluate(() => window.app.run("method published"));
+  await settled(page);
+  assert.ok(await page.locator("#formula").isHidden());
+  await close(page);
+});
+
+test("the trade-off is measured and drawn while one looks; a dot sets its method and budget", async () => {
+  const page = await open(sizes[0]);
+  await page.evaluate(() => window.app.run("show trade-off"));
+  await page.waitForFunction(() => document.querySelectorAll(".chart [data-dot]").length > 20, null,
+                             { timeout: 60_000 });
+  assert.match(await page.locator(".chart svg").textContent(), /ms per frame, in this browser/);
+  await page.screenshot({ path: join(pictures, "trade-off.png") });
+  const command = await page.evaluate(() => window.core.tradeOff().dots.find(dot => !dot.now).command);
+  await page.evaluate(wanted => {
+    const at = window.core.tradeOff().dots.findIndex(dot => dot.command === wanted);
+    document.querySelector(`[data-dot="${at}"]`).dispatchEvent(new MouseEvent("click", { bubbles: true }));
+  }, command);
+  assert.equal(await page.evaluate(() => window.core.tradeOff().dots.find(dot => dot.now)?.command), command);
+  await close(page);
+});
+
+test("the timeline shows the run, and a press on it goes there", async () => {
+  const page = await open(sizes[0], "#open=streets&do=run; seek 30");
+  await page.evaluate(() => window.app.run("show timeline"));
+  const box = await page.locator("#timeline canvas").boundingBox();
+  await page.mouse.click(box.x + box.width / 2, box.y + 20);
+  await settled(page);
+  const { position, recorded } = await page.evaluate(() => window.core.look());
+  assert.ok(Math.abs(position - recorded / 2) < 2, `${position} of ${recorded}`);
+  await page.screenshot({ path: join(pictures, "timeline.png") });
+  await close(page);
+});
+
+test("a wall is dragged in the edit mode, and only there", async () => {
+  const page = await open(sizes[0]);
+  const wall = () => page.evaluate(() => { window.app.run("select primitive:0"); return window.core.hash(); });
+  const before = await wall();
+  const ends = await page.evaluate(() => {
+    const { embedded } = JSON.parse(window.core.state()).scene;
+    return embedded.segments[0];
+  });
+  const [x, y] = await place(page, (ends[0] + ends[2]) / 2, (ends[1] + ends[3]) / 2);
+  const drag = async () => {
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    for (let i = 1; i <= 5; ++i) await page.mouse.move(x + 6 * i, y - 3 * i);
+    await page.mouse.up();
+    await settled(page);
+  };
+  const source = () => page.evaluate(() => window.core.look().source);
+  await page.evaluate(() => window.app.run("edit"));
+  await drag();
+  assert.equal(await source(), "edited");
+  const moved = await page.evaluate(() => JSON.parse(window.core.state()).scene.embedded.segments[0]);
+  assert.notDeepEqual(moved, ends);
+  await page.evaluate(() => window.app.run("undo"));
+  assert.equal(await wall(), before);
+  await page.evaluate(() => window.app.run("edit"));
+  await drag();
+  assert.equal(await source(), "generated");
+  await close(page);
+});
+
+test("in three dimensions a tap selects, and keys fly before the view is frozen", async () => {
+  const page = await open(sizes[0], "#open=city:20000");
+  const box = await page.locator("#panes canvas").last().boundingBox();
+  await page.mouse.click(box.x + box.width / 2, box.y + box.height * 0.6);
+  await settled(page);
+  assert.match(await page.locator("#panel").textContent(), /Selected/);
+  const state = () => page.evaluate(() => JSON.parse(window.core.state()).view.eye);
+  const before = await state();
+  await page.evaluate(() => window.app.run("fly"));
+  await page.keyboard.down("w");
+  await page.waitForTimeout(700);
+  await page.keyboard.up("w");
+  await settled(page);
+  await page.evaluate(() => window.app.run("fly off"));
+  const after = await state();
+  assert.ok(Math.hypot(...after.map((value, i) => value - before[i])) > 0, "the eye has moved");
+  assert.ok(await page.evaluate(() => window.core.look().recorded) > 0, "the frame is recorded where it lands");
+  await page.keyboard.press("f");
+  await settled(page);
+  assert.equal(await page.evaluate(() => window.core.look().frozen), true);
+  await page.screenshot({ path: join(pictures, "flight.png") });
+  await close(page);
+});
+
 test("files are dropped: a map opens, nonsense is refused in a line", async () => {
   const page = await open(sizes[0]);
   const drop = (name, text) => page.evaluate(async ([name, text]) => {
@@ -220,9 +422,11 @@ test("a Doom level, a comparison, settings, SVG and PNG", async () => {
   await settled(page);
   await page.screenshot({ path: join(pictures, "compare.png") });
   for (const kind of ["SVG", "PNG"]) {
-    const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: kind, exact: true }).click()]);
+    const button = page.getByRole("button", { name: kind, exact: true });
+    const [download] = await Promise.all([page.waitForEvent("download"), button.click()]);
     const bytes = readFileSync(await download.path());
-    kind === "SVG" ? assert.match(bytes.toString(), /^<svg [\s\S]*<text[\s\S]*<\/svg>\s*$/) : assert.equal(bytes.readUInt32BE(0), 0x89504e47);
+    if (kind === "SVG") assert.match(bytes.toString(), /^<svg [\s\S]*<text[\s\S]*<\/svg>\s*$/);
+    else assert.equal(bytes.readUInt32BE(0), 0x89504e47);
   }
   await close(page);
 });

@@ -10,7 +10,8 @@ export const built = resolve(process.env.SIGHTLINE_WEB_BUILD ?? join(root, "buil
 
 export async function loadPage() {
   const wasmBinary = readFileSync(join(built, "sightline.wasm"));
-  const module = await createRequire(import.meta.url)(join(built, "sightline.js"))({ wasmBinary, print() {}, printErr() {} });
+  const make = createRequire(import.meta.url)(join(built, "sightline.js"));
+  const module = await make({ wasmBinary, print() {}, printErr() {} });
   const { FS } = module;
   FS.mkdirTree("/examples");
   FS.writeFile("/examples/lessons.json", readFileSync(join(root, "examples/lessons.json")));
