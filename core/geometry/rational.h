@@ -5,6 +5,7 @@
 
 #include <CGAL/Exact_rational.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -21,35 +22,23 @@ inline Rational to_rational(double value) {
 }
 
 /// The nearest double, of two the one whose last bit is 0: GMP cuts off and Boost rounds, so that their own differ by
-/// one unit. Beyond the largest double: that one.
+/// one unit, and Boost's is far off where doubles lose digits. Beyond the largest double: that one.
 inline double to_nearest(const Rational& value) {
-    constexpr double largest = 0x1.fffffffffffffp1023;
-    if (value == 0) return 0;
     if (value < 0) return -to_nearest(-value);
-    double result = CGAL::to_double(value);
-    if (!(result <= largest)) return largest;
-    const auto beyond = [&](double at, double next) -> Rational {  // GMP's expressions only refer to their terms
-        return 2 * value - to_rational(at) - to_rational(next);
-    };
-    for (;;) {
-        const double up = std::nextafter(result, INFINITY), down = std::nextafter(result, 0);
-        const bool odd = std::bit_cast<std::uint64_t>(result) & 1;
-        if (up <= largest) {
-            const Rational over = beyond(result, up);
-            if (over > 0 || (odd && over == 0)) {
-                result = up;
-                continue;
-            }
-        }
-        if (result > 0) {
-            const Rational under = beyond(down, result);
-            if (under < 0 || (odd && under == 0)) {
-                result = down;
-                continue;
-            }
-        }
-        return result;
+    constexpr auto largest = std::bit_cast<std::uint64_t>(0x1.fffffffffffffp1023);
+    // Doubles that are not negative have the order of their bits.
+    const auto number = [](std::uint64_t bits) { return to_rational(std::bit_cast<double>(bits)); };
+    const double about = CGAL::to_double(value);
+    std::uint64_t low = about >= 0 ? std::min(std::bit_cast<std::uint64_t>(about), largest) : 0, high = low;
+    for (std::uint64_t step = 1; low > 0 && number(low) > value; step *= 2) low -= std::min(step, low);
+    for (std::uint64_t step = 1; high < largest && number(high) <= value; step *= 2)
+        high += std::min(step, largest - high);
+    while (high - low > 1) {
+        const std::uint64_t middle = low + (high - low) / 2;
+        (number(middle) <= value ? low : high) = middle;
     }
+    const Rational over = 2 * value - number(low) - number(high);
+    return std::bit_cast<double>(over > 0 || (over == 0 && low % 2 == 1) ? high : low);
 }
 
 }  // namespace sightline
