@@ -19,6 +19,8 @@ struct Settings : TessellationSettings, PictureSettings {
     Switch two_sided = Switch::off;
     Up up = Up::automatic;
     Degrees degrees = Degrees::as_is;
+    /// `auto`: method, cells and budget are those that are recommended for the scene (shell/desk/auto_choice.h).
+    Switch automatic = Switch::off;
     /// An id of the method table, or a variant: "published on_reenqueue=min". A session splits the variant up: its
     /// assignments go to `parameters`, and the id stays.
     std::string method = "published";

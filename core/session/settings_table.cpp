@@ -188,6 +188,9 @@ std::vector<SettingRow> own_rows() {
         choice<&S::neighbours>("neighbours", Invalidates::tessellation, "gem, add_neighbors_to_front",
                                "cells next to a leaf share a facet with it, or touch it at all (tree and kd)"),
 
+        choice<&S::automatic>("auto", Invalidates::traversal, "TVCG 7",
+                              "method, cells and budget follow what the trade-off of a scene that is opened in a "
+                              "viewer recommends, until one of them is set by hand"),
         SettingRow{"method", "the method that orders cells or primitives; --help lists the ids", "TVCG 5",
                    Invalidates::traversal, "a method id", MemberText<&S::method>::get,
                    [](Settings& s, std::string_view value) { s.method = std::string(value); }},

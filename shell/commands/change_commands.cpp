@@ -5,6 +5,7 @@
 #include "core/base/error.h"
 #include "shell/commands/arguments.h"
 #include "shell/commands/groups.h"
+#include "shell/desk/auto_choice.h"
 #include "shell/desk/change.h"
 #include "shell/desk/complete.h"
 #include "shell/desk/undo.h"
@@ -17,7 +18,7 @@ template <int D>
 void set(Workbench<D>& bench, Text text) {
     Settings settings = bench.session.settings();
     apply_setting(settings, text, bench.session.method());
-    change_settings(bench, settings);
+    change_by_hand(bench, settings);
 }
 
 template <int D>

@@ -59,7 +59,7 @@ void trade_off(Workbench<D>& bench, Text text) {
 template <int D>
 void choose_for_me(Workbench<D>& bench, Text text) {
     if (!text.empty() && text != "again") throw InputError("write again, or nothing");
-    choose_auto(bench, text == "again");
+    choose_auto(bench, text == "again", bench.session.settings());
 }
 
 template <int D>
@@ -90,8 +90,8 @@ std::span<const Command<D>> trade_off_commands() {
                    "choose the vertical axis",
                    "", trade_off<D>},
         Command<D>{"auto", "Automatic method", "[again]",
-                   "set the method, cells and budget that the trade-off recommends here; measured once and remembered, "
-                   "or again",
+                   "switch the setting auto on: the method, cells and budget that the trade-off recommends here; "
+                   "measured once and remembered, or again",
                    "", choose_for_me<D>, "measuring methods, up to 20 seconds"},
         Command<D>{"work-out", "Work out region", "region | all | stop",
                    "work out beforehand which technique is chosen: for all directions of the eye's region, or for all "

@@ -211,7 +211,7 @@ AutoChoice measure_auto(const Workbench<D>& bench, double seconds) {
 }
 
 template <int D>
-void choose_auto(Workbench<D>& bench, bool again, const std::function<void(Settings&)>& also) {
+void choose_auto(Workbench<D>& bench, bool again, const Settings& wanted) {
     const std::string key = auto_key(bench);
     std::optional<AutoChoice> choice = again ? std::nullopt : recall_auto(bench.auto_file, key);
     if (choice) try {
@@ -223,19 +223,27 @@ void choose_auto(Workbench<D>& bench, bool again, const std::function<void(Setti
         choice = measure_auto(bench);
         keep_auto(bench.auto_file, key, *choice);
     }
-    Settings settings = bench.session.settings();
+    Settings settings = wanted;
+    settings.automatic = Switch::on;
     settings.method = choice->method;
     apply_setting(settings, "tessellation=" + choice->tessellation);
     apply_setting(settings, "budget=" + choice->budget);
-    if (also) also(settings);
-    change_settings(bench, settings);
+    change_settings(bench, settings, "", SetBy::recommendation);
     bench.say(auto_text(*choice));
 }
 
-#define SIGHTLINE_INSTANTIATE(D)                                      \
-    template std::string auto_key<D>(const Workbench<D>&);            \
-    template AutoChoice measure_auto<D>(const Workbench<D>&, double); \
-    template void choose_auto<D>(Workbench<D>&, bool, const std::function<void(Settings&)>&);
+template <int D>
+void change_by_hand(Workbench<D>& bench, const Settings& settings) {
+    const Switch before = bench.session.settings().automatic;
+    if (settings.automatic == Switch::on && before == Switch::off) return choose_auto(bench, false, settings);
+    change_settings(bench, settings);
+}
+
+#define SIGHTLINE_INSTANTIATE(D)                                        \
+    template std::string auto_key<D>(const Workbench<D>&);              \
+    template AutoChoice measure_auto<D>(const Workbench<D>&, double);   \
+    template void choose_auto<D>(Workbench<D>&, bool, const Settings&); \
+    template void change_by_hand<D>(Workbench<D>&, const Settings&);
 SIGHTLINE_INSTANTIATE(2)
 SIGHTLINE_INSTANTIATE(3)
 #undef SIGHTLINE_INSTANTIATE

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <optional>
 #include <string>
 
@@ -46,9 +45,13 @@ std::string auto_key(const Workbench<D>& bench);
 template <int D>
 AutoChoice measure_auto(const Workbench<D>& bench, double seconds = 20);
 
-/// Takes what is remembered, or measures it (`again`: in any case) and remembers it; says it, and sets method, cells
-/// and budget in one change. `also` may set other values over them. Throws as measure_auto.
+/// `wanted`, with the recommended method, cells and budget in place of its own, and `auto` on, in one change, which is
+/// said. Takes what is remembered, or measures it (`again`: in any case) and remembers it. Throws as measure_auto.
 template <int D>
-void choose_auto(Workbench<D>& bench, bool again, const std::function<void(Settings&)>& also = {});
+void choose_auto(Workbench<D>& bench, bool again, const Settings& wanted);
+
+/// change_settings(), or choose_auto() where that switches `auto` on.
+template <int D>
+void change_by_hand(Workbench<D>& bench, const Settings& settings);
 
 }  // namespace sightline

@@ -49,8 +49,26 @@ void renumber(Session<D>& session, std::span<const std::uint32_t> numbers) {
 
 }  // namespace
 
+std::string left_auto(const Settings& recommended, const Settings& settings) {
+    std::string what;
+    const auto add = [&](bool differs, const char* name) {
+        if (differs) what += (what.empty() ? "the " : " and the ") + std::string(name);
+    };
+    const TessellationSettings &recommended_cells = recommended, &cells = settings;
+    add(recommended.method != settings.method || recommended.parameters != settings.parameters, "method");
+    add(recommended.budget != settings.budget, "budget");
+    add(recommended_cells != cells, "cells");
+    const bool one = what == "the method" || what == "the budget";
+    return what.empty() ? "" : "auto is off: " + what + (one ? " was" : " were") + " set by hand";
+}
+
 template <int D>
-void change_settings(Workbench<D>& bench, const Settings& settings, const std::string& gesture) {
+void change_settings(Workbench<D>& bench, const Settings& wanted, const std::string& gesture, SetBy by) {
+    const bool follows =
+        by == SetBy::hand && bench.session.settings().automatic == Switch::on && wanted.automatic == Switch::on;
+    const std::string left = follows ? left_auto(bench.session.settings(), wanted) : "";
+    Settings settings = wanted;
+    if (!left.empty()) settings.automatic = Switch::off;
     const Invalidates what = difference(bench.session.settings(), settings);
     if (settings == bench.session.settings()) return;
     std::shared_ptr<const Scene<D>> scene = bench.session.shared_scene();
@@ -63,8 +81,12 @@ void change_settings(Workbench<D>& bench, const Settings& settings, const std::s
     bench.session.change(settings);
     if (what < Invalidates::traversal && !flying) return moved(bench);
     traversal_changed(bench);
-    if (flying) return fly_on(bench, bench.session.culling_view());
-    bench.say(what_became(bench, before, what));
+    if (flying) {
+        fly_on(bench, bench.session.culling_view());
+        if (!left.empty()) bench.say(left);
+        return;
+    }
+    bench.say(what_became(bench, before, what) + (left.empty() ? "" : "; " + left));
 }
 
 template <int D>
@@ -105,8 +127,8 @@ void replace_session(Workbench<D>& bench, Session<D> session) {
     traversal_changed(bench);
 }
 
-template void change_settings<2>(Workbench<2>&, const Settings&, const std::string&);
-template void change_settings<3>(Workbench<3>&, const Settings&, const std::string&);
+template void change_settings<2>(Workbench<2>&, const Settings&, const std::string&, SetBy);
+template void change_settings<3>(Workbench<3>&, const Settings&, const std::string&, SetBy);
 template void change_view<2>(Workbench<2>&, const ViewSpec<2>&, const std::string&);
 template void change_view<3>(Workbench<3>&, const ViewSpec<3>&, const std::string&);
 template void change_culling_view<2>(Workbench<2>&, const ViewSpec<2>&, const std::string&);

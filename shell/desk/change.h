@@ -10,10 +10,17 @@
 
 namespace sightline {
 
-/// `gesture` as remember() takes it. Says what became of the traversal when it was made again. Throws InputError for a
-/// method that does not exist or a setting that only a fresh load can change; then nothing has changed.
+enum class SetBy : std::uint8_t { hand, recommendation };
+
+/// "auto is off: the budget was set by hand"; empty where method, cells and budget are the same.
+std::string left_auto(const Settings& recommended, const Settings& settings);
+
+/// `gesture` as remember() takes it. Says what became of the traversal when it was made again. By hand, the setting
+/// `auto` goes off where method, cells or budget become others. Throws InputError for a method that does not exist or a
+/// setting that only a fresh load can change; then nothing has changed.
 template <int D>
-void change_settings(Workbench<D>& bench, const Settings& settings, const std::string& gesture = "");
+void change_settings(Workbench<D>& bench, const Settings& settings, const std::string& gesture = "",
+                     SetBy by = SetBy::hand);
 
 /// The culling view; while frozen the display view. Throws InputError for an invalid view.
 template <int D>

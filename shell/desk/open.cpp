@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/session/state_file.h"
+#include "shell/desk/auto_choice.h"
 #include "shell/desk/change.h"
 #include "shell/desk/compare.h"
 
@@ -34,8 +35,10 @@ void open(Workbench<D>& bench, const std::string& name) {
     Session<D> session =
         open_scene<D>(name, start_settings<D>(name, bench.record_ahead), bench.methods, warner(bench), bench.graphics);
     add_bookmarks(session);
+    const bool follows = bench.session.settings().automatic == Switch::on;
     replace_session(bench, std::move(session));
     bench.figure = {};
+    if (follows) choose_auto(bench, false, bench.session.settings());
 }
 
 template <int D>

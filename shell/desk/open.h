@@ -9,7 +9,8 @@
 
 namespace sightline {
 
-/// Puts a scene (by any name) or a state file (by its name) on the bench. Throws InputError; then nothing has changed.
+/// Puts a scene (by any name) or a state file (by its name) on the bench. Where `auto` is on, it stays on for a scene,
+/// and what is recommended for that is chosen; a state has its own. Throws InputError; then nothing has changed.
 template <int D>
 void open(Workbench<D>& bench, const std::string& name);
 

@@ -91,9 +91,11 @@ void add_setting_options(CLI::App& app, Options& o) {
                    "file with the scene's cells: read if it exists, else the cells are made and written to it");
     app.add_option("--settings", o.settings_file, "file with settings, such as lab cells writes; --set overrides it");
     app.add_option("--set", o.settings, "FIELD=VALUE, see below; may be given several times")->allow_extra_args(false);
-    app.add_flag("--auto", o.automatic,
-                 "method, cells and budget that the trade-off of this scene on this machine recommends: measured once, "
-                 "in up to 20 seconds, and remembered; --method, --budget, --preset, --settings and --set override it");
+    app.add_flag(
+        "--auto", o.automatic,
+        "as --set auto=on: method, cells and budget that the trade-off of this scene on this machine recommends, "
+        "measured once, in up to 20 seconds, and remembered; --method, --budget, --preset, --settings and --set "
+        "override it");
     app.add_option("--budget", o.budget, "500 | 5% | 16ms | unlimited");
 }
 

@@ -22,6 +22,7 @@
 #include "shell/commands/arguments.h"
 #include "shell/commands/command_table.h"
 #include "shell/desk/auto_choice.h"
+#include "shell/desk/change.h"
 #include "shell/desk/compare.h"
 #include "shell/desk/fly.h"
 #include "shell/desk/moves.h"
@@ -39,6 +40,7 @@ namespace sightline {
 namespace {
 
 void apply_options(Settings& settings, const Options& o) {
+    if (o.automatic) settings.automatic = Switch::on;
     if (!o.preset.empty()) apply_preset(settings, o.preset);
     if (!o.settings_file.empty())
         for (const std::string& assignment : read_settings(read_file(o.settings_file), o.settings_file))
@@ -58,6 +60,18 @@ ViewSpec<D> apply_options(ViewSpec<D> view, const Options& o, const Scene<D>& sc
 }
 
 void warn(const std::string& line) { std::cerr << "warning: " << line << "\n"; }
+
+/// Where `auto` is asked for; what else is asked for stands over what is recommended.
+template <int D>
+void follow_recommendation(Workbench<D>& bench, const Options& o) {
+    Settings asked;
+    apply_options(asked, o);
+    if (asked.automatic == Switch::off) return;
+    choose_auto(bench, false, bench.session.settings());
+    Settings settings = bench.session.settings();
+    apply_options(settings, o);
+    change_settings(bench, settings);
+}
 
 /// What the file says that --state names: perhaps a figure, which people have and look at.
 std::string text_of_state(const std::string& name) {
@@ -360,7 +374,7 @@ void obey(const Options& o, std::span<const Method<D>> methods, const Viewer<D>&
     start_path(bench, o);
     bench.auto_file = auto_file();
     bench.page = o.page;
-    if (o.automatic) choose_auto<D>(bench, false, [&](Settings& settings) { apply_options(settings, o); });
+    follow_recommendation(bench, o);
     if (o.frames) return write_text(o.stats, path_stats(bench, *o.frames));
     move(bench, o, asked.state.has_value(), in_window);
     if (!in_window || o.writes()) print_summary(bench);

@@ -47,6 +47,7 @@ Mode mode_of(const Workbench<D>& bench) {
     if (bench.session.frozen())
         return {"Frozen: what is drawn stays as it was, only your own view moves. Shift+F ends this.",
                 "frozen (Shift+F ends it)"};
+    if (bench.session.settings().automatic == Switch::on) return {"", "auto: " + bench.session.settings().method};
     return {};
 }
 
@@ -58,18 +59,21 @@ void status_line(Ui& ui, Workbench<D>& bench, const Area& area) {
     begin_part("status", area);
     ImGui::PopStyleVar();
     const Mode mode = mode_of(bench);
+    const float brief = mode.brief.empty() ? 0 : ImGui::CalcTextSize(mode.brief.c_str()).x + 16 * ui.unit;
+    const auto show_brief = [&] {
+        if (mode.brief.empty()) return;
+        ImGui::SameLine(area.w - brief + 6 * ui.unit);
+        ImGui::TextUnformatted(mode.brief.c_str());
+        note_place(bench, "mode " + mode.brief);
+    };
     if (ui.messages.size() > ui.said_before) {
         const Message& message = ui.messages.back();
-        const float brief = mode.brief.empty() ? 0 : ImGui::CalcTextSize(mode.brief.c_str()).x + 16 * ui.unit;
         const std::string shown = shortened(message.text, area.w - brief - 20 * ui.unit, width_of_line);
         ImGui::PushStyleColor(ImGuiCol_Text, colour(message.bad ? theme::bad : theme::ink));
         ImGui::TextUnformatted(shown.c_str());
         ImGui::PopStyleColor();
         if (shown != message.text && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", message.text.c_str());
-        if (!mode.brief.empty()) {
-            ImGui::SameLine(area.w - brief + 6 * ui.unit);
-            ImGui::TextUnformatted(mode.brief.c_str());
-        }
+        show_brief();
     } else if (!mode.sentence.empty()) {
         const float room = area.w - 20 * ui.unit;
         const bool fits = width_of_line(mode.sentence) < room;
@@ -78,9 +82,10 @@ void status_line(Ui& ui, Workbench<D>& bench, const Area& area) {
     } else {
         std::string hints;  // as many as there is room for
         for (const char* const hint : key_hints<D>())
-            if (width_of_line(hints + hint) < area.w - 20 * ui.unit)
+            if (width_of_line(hints + hint) < area.w - brief - 20 * ui.unit)
                 hints += (hints.empty() ? "" : "   ") + std::string(hint);
         ImGui::TextDisabled("%s", hints.c_str());
+        show_brief();
     }
     ImGui::End();
 }

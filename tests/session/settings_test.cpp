@@ -148,7 +148,7 @@ TEST(Settings, EveryFieldOfTheStructHasARow) {
                  p23, p24, p25, p26, p27, p28, p29, p30, p31, p32, p33, p34, p35] =
         static_cast<const PictureSettings&>(changed);
     static_cast<void>(p1);
-    constexpr std::size_t own = 7;  // two_sided, up, degrees, method, budget, reference_size, reference
+    constexpr std::size_t own = 8;  // two_sided, up, degrees, auto, method, budget, reference_size, reference
     EXPECT_EQ(settings_table().size(), 10u + 35u + own + all_parameters().size());
 }
 
@@ -229,6 +229,7 @@ TEST(Settings, EachRowSaysWhatItInvalidates) {
                                                            {"zoom_y", Invalidates::picture},
                                                            {"method", Invalidates::traversal},
                                                            {"budget", Invalidates::traversal},
+                                                           {"auto", Invalidates::traversal},
                                                            {"seeds", Invalidates::traversal},
                                                            {"penalty", Invalidates::traversal}};
     for (const auto& [name, what] : expected) EXPECT_EQ(setting_row(name).invalidates, what) << name;

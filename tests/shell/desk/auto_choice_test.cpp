@@ -9,8 +9,12 @@
 
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/base/number.h"
 #include "core/measure/recommend.h"
-#include "shell/desk/open_scene.h"
+#include "core/session/state_file.h"
+#include "shell/desk/change.h"
+#include "shell/desk/open.h"
+#include "shell/desk/undo.h"
 #include "tests/shell/commands/commands_support.h"
 
 namespace sightline {
@@ -98,26 +102,95 @@ TEST_F(AutoChoiceTest, LiesWhereCachesDo) {
         unsetenv("XDG_CACHE_HOME");
 }
 
-TEST_F(AutoChoiceTest, IsTakenAndOverridden) {
+TEST_F(AutoChoiceTest, IsTaken) {
     Workbench<2> bench = bench_on("rooms");
     bench.auto_file = file();
     std::vector<std::string> said;
     bench.say = [&](const std::string& line) { said.push_back(line); };
     keep_auto(file(), auto_key(bench), {"layers", "tree", "2%", 1, 0.25, false, "2001-02-03"});
-    choose_auto(bench, false);
+    choose_auto(bench, false, bench.session.settings());
     EXPECT_EQ(bench.session.settings().method, "layers");
     EXPECT_EQ(bench.session.settings().tessellation, Tessellation::tree);
     EXPECT_EQ(budget_text(bench.session.settings().budget), "2%");
+    EXPECT_EQ(bench.session.settings().automatic, Switch::on);
     EXPECT_EQ(said.back(), "auto: layers on tree cells at 2%, 1 ms, 25 % of the pixels wrong; measured 2001-02-03");
-    choose_auto<2>(bench, false, [](Settings& s) { s.budget = parse_budget("7"); });
-    EXPECT_EQ(budget_text(bench.session.settings().budget), "7");
-    EXPECT_EQ(bench.session.settings().method, "layers");
     // What another program remembered under a method that is not there is measured again.
     keep_auto(file(), auto_key(bench), {"magic", "tree", "2%", 1, 0.25, false, "2001-02-03"});
-    choose_auto(bench, false);
+    choose_auto(bench, false, bench.session.settings());
     EXPECT_NE(said.back().find("measured 20"), std::string::npos);
     EXPECT_EQ(said.back().find("2001"), std::string::npos);
     EXPECT_NE(recall_auto(file(), auto_key(bench))->method, "magic");
+}
+
+TEST_F(AutoChoiceTest, IsASettingThatGoesOffByHand) {
+    Workbench<2> bench = bench_on("rooms");
+    bench.auto_file = file();
+    std::vector<std::string> said;
+    bench.say = [&](const std::string& line) { said.push_back(line); };
+    keep_auto(file(), auto_key(bench), {"layers", "tree", "2%", 1, 0.25, false, "2001-02-03"});
+    const auto by_hand = [&](const std::string& assignment) {
+        said.clear();
+        Settings settings = bench.session.settings();
+        apply_setting(settings, assignment);
+        change_by_hand(bench, settings);
+        return bench.session.settings().automatic == Switch::on;
+    };
+    for (const auto& [assignment, what] : {std::pair{"method=flux", "the method was"},
+                                           {"on_reenqueue=min", "the method was"},
+                                           {"budget=7", "the budget was"},
+                                           {"error_bound=0.1", "the cells were"},
+                                           {"tessellation=kd", "the cells were"}}) {
+        const std::string error_bound = "error_bound=" + number_text(bench_on("rooms").session.settings().error_bound);
+        by_hand(error_bound);
+        ASSERT_TRUE(by_hand("auto=on"));
+        EXPECT_EQ(bench.session.settings().method, "layers");
+        EXPECT_EQ(bench.session.settings().tessellation, Tessellation::tree);
+        EXPECT_TRUE(said.back().starts_with("auto: layers")) << said.back();
+        EXPECT_TRUE(by_hand("label=order")) << "only the picture";
+        EXPECT_TRUE(by_hand("reference_size=512"));
+        EXPECT_TRUE(by_hand("reference_size=auto"));
+        EXPECT_FALSE(by_hand(assignment)) << assignment;
+        EXPECT_TRUE(said.back().ends_with("; auto is off: " + std::string(what) + " set by hand")) << said.back();
+        EXPECT_EQ(setting_row(std::string(assignment).substr(0, std::string(assignment).find('=')))
+                      .get(bench.session.settings()),
+                  std::string(assignment).substr(std::string(assignment).find('=') + 1));
+        undo(bench);
+        EXPECT_EQ(bench.session.settings().automatic, Switch::on) << "with what was set by hand it is undone";
+        EXPECT_EQ(bench.session.settings().method, "layers");
+        EXPECT_FALSE(by_hand("auto=off"));
+        EXPECT_EQ(bench.session.settings().method, "layers") << "what was recommended stays";
+    }
+    Settings both = bench.session.settings();
+    both.budget = parse_budget("9");
+    both.method = "flux";
+    EXPECT_EQ(left_auto(bench.session.settings(), both), "auto is off: the method and the budget were set by hand");
+    EXPECT_EQ(left_auto(both, both), "");
+}
+
+TEST_F(AutoChoiceTest, FollowsWhenASceneIsOpenedAndStaysAsAStateHasIt) {
+    Workbench<2> bench = bench_on("rooms");
+    bench.auto_file = file();
+    keep_auto(file(), auto_key(bench), {"layers", "tree", "2%", 1, 0.25, false, "2001-02-03"});
+    keep_auto(file(), auto_key(bench_on("streets")), {"view", "delaunay", "unlimited", 1, 0, true, "2001-02-04"});
+    std::vector<std::string> said;
+    bench.say = [&](const std::string& line) { said.push_back(line); };
+    open(bench, "streets");
+    EXPECT_NE(bench.session.settings().method, "view") << "auto is off";
+    open(bench, "rooms");
+    choose_auto(bench, false, bench.session.settings());
+    open(bench, "streets");
+    EXPECT_EQ(bench.session.settings().method, "view");
+    EXPECT_EQ(bench.session.settings().automatic, Switch::on);
+    EXPECT_NE(said.back().find("since nearly all that is in view is visible"), std::string::npos) << said.back();
+    // A state reopens as it was, whatever is recommended now.
+    open(bench, "rooms");
+    const std::string state = state_json(bench.session, {});
+    keep_auto(file(), auto_key(bench), {"centroid", "delaunay", "5%", 1, 0.25, false, "2001-02-05"});
+    open_state_text(bench, state, "kept.json");
+    EXPECT_EQ(bench.session.settings().method, "layers");
+    EXPECT_EQ(bench.session.settings().automatic, Switch::on);
+    open(bench, "rooms");
+    EXPECT_EQ(bench.session.settings().method, "centroid") << "and the next scene is followed again";
 }
 
 TEST_F(AutoChoiceTest, IsOneOfTheOffersAndRightEnough) {
@@ -149,6 +222,11 @@ TEST_F(EachCommand, auto) {
     known.date = "2001-02-03";
     keep_auto(bench->auto_file, auto_key(*bench), known);
     run("auto");
+    EXPECT_NE(said.back().find("2001-02-03"), std::string::npos);
+    EXPECT_EQ(session().settings().automatic, Switch::on);
+    run("budget 40");
+    EXPECT_EQ(session().settings().automatic, Switch::off);
+    run("set auto=on");
     EXPECT_NE(said.back().find("2001-02-03"), std::string::npos);
     run("auto again");
     EXPECT_EQ(said.back().find("2001-02-03"), std::string::npos);
