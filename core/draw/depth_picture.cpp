@@ -75,9 +75,13 @@ std::size_t show_tiles(std::span<const ReadTile> tiles, Pixels& pixels) {
 }  // namespace
 
 DepthPicture depth_picture(const Session<3>& session, bool blocks) {
-    DepthImage image(image_size<3>(session.settings().reference_size));
+    const Run<3>& run = session.traversal().worker();
+    const bool small = run.postpones();
+    DepthImage image(image_size<3>(small ? run.problem().services.image : session.settings().reference_size));
     std::vector<std::uint32_t> ids;
     drawn_ids(session.traversal(), ids);
+    const auto ahead = run.drawn_ahead();
+    ids.insert(ids.end(), ahead.begin(), ahead.end());
     draw_depth(image, *drawn_scene(session.traversal(), session.shared_scene()), session.problem().view, ids);
     const float nearest = *std::max_element(image.nearness.begin(), image.nearness.end());
     DepthPicture picture{{image.width, image.height, {}}, {}};
@@ -98,6 +102,7 @@ DepthPicture depth_picture(const Session<3>& session, bool blocks) {
         picture.text = item_name(what) + ": " + std::to_string(sight.seen) + " seen, " +
                        std::to_string(sight.pixels - sight.seen) + " hidden";
     }
+    if (small) picture.text = "small picture, " + picture.text;
     return picture;
 }
 

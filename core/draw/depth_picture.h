@@ -15,11 +15,11 @@ struct DepthPicture {
     std::string text;
 };
 
-/// What is rendered so far, at the size of the reference: the nearer the lighter, dark blue where nothing is. Blocks:
-/// each block of a level of the hierarchical z pyramid, at most 64 blocks wide, is as dark as its farthest pixel.
-/// Pixels of the selected cell or primitive, else of the last step's box or cell, are marked: green where it would be
-/// seen, blue where it is hidden. Where rounds read the image by tiles, the tiles have borders, and those that the last
-/// round did not read are dimmed.
+/// What is rendered so far, at the size of the reference, or as the small picture has it that the method decides by,
+/// which the text then says: the nearer the lighter, dark blue where nothing is. Blocks: each block of a level of the
+/// hierarchical z pyramid, at most 64 blocks wide, is as dark as its farthest pixel. Pixels of the selected cell or
+/// primitive, else of the last step's box or cell, are marked: green where it would be seen, blue where it is hidden.
+/// Where rounds read the image by tiles, the tiles have borders, and those that the last round did not read are dimmed.
 DepthPicture depth_picture(const Session<3>& session, bool blocks);
 
 }  // namespace sightline

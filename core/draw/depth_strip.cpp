@@ -135,11 +135,15 @@ private:
 
 }  // namespace
 
-PixelLine line_so_far(const Session<2>& session) {
+namespace {
+
+/// What is rendered, and `ahead`, as so many pixels of the view show it.
+PixelLine drawn_line(const Session<2>& session, int width, std::span<const std::uint32_t> ahead) {
     const View<2>& view = session.problem().view;
-    PixelLine line(view, pixels_of_line(view, image_size<2>(session.settings().reference_size).width));
+    PixelLine line(view, pixels_of_line(view, width));
     std::vector<std::uint32_t> ids;
     drawn_ids(session.traversal(), ids);
+    ids.insert(ids.end(), ahead.begin(), ahead.end());
     const std::shared_ptr<const Scene<2>> drawn = drawn_scene(session.traversal(), session.shared_scene());
     draw_line(line, drawn->primitives, view, ids);
     for (std::uint32_t& id : line.ids)
@@ -148,18 +152,31 @@ PixelLine line_so_far(const Session<2>& session) {
     return line;
 }
 
+int width_of_reference(const Session<2>& session) { return image_size<2>(session.settings().reference_size).width; }
+
+}  // namespace
+
+PixelLine line_so_far(const Session<2>& session) { return drawn_line(session, width_of_reference(session), {}); }
+
+PixelLine line_that_decides(const Session<2>& session) {
+    const Run<2>& run = session.traversal().worker();
+    const int width = run.postpones() ? image_size<2>(run.problem().services.image).width : width_of_reference(session);
+    return drawn_line(session, width, run.drawn_ahead());
+}
+
 std::string behind_text(std::string_view one, std::span<const std::uint32_t> hidden_by) {
     constexpr std::size_t named = 2;
     return hidden_by.empty() ? std::string() : " behind " + some_of(one, hidden_by, named);
 }
 
 void add_depth_strip(const Session<2>& session, const Colours& colours, DrawList& list) {
-    const PixelLine line = line_so_far(session);
+    const PixelLine line = line_that_decides(session);
     Strip strip(line, session.settings().show_eye == Switch::on, list);
     strip.depths(colours);
     const auto covered = line.width() - std::count(line.ids.begin(), line.ids.end(), none);
     // In two lines: one would be wider than the picture.
-    std::string told = "depths: " + std::to_string(covered) + " of " + std::to_string(line.width()) + " pixels covered";
+    std::string told = (session.traversal().worker().postpones() ? "depths in the small picture: " : "depths: ") +
+                       std::to_string(covered) + " of " + std::to_string(line.width()) + " pixels covered";
     if (const auto tiles = session.traversal().tiles(); !tiles.empty()) {
         strip.tiles(tiles, colours);
         const auto read = std::count_if(tiles.begin(), tiles.end(), [](const ReadTile& tile) { return tile.read; });

@@ -24,7 +24,7 @@ constexpr int solid_heat_steps = 32;
 
 std::uint8_t look_index(SolidLook look) { return static_cast<std::uint8_t>(look); }
 
-SolidLook look_of(CellState state, InRounds rounds) {
+SolidLook look_of(CellState state, InRounds rounds, bool postpones = false) {
     switch (state) {
         case CellState::enqueued:
             return rounds == InRounds::hidden ? SolidLook::hidden : SolidLook::enqueued;
@@ -33,7 +33,7 @@ SolidLook look_of(CellState state, InRounds rounds) {
         case CellState::unseen:
             return SolidLook::unseen;
         case CellState::hidden:
-            return SolidLook::hidden;
+            return postpones ? SolidLook::postponed : SolidLook::hidden;
         case CellState::clean:
             break;
     }
@@ -46,6 +46,7 @@ DrawnAs drawn_as(const Settings& set, SolidLook look) {
             return set.clean_as;
         case SolidLook::enqueued:
         case SolidLook::hidden:
+        case SolidLook::postponed:
             return set.enqueued_as;
         case SolidLook::unseen:
             return set.unseen_as;
@@ -119,7 +120,7 @@ DrawnAs drawn_as(const Session<3>& session, CellState state) {
 
 /// `first`: of the styles of box_palette.h, in the list of a method that decides by planes.
 void paint_boxes(const Session<3>& session, std::size_t first, SolidList& list) {
-    const bool by_planes = session.traversal().tests_planes();
+    const bool by_planes = session.traversal().tests_planes(), postpones = session.traversal().worker().postpones();
     std::vector<Box<3>> boxes;
     std::vector<CellPaint> paint;
     for (const ShownBox<3>& shown : drawn_boxes(session)) {
@@ -127,7 +128,7 @@ void paint_boxes(const Session<3>& session, std::size_t first, SolidList& list) 
         CellPaint& own = paint.emplace_back();
         own.as = drawn_as(session, shown.state);
         own.style = own_look ? static_cast<std::uint8_t>(first + static_cast<std::size_t>(box_look_of(shown.state)))
-                             : look_index(look_of(shown.state, InRounds::nothing));
+                             : look_index(look_of(shown.state, InRounds::nothing, postpones));
         own.group = own.border = own.style;
         boxes.push_back(shown.box);
         if (own_look && own.as == DrawnAs::translucent) list.styles[own.style].colour.a = translucent_alpha;

@@ -80,6 +80,7 @@ Colours standard() {
                 line("level_1", {100, 185, 225}, 1.4),
                 line("level_2", {0, 140, 205}, 1.4),
                 line("level_3", {0, 90, 170}, 1.4),
+                area("postponed", {214, 160, 96}, Hatch::back_diagonal, {150, 95, 35}),
             },
             // Solid is dark: black lines stay legible on the many cells of low numbers.
             {{255, 251, 232}, {252, 222, 150}, {240, 165, 85}, {205, 90, 80}, {120, 30, 90}},
@@ -130,6 +131,7 @@ Colours paper() {
                 line("level_1", {190, 235, 255}, 1.4),
                 line("level_2", {110, 210, 255}, 1.4),
                 line("level_3", {0, 170, 255}, 1.4),
+                area("postponed", {110, 70, 15}, Hatch::back_diagonal, {215, 150, 60}),
             },
             {{0, 0, 90}, {60, 30, 170}, {190, 50, 120}, {240, 140, 50}, {255, 240, 120}},
             {{70, 100, 160},
@@ -179,6 +181,7 @@ Colours print() {
                 line("level_1", {160, 160, 160}, 1.4),
                 line("level_2", {115, 115, 115}, 1.4),
                 line("level_3", {70, 70, 70}, 1.4),
+                area("postponed", {168, 168, 168}, Hatch::back_diagonal, {80, 80, 80}),
             },
             {{250, 250, 250}, {205, 205, 205}, {155, 155, 155}, {110, 110, 110}, {75, 75, 75}},
             {{150, 150, 150},

@@ -40,7 +40,8 @@ enum class Look : std::uint16_t {
     next,       ///< the cell that came next when the last one was taken
     level_1,    ///< primitives of levels that stand in for objects, from fine to coarse
     level_2,
-    level_3,  ///< and coarser ones
+    level_3,    ///< and coarser ones
+    postponed,  ///< boxes: covered when popped, so that they come after all others
     count,
 };
 

@@ -92,9 +92,10 @@ private:
     void box_shape(const Box<2>& box, Look look) { list_.add(ShapeKind::polygon, index(look), box.corners()); }
 
     void box_states() {
+        const Look hidden = session_.traversal().worker().postpones() ? Look::postponed : Look::hidden;
         for (const ShownBox<2>& shown : shown_boxes(session_))
             box_shape(shown.box, shown.state == CellState::enqueued ? Look::enqueued
-                                 : shown.state == CellState::hidden ? Look::hidden
+                                 : shown.state == CellState::hidden ? hidden
                                  : shown.state == CellState::unseen ? Look::unseen
                                                                     : Look::projected);
     }

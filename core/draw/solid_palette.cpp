@@ -24,6 +24,7 @@ std::vector<SolidStyle> standard_solids() {
         solid("completed", {95, 160, 140}),    solid("hidden", {120, 150, 190}),
         solid("added", {95, 160, 140}),        solid("level_1", {165, 190, 215}),
         solid("level_2", {125, 160, 200}),     solid("level_3", {85, 125, 185}),
+        solid("postponed", {214, 160, 96}),
     };
 }
 
@@ -52,6 +53,7 @@ std::vector<SolidStyle> paper_solids() {
         solid("level_1", {170, 205, 255}),
         solid("level_2", {120, 165, 255}),
         solid("level_3", {80, 120, 235}),
+        solid("postponed", {140, 90, 20}),
     };
 }
 
@@ -65,7 +67,7 @@ std::vector<SolidStyle> print_solids() {
         solid("rendered", grey(175)),   solid("missed", grey(30)),       solid("wasted", grey(120)),
         solid("other", grey(235)),      solid("fresh", grey(70)),        solid("completed", grey(175)),
         solid("hidden", grey(100)),     solid("added", grey(175)),       solid("level_1", grey(150)),
-        solid("level_2", grey(125)),    solid("level_3", grey(95)),
+        solid("level_2", grey(125)),    solid("level_3", grey(95)),      solid("postponed", grey(145)),
     };
 }
 

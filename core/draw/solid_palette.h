@@ -29,7 +29,8 @@ enum class SolidLook : std::uint8_t {
     added,       ///< triangles rendered by rounds
     level_1,     ///< triangles of levels that stand in for objects, from fine to coarse
     level_2,
-    level_3,  ///< and coarser ones
+    level_3,    ///< and coarser ones
+    postponed,  ///< boxes: covered when popped, so that they come after all others
     count,
 };
 

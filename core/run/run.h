@@ -77,6 +77,11 @@ public:
     virtual std::uint64_t hash() const = 0;
     virtual Mark mark(const Item&) const { return {}; }
     Mark mark(std::uint32_t cell) const { return mark(cell_item(cell)); }
+    /// Whether what it found hidden (CellState::hidden) waits until the front is empty; false: it is dropped.
+    virtual bool postpones() const { return false; }
+    /// Primitives that the image it decides by shows, though they may not be rendered yet; the image has the size that
+    /// problem().services says.
+    virtual std::span<const std::uint32_t> drawn_ahead() const { return {}; }
     /// The items that wait, first to last.
     virtual std::vector<std::pair<Item, Mark>> front() const { return {}; }
     /// Those in the front at the start, first to last.

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int least_digits = 3, most_digits = 17;  // those that keys are written with
 constexpr auto before_a_key =
-    std::to_array<std::string_view>({"= ", "key ", "(", "ρ ", "with ", "→ ", "before ", "now ", "front, ", "against "});
+    std::to_array<std::string_view>({"= ", "key ", "(", "with ", "→ ", "before ", "now ", "front, ", "against "});
 
 bool writes(std::string_view word, double key) {
     for (int digits = least_digits; digits <= most_digits; ++digits)

@@ -12,7 +12,7 @@ std::string cell_words(const Session<D>& session, std::uint32_t cell) {
     std::string text =
         "cell " + std::to_string(cell) + ", " + std::string(cell_state_words[static_cast<std::size_t>(mark.state)]);
     if (mark.state == CellState::enqueued || mark.state == CellState::projected)
-        text += ", ρ " + short_number(mark.key);
+        text += ", " + std::string(key_title(session)) + " = " + short_number(mark.key);
     text += ", |A| " + std::to_string(session.cells().count(cell));
     // In 3D it may be costly: while flying there is none yet.
     if (tells_truth(session) && (D == 2 || session.has_reference()))

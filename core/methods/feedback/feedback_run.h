@@ -48,6 +48,8 @@ public:
     Mark mark(const Item& item) const override { return item.kind == Kind::node ? marks_[item.id] : Mark{}; }
     std::vector<std::pair<Item, Mark>> front() const override { return waiting_items(marks_, Kind::node); }
     Misses misses() const override;
+    bool postpones() const override { return true; }
+    std::span<const std::uint32_t> drawn_ahead() const override { return small_; }
     const BoxTree<D>* boxes() const override { return tree_; }
     std::uint64_t tests() const override { return tests_; }
 

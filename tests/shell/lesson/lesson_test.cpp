@@ -160,8 +160,9 @@ TEST_F(Lessons, AnExerciseHidesItsKeyUntilItIsTold) {
                     session().selected_cell = cell;
                     const std::string key = short_number(session().mark(cell).key);
                     const std::string told = cell_words(session(), cell);
-                    EXPECT_NE(told.find("ρ " + key), std::string::npos);
-                    EXPECT_NE(conceal(*bench, told).find("ρ ?"), std::string::npos) << conceal(*bench, told);
+                    const std::string name(key_title(session()));
+                    EXPECT_NE(told.find(name + " = " + key), std::string::npos) << told;
+                    EXPECT_NE(conceal(*bench, told).find(name + " = ?"), std::string::npos) << conceal(*bench, told);
                     const bool whole = key.find('.') == std::string::npos;
                     for (const std::string& before : {"= ", "key ", "→ ", "now "})
                         EXPECT_EQ(on_the_screen().find(whole ? before + key + "\n" : key), std::string::npos)
