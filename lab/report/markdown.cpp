@@ -11,6 +11,7 @@
 #include "lab/report/report.h"
 #include "lab/report/study_charts.h"
 #include "lab/report/time_table.h"
+#include "lab/report/winners.h"
 
 namespace sightline::lab {
 
@@ -56,6 +57,8 @@ void write_markdown(const Results& results, const std::string& command, const st
                        ". Times hold for this machine only; everything else is the same everywhere except for single "
                        "pixels. [Measuring](measuring.md) says what each number is and how to read the charts.\n";
     if (const std::vector<Claim> claims = judge_claims(results); !claims.empty()) text += claims_of(claims);
+    if (const TextTable table = winners_table(results); !table.rows.empty())
+        text += "\n## Who wins where\n\n" + std::string(winners_caption) + "\n\n" + markdown(table);
     if (const std::vector<Table1Row> table = table_1(results); !table.empty())
         text += "\n## Table 1 of the papers\n\n" + std::string(table_1_caption) + "\n\n" + markdown(text_table(table));
     if (const TextTable table = gem_table(results); !table.rows.empty())

@@ -18,6 +18,7 @@
 #include "lab/report/claims.h"
 #include "lab/report/markdown.h"
 #include "lab/report/time_table.h"
+#include "lab/report/winners.h"
 #include "tests/lab/report_rows.h"
 
 namespace sightline::lab {
@@ -97,6 +98,29 @@ TEST(LabTradeOff, NamesTheBestWithinATime) {
     EXPECT_EQ(best_within(group, 4)->method.id(), "published");
     EXPECT_EQ(best_within(group, 5.5)->method.id(), "centroid");
     EXPECT_EQ(best_within(group, 100)->method.id(), "layers");
+}
+
+TEST(LabTradeOff, SaysWhoWinsAtEachShareOfWrongPixels) {
+    const std::vector<Row> rows{report_row("city", "layers", "1%", 2, 0.04, 0),
+                                report_row("city", "layers@tree", "1%", 2.5, 0.04, 0),
+                                report_row("city", "flux@tree", "2%", 3, 0.009, 0),
+                                report_row("city", "tri-z", "5%", 4.5, 0.0005, 0),
+                                report_row("city", "boxes", "unlimited", 4, 0, 1),
+                                report_row("city", "two-pass", "unlimited", 5, 0, 1),
+                                report_row("city", "perfect", "unlimited", 1, 0, 1),
+                                report_row("city", "hom", "unlimited", std::nan(""), 0, 1)};
+    const TextTable table = winners_table(results_of(rows));
+    ASSERT_EQ(table.rows.size(), 1u);
+    EXPECT_EQ(table.rows[0],
+              (std::vector<std::string>{"city, test", "layers 1%: 2; flux@tree 2%: 3", "flux@tree 2%: 3; boxes: 4",
+                                        "boxes: 4; tri-z 5%: 4.5", "boxes: 4; tri-z 5%: 4.5", "boxes: 4; two-pass: 5",
+                                        "boxes: 4; two-pass: 5"}));
+    EXPECT_EQ(table.head.size(), table.rows[0].size());
+    EXPECT_EQ(table.head[2], "at most 1 % wrong");
+    const std::vector<Row> one{report_row("city", "layers", "1%", 2, 0.04, 0)};
+    EXPECT_EQ(winners_table(results_of(one)).rows[0][1], "layers 1%: 2");
+    EXPECT_EQ(winners_table(results_of(one)).rows[0][2], "–");
+    EXPECT_TRUE(winners_table(results_of({report_row("city", "perfect", "unlimited", 1, 0, 1)})).rows.empty());
 }
 
 class LabFiles : public testing::Test {
