@@ -48,8 +48,17 @@ public:
     std::uint32_t held_at(const CellComplex<D>& cells, std::uint32_t place) const {
         return cells.cell_primitives[place];
     }
-    /// False: the view does not show it, for sure.
-    bool may_show(std::uint32_t) const { return true; }
+    /// Calls each(first place, how many, Four) for what the cell holds, four or fewer at a time: bits say of which the
+    /// view shows them, or does not show them, for sure.
+    struct Four {
+        unsigned no = 0, yes = 0;
+    };
+    template <typename Each>
+    void by_fours(const CellComplex<D>& cells, std::uint32_t cell, Each each) const {
+        const std::uint32_t end = cells.cell_primitive_begin[cell + 1];
+        for (std::uint32_t place = cells.cell_primitive_begin[cell]; place < end; place += 4)
+            each(place, std::min(4u, end - place), Four{});
+    }
     /// Meets it, as meet() does with culls.
     bool meet_one(const Problem<D>& problem, bool culled_costs, std::uint32_t held, Drawn& drawn,
                   Counters& counters) const {
@@ -100,7 +109,15 @@ public:
     }
 
     const CellTriangle& held_at(const CellComplex<3>&, std::uint32_t place) const { return triangles_[place]; }
-    bool may_show(const CellTriangle& held) const { return filter_.of(held) != Showing::no; }
+    template <typename Each>
+    void by_fours(const CellComplex<3>& cells, std::uint32_t cell, Each each) const {
+        const ShownFilter filter = filter_;  // a copy that stays in registers
+        const std::uint32_t end = cells.cell_primitive_begin[cell + 1];
+        for (std::uint32_t place = cells.cell_primitive_begin[cell]; place < end; place += 4) {
+            const ShownFilter::Four four = filter.of_four(triangles_ + place);
+            each(place, std::min(4u, end - place), four);
+        }
+    }
     bool meet_one(const Problem<3>& problem, bool culled_costs, const CellTriangle& held, Drawn& drawn,
                   Counters& counters) const {
         const std::uint32_t primitive = held.primitive();

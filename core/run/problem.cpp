@@ -9,6 +9,7 @@ std::uint64_t FrameHistory::hash() const {
     Hash hash;
     for (const std::uint8_t seen : visible) hash.add(seen);
     for (const std::uint8_t state : boxes) hash.add(state);
+    for (const std::uint8_t shows : cells) hash.add(shows);
     for (const char c : technique) hash.add(static_cast<std::uint8_t>(c));
     return hash.value();
 }

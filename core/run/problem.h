@@ -20,6 +20,7 @@ namespace sightline {
 struct FrameHistory {
     std::vector<std::uint8_t> visible;  ///< per primitive: seen in the last frame, as its method knows it
     std::vector<std::uint8_t> boxes{};  ///< per box of the method's tree: what became of it, as the method has it
+    std::vector<std::uint8_t> cells{};  ///< per cell: it showed something
     std::string technique{};            ///< that was chosen, of a method that chooses one
     std::uint64_t hash() const;
 };

@@ -30,7 +30,7 @@ struct DrawnFrame {
 struct Shown {
     std::vector<DrawnFrame> at;  ///< per budget
     std::vector<Values> values;
-    std::shared_ptr<const FrameHistory> history;
+    std::vector<std::shared_ptr<const FrameHistory>> histories;  ///< per budget
 };
 
 /// All methods in one frame.
@@ -145,14 +145,15 @@ private:
         const auto measure = [&](std::size_t m) {
             const Truth& truth = truths[truth_of[static_cast<std::size_t>(methods_[m].choice.tessellation)]];
             Problem<D> problem = problem_of(m, i, services);
-            problem.history = frame.methods[m].history =
-                frame_history(methods_[m].variant.method, problem, lab_.before[i]);
             const Method<D>& method = methods_[m].variant.method;
+            if (method.prefixes) problem.history = frame_history(method, problem, lab_.before[i]);
             WholeRun run;
             if (method.prefixes) run = whole_run<D>(method, problem, truth.reference, true, draw_ids);
             Shown& shown = frame.methods[m];
             for (const AtBudget& budget : methods_[m].budgets) {
                 const std::uint32_t k = problem.budget = budget.primitives;
+                if (!method.prefixes) problem.history = frame_history(method, problem, lab_.before[i]);
+                shown.histories.push_back(problem.history);
                 if (!method.prefixes) run = whole_run<D>(method, problem, truth.reference, true, draw_ids);
                 const auto best = method.orders_cells() ? cell_oracle<D>(truth.reference, problem) : std::nullopt;
                 DrawnFrame drawn;
@@ -191,8 +192,8 @@ private:
         std::vector<std::uint32_t> ids;
         for (std::size_t m = 0; m < methods_.size(); ++m) {
             Problem<D> problem = problem_of(m, i, services);
-            problem.history = now.methods[m].history;
             for (std::size_t b = 0; b < methods_[m].budgets.size(); ++b) {
+                problem.history = now.methods[m].histories[b];
                 Choice& c = methods_[m];
                 problem.budget = c.budgets[b].primitives;
                 TimeSamples times;
@@ -290,6 +291,7 @@ std::shared_ptr<const FrameHistory> frame_history(const Method<D>& method, Probl
                                                   const std::optional<View<D>>& before) {
     if (!method.needs.history || !before) return nullptr;
     problem.view = *before;
+    if (method.prefixes) problem.budget = none;
     const std::unique_ptr<Run<D>> run = method.start(problem);
     run->run(none);
     return run->next_history();

@@ -30,7 +30,8 @@ struct Instruments {
 };
 
 /// What a frame is left by that before it on the path, `before`, which had no history itself; nullptr where there is
-/// none or the method asks for none. `problem` is that of the frame.
+/// none or the method asks for none. `problem` is that of the frame, whose budget counts where a budget changes the
+/// order.
 template <int D>
 std::shared_ptr<const FrameHistory> frame_history(const Method<D>& method, Problem<D> problem,
                                                   const std::optional<View<D>>& before);

@@ -104,8 +104,8 @@ Values PartMeasures<D>::measure(std::span<const std::uint32_t> kept, const Scene
         const Services services = known_services(std::make_shared<std::vector<std::uint8_t>>(truth.reference.visible),
                                                  lab_.settings.reference_size);
         Problem<D> problem = make_problem(method, variant_.parameters, part, cells, lab_.views[at], none, services);
-        problem.history = frame_history<D>(method, problem, lab_.before[at]);
         problem.budget = k;
+        problem.history = frame_history<D>(method, problem, lab_.before[at]);
         const WholeRun run = whole_run<D>(method, problem, truth.reference, inversions, draw_ids_);
         const auto best = uses(Measure::cell_oracle) && method.orders_cells() ? cell_oracle<D>(truth.reference, problem)
                                                                               : std::nullopt;

@@ -64,8 +64,8 @@ std::vector<NamedChart> key_charts(const LabScene<D>& lab, const Group& group, c
             make_problem(variant.method, variant.parameters, *lab.scene, *cells, lab.views[frame], none,
                          known_services(std::make_shared<std::vector<std::uint8_t>>(truth.reference.visible),
                                         lab.settings.reference_size));
-        problem.history = frame_history<D>(variant.method, problem, lab.before[frame]);
         problem.budget = static_cast<std::uint32_t>(row->values[frame][Measure::budget]);
+        problem.history = frame_history<D>(variant.method, problem, lab.before[frame]);
         const WholeRun run = whole_run<D>(variant.method, problem, truth.reference, false);
         const KeysAndShares popped = keys_and_shares(run, truth.reference, cut_at(run, problem.budget).steps);
         if (popped.keys.size() < 3) continue;

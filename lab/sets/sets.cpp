@@ -67,8 +67,8 @@ PathSets path_sets(const LabScene<D>& lab, const MethodChoice& choice, const Bud
             known_services(std::make_shared<std::vector<std::uint8_t>>(reference.visible), lab.settings.reference_size);
         Problem<D> problem =
             make_problem(variant.method, variant.parameters, scene, cells, lab.views[i], none, services);
-        problem.history = frame_history<D>(variant.method, problem, lab.before[i]);
         problem.budget = k;
+        problem.history = frame_history<D>(variant.method, problem, lab.before[i]);
         const WholeRun run = whole_run<D>(variant.method, problem, reference, false, drawing);
         const std::size_t met = cut_at(run, k).met;
         FrameSets& frame = sets.frames.emplace_back();

@@ -205,13 +205,19 @@ TEST(Transmittance, WhatWaitsComesByClassAndPlace) {
             if (random.below(3) != 0) {
                 const float key = static_cast<float>(random.uniform(0, 1) / random.uniform(1e-6, 1));
                 const auto place = static_cast<std::uint32_t>(random.below(100000));
-                if (wanted.emplace(Waiting::class_of(key), place).second) waiting.add(key, place);
+                const bool shows = random.below(2) == 0;
+                if (wanted.emplace(Waiting::class_of(key), place).second) waiting.add(key, {place, shows});
                 continue;
             }
             const std::uint32_t end = random.below(5) == 0 ? none : static_cast<std::uint32_t>(random.below(1024));
             const bool some = !wanted.empty() && wanted.begin()->first < end;
-            ASSERT_EQ(waiting.first(end), some ? wanted.begin()->second : none);
+            const WaitingReference first = waiting.first(end);
+            ASSERT_EQ(static_cast<bool>(first), some);
             if (!some) continue;
+            ASSERT_EQ(first.place(), wanted.begin()->second);
+            if (const WaitingReference second = waiting.behind_first(1)) {
+                ASSERT_EQ(second.place(), std::next(wanted.begin())->second);
+            }
             waiting.drop_first();
             wanted.erase(wanted.begin());
         }
@@ -241,6 +247,66 @@ void expect_all_rendered() {
     }
     EXPECT_GT(rendered, 100u);
 }
+/// What a frame leaves are cells that it projected and that show something; the next one starts from them too.
+template <int D>
+void expect_seen_before() {
+    Random random(140 + D);
+    std::size_t more_seeds = 0, without = 0;
+    for (int round = 0; round < test::soak_count(12); ++round) {
+        const Lit<D> lit(random, "tri-seen");
+        Problem<D> problem = lit.problem();
+        problem.services.image = D == 2 ? ImageSize{512, 0} : ImageSize{80, 60};
+        const Method<D>& tri = find_method<D>(method_table<D>(), "tri");
+        const auto first = lit.method().start(problem), plain = tri.start(problem);
+        first->run(none);
+        plain->run(none);
+        ASSERT_EQ(first->hash(), plain->hash()) << "without a frame before";
+        EXPECT_EQ(plain->next_history(), nullptr);
+        const auto left = first->next_history();
+        ASSERT_EQ(left->cells.size(), lit.cells.cell_count());
+        std::set<std::uint32_t> wanted;
+        const auto exact = D == 2 ? problem.services.visible_set() : nullptr;  // 3D: at other pixels
+        for (std::uint32_t cell = 0; cell < left->cells.size(); ++cell) {
+            const bool projected = first->mark(cell).state == CellState::projected;
+            ASSERT_TRUE(!left->cells[cell] || (projected && lit.cells.count(cell) > 0)) << "cell " << cell;
+            // A run without a budget has drawn all, so that its picture shows what is visible and no more.
+            bool any = false;
+            if (exact)
+                for (const std::uint32_t primitive : lit.cells.primitives_of(cell)) any = any || (*exact)[primitive];
+            ASSERT_TRUE(!exact || !left->cells[cell] || any) << "cell " << cell;
+            without += projected && !left->cells[cell];
+            if (left->cells[cell] && cell_in_view(lit.cells, lit.view, cell)) wanted.insert(cell);
+        }
+        problem.history = left;
+        const auto next = lit.method().start(problem);
+        std::set<std::uint32_t> seeds;
+        for (const Item& item : next->seeds()) {
+            ASSERT_TRUE(seeds.insert(item.id).second) << "twice";
+            EXPECT_EQ(next->mark(item).state, CellState::enqueued);
+        }
+        for (const Item& item : plain->seeds()) wanted.insert(item.id);
+        ASSERT_EQ(seeds, wanted);
+        more_seeds += seeds.size() > plain->seeds().size();
+        next->run(none);
+        const std::size_t count = lit.scene.primitives.size();
+        EXPECT_EQ(rendered_mask(next->met(), count), rendered_mask(plain->met(), count)) << "in another order";
+        const auto again = lit.method().start(problem);
+        again->run(none);
+        EXPECT_EQ(again->hash(), next->hash());
+        // Of other cells it means nothing.
+        FrameHistory other = *left;
+        other.cells.push_back(1);
+        problem.history = std::make_shared<const FrameHistory>(other);
+        const auto unknown = lit.method().start(problem);
+        EXPECT_TRUE(
+            std::equal(unknown->seeds().begin(), unknown->seeds().end(), plain->seeds().begin(), plain->seeds().end()));
+    }
+    EXPECT_GT(more_seeds, 4u);
+    EXPECT_GT(without, 10u);
+}
+TEST(Transmittance, TriSeenStartsFromWhatShowedBefore2d) { expect_seen_before<2>(); }
+TEST(Transmittance, TriSeenStartsFromWhatShowedBefore3d) { expect_seen_before<3>(); }
+
 TEST(Transmittance, TriRendersAllThatFluxDoes2d) { expect_all_rendered<2>(); }
 TEST(Transmittance, TriRendersAllThatFluxDoes3d) { expect_all_rendered<3>(); }
 

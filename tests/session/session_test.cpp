@@ -192,8 +192,8 @@ TEST(Session, WhatCannotBeLeavesItAsItWas) {
     test::expect_input_error([&] { Session<2>(start.scene, start.view, settings); },
                              "method 'nothing' does not exist; there are published, layers, centroid, view, "
                              "everything, formula, perfect, cplp, "
-                             "boxes, hzb, hom, two-pass, coorg-teller, shadow-frusta, extinction, flux, tri, tri-z, "
-                             "levels, portals, pvs, by-viewpoint, listed");
+                             "boxes, hzb, hom, two-pass, coorg-teller, shadow-frusta, extinction, flux, tri, tri-seen, "
+                             "tri-z, levels, portals, pvs, by-viewpoint, listed");
 }
 
 TEST(Session, CellsThatCannotBeMadeLeaveItAsItWas) {

@@ -5,21 +5,28 @@
 
 #include "core/base/hash.h"
 #include "core/methods/cells/seed_cells.h"
+#include "core/methods/cells/seen_before.h"
 
 namespace sightline {
 
 template <int D>
-void CellBase<D>::begin_cells(double seed_key, Seeds seeds) {
+void CellBase<D>::begin_cells(double seed_key, Seeds seeds, bool from_seen) {
     marks_.begin(this->problem_.cells->cell_count());
     contents_ = CellContents<D>(this->problem_);
     in_view_.begin(*this->problem_.cells);
     front_.clear();
     front_is_stale_ = false;
     seeds_.clear();
-    for (const std::uint32_t seed : seed_cells(this->problem_, seeds)) {
+    const auto add = [&](std::uint32_t seed) {
+        if (marks_[seed].state != CellState::clean) return;
         seeds_.push_back(cell_item(seed));
         enqueue(seed, seed_key, false);
-    }
+    };
+    const std::vector<std::uint32_t> first = seed_cells(this->problem_, seeds);
+    std::for_each(first.begin(), first.end(), add);
+    if (!from_seen) return;
+    const std::vector<std::uint32_t> seen = cells_seen_before(this->problem_);
+    std::for_each(seen.begin(), seen.end(), add);
 }
 
 template <int D>

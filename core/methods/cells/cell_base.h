@@ -57,8 +57,8 @@ protected:
     explicit CellBase(const Problem<D>& problem) : Run<D>(problem), parameters_(problem.parameters) {}
     CellBase(const CellBase&) = default;
 
-    /// Empties all and puts the seed cells into the front.
-    void begin_cells(double seed_key, Seeds seeds);
+    /// Empties all and puts the seed cells into the front; `from_seen`: cells_seen_before() behind them.
+    void begin_cells(double seed_key, Seeds seeds, bool from_seen);
     /// In the loop over neighbours, so inline. `was_enqueued`: the cell is in the front already.
     void enqueue(std::uint32_t cell, double key, bool was_enqueued) {
         Counters& counters = this->counters_;
@@ -95,7 +95,7 @@ protected:
     CellParameters parameters_;
     Marks marks_;
     CellContents<D> contents_;
-    CellsInView<D> in_view_;
+    mutable CellsInView<D> in_view_;  ///< a cache
     Front front_;
     bool front_is_stale_ = false;  ///< marks were put back by an undo: rebuild the front before using it
     std::vector<Item> seeds_;

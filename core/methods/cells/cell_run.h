@@ -5,6 +5,7 @@
 
 #include "core/base/number.h"
 #include "core/methods/cells/cell_base.h"
+#include "core/methods/cells/seen_before.h"
 #include "core/space/cell_in_view.h"
 
 namespace sightline {
@@ -36,11 +37,13 @@ struct NoSink {
 ///     template <int D>
 ///     Key key(const Problem<D>&, std::uint32_t a, double key_a, const HalfFacet& half) const;
 /// `a` was just projected with key `key_a`; `half` is its facet towards the cell that gets the key. The heuristic is
-/// made from the problem where it has such a constructor. Where more than cell `a` decides, key and explain also take
-/// the marks, behind the problem, and
+/// made from the problem where it has such a constructor. Where more than cell `a` decides, key and explain take the
+/// marks and CellsInView in place of `key_a`, behind the problem, light() has keeps() and prefetch() (transmittance.h),
+/// and
 ///     static constexpr bool stamps_pops = true;
 /// lets stamps say which cells were projected before `a`. One that starts in its own way has
 ///     static constexpr Seeds seeds;
+///     static constexpr bool from_seen = true;      // and from cells_seen_before()
 /// and one whose primitives wait until their turn comes, among those of other cells, has `waiting` and add_waiting
 /// (transmittance/tri.h). It may say more of itself (plp/published.h is the model):
 ///     KeyExplanation explain(problem, a, key_a, half, digits) const;
@@ -53,13 +56,13 @@ class CellRun final : public CellBase<D> {
 public:
     explicit CellRun(const Problem<D>& problem) : CellBase<D>(problem), heuristic_(made_from(problem)) {
         if (waits) this->parameters_.neighbours_before_break = YesNo::no;
-        this->begin_cells(heuristic_.seed_key, start_from());
+        this->begin_cells(heuristic_.seed_key, start_from(), from_seen);
     }
     /// With a heuristic that holds something of its own, such as a function of a script, and so has
     ///     void begin(const Problem<D>&);   // of the problem that it is asked about from now on
     CellRun(const Problem<D>& problem, Heuristic heuristic) : CellBase<D>(problem), heuristic_(std::move(heuristic)) {
         heuristic_.begin(problem);
-        this->begin_cells(heuristic_.seed_key, start_from());
+        this->begin_cells(heuristic_.seed_key, start_from(), from_seen);
     }
 
     bool restart(const Problem<D>& problem) override {
@@ -71,12 +74,17 @@ public:
             heuristic_.begin(problem);
         else
             heuristic_ = made_from(problem);
-        this->begin_cells(heuristic_.seed_key, start_from());
+        this->begin_cells(heuristic_.seed_key, start_from(), from_seen);
         return true;
     }
 
     Stop run(std::uint32_t steps, Recorder* recorder) override {
         return with_sink(recorder, [&](auto sink) { return loop(steps, sink); });
+    }
+
+    std::shared_ptr<const FrameHistory> next_history() const override {
+        if constexpr (from_seen) return cells_that_show(this->problem_, this->marks_, this->met());
+        return nullptr;
     }
 
     std::unique_ptr<Run<D>> clone() const override { return std::make_unique<CellRun>(*this); }
@@ -118,7 +126,9 @@ public:
 
 private:
     static constexpr bool waits = requires(Heuristic h) { h.waiting; };
-    static constexpr std::uint32_t waiting_batch = 32;
+    static constexpr bool by_light = requires(const Heuristic h) { h.light(); };
+    static constexpr bool from_seen = requires { Heuristic::from_seen; };
+    static constexpr std::uint32_t waiting_batch = 32, fetched_ahead = 12;
 
     static Heuristic made_from(const Problem<D>& problem) {
         if constexpr (std::is_constructible_v<Heuristic, const Problem<D>&>)
@@ -224,6 +234,7 @@ private:
     void go_on_with(std::uint32_t cell, Sink& sink) {
         Counters& counters = this->counters_;
         if constexpr (waits) {
+            prefetch_next(cell);
             const bool rendered =
                 render_waiting(heuristic_.waiting.class_of(static_cast<float>(this->marks_[cell].key)), none);
             counters.partial_cell = rendered ? none : cell;
@@ -247,19 +258,30 @@ private:
     // Of a heuristic whose primitives wait: those that come before the popped cell are rendered with it, and those that
     // it holds wait from then on.
 
-    /// The first that was not met by way of another cell, where its class comes before `end`; none: there is no such.
-    std::uint32_t first_waiting(std::uint32_t end) const {
-        for (std::uint32_t place; (place = heuristic_.waiting.first(end)) != none; heuristic_.waiting.drop_first())
-            if (!this->drawn_.has(this->problem_.cells->cell_primitives[place])) return place;
-        return none;
+    /// The first that was not met by way of another cell, where its class comes before `end`; empty: there is no such.
+    auto first_waiting(std::uint32_t end) const {
+        auto first = heuristic_.waiting.first(end);
+        for (; first; first = heuristic_.waiting.first(end)) {
+            if (!this->drawn_.has(this->problem_.cells->cell_primitives[first.place()])) break;
+            heuristic_.waiting.drop_first();
+        }
+        return first;
     }
     /// Renders at most `count` of those whose class comes before `end`; false where the budget ends it.
     bool render_waiting(std::uint32_t end, std::uint32_t count) {
-        for (std::uint32_t place; count > 0 && (place = first_waiting(end)) != none; --count) {
-            if (!this->contents_.meet_one(this->problem_, this->culled_costs_,
-                                          this->contents_.held_at(*this->problem_.cells, place), this->drawn_,
-                                          this->counters_))
-                return false;
+        const CellComplex<D>& cells = *this->problem_.cells;
+        for (; count > 0; --count) {
+            const auto first = first_waiting(end);
+            if (!first) break;
+            if (const auto ahead = heuristic_.waiting.behind_first(fetched_ahead))
+                detail::prefetch(&cells.cell_primitives[ahead.place()]);
+            const bool met = first.shows()
+                                 ? add_met(this->problem_.budget, this->culled_costs_,
+                                           {cells.cell_primitives[first.place()], false}, this->drawn_, this->counters_)
+                                 : this->contents_.meet_one(this->problem_, this->culled_costs_,
+                                                            this->contents_.held_at(cells, first.place()), this->drawn_,
+                                                            this->counters_);
+            if (!met) return false;
             heuristic_.waiting.drop_first();
         }
         return true;
@@ -292,7 +314,7 @@ private:
     bool more_waits() const override {
         if constexpr (waits) {
             if (this->front_is_stale_) rebuild_waiting();
-            return first_waiting(none) != none;
+            return static_cast<bool>(first_waiting(none));
         } else {
             return false;
         }
@@ -326,12 +348,20 @@ private:
 
     template <typename Sink>
     Key key_of(std::uint32_t a, double key_a, const HalfFacet& half) const {
-        if constexpr (requires { heuristic_.key(this->problem_, this->marks_, a, key_a, half); })
-            return heuristic_.key(this->problem_, this->marks_, a, key_a, half);
+        if constexpr (by_light)
+            return heuristic_.key(this->problem_, this->marks_, this->in_view_, a, half);
         else if constexpr (!Sink::enabled && requires { heuristic_.key_value(this->problem_, a, key_a, half); })
             return heuristic_.key_value(this->problem_, a, key_a, half);
         else
             return heuristic_.key(this->problem_, a, key_a, half);
+    }
+
+    /// Whether to work out the key of a waiting cell again, behind facet i of the one just projected, would give the
+    /// key that it has.
+    bool keeps_key(std::uint32_t cell, std::size_t i, std::uint32_t n, const Mark& before) const {
+        if constexpr (by_light)
+            return before.key != heuristic_.seed_key && heuristic_.light().keeps(this->problem_, cell, i, n);
+        return false;
     }
 
     /// fig. 4, lines 6-10.
@@ -364,7 +394,7 @@ private:
                 }
             } else if (heuristic_.on_reenqueue != OnReenqueue::never) {
                 const OnReenqueue on = heuristic_.on_reenqueue;
-                const Key key = key_of<Sink>(cell, key_a, half);
+                const Key key = keeps_key(cell, i, n, before) ? Key(before.key) : key_of<Sink>(cell, key_a, half);
                 if (on == OnReenqueue::replace || (on == OnReenqueue::min && key.value < before.key) ||
                     (on == OnReenqueue::max && key.value > before.key)) {
                     this->enqueue(n, key.value, true);
@@ -390,13 +420,15 @@ private:
     void prefetch_step(std::uint32_t cell) const {
         const CellComplex<D>& cells = *this->problem_.cells;
         for (const HalfFacet& half : this->contents_.facets_of(cells, cell)) {
-            if (half.neighbour != none) detail::prefetch(this->marks_.address_of(half.neighbour));
+            if (half.neighbour == none) continue;
+            detail::prefetch(this->marks_.address_of(half.neighbour));
+            if constexpr (by_light) heuristic_.light().prefetch(this->problem_, half.neighbour);
         }
     }
 
     KeyExplanation explain_key(std::uint32_t a, double key_a, const HalfFacet& half, int digits) const override {
-        if constexpr (requires { heuristic_.explain(this->problem_, this->marks_, a, key_a, half, digits); }) {
-            return heuristic_.explain(this->problem_, this->marks_, a, key_a, half, digits);
+        if constexpr (by_light) {
+            return heuristic_.explain(this->problem_, this->marks_, this->in_view_, a, half, digits);
         } else if constexpr (requires { heuristic_.explain(this->problem_, a, key_a, half, digits); }) {
             return heuristic_.explain(this->problem_, a, key_a, half, digits);
         } else {

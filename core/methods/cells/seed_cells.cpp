@@ -2,6 +2,7 @@
 #include "core/methods/cells/seed_cells.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/space/cell_in_view.h"
 
@@ -26,9 +27,10 @@ std::vector<std::uint32_t> seed_cells(const Problem<D>& problem, Seeds wanted) {
                     {!cell_in_view(cells, problem.view, cell), distance_to_facet(cells, half.facet(), eye), cell});
     std::sort(candidates.begin(), candidates.end());
     std::vector<std::uint32_t> seeds;
+    std::vector<std::uint8_t> taken(cells.cell_count());
     for (const Candidate& c : candidates) {
         if (!seeds.empty() && (wanted == Seeds::one || c.out_of_view)) break;
-        if (std::find(seeds.begin(), seeds.end(), c.cell) == seeds.end()) seeds.push_back(c.cell);
+        if (!std::exchange(taken[c.cell], 1)) seeds.push_back(c.cell);
     }
     return seeds;
 }

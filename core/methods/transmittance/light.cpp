@@ -51,6 +51,8 @@ double primitive_size(const Primitive<3>& triangle) {
 template <int D>
 CellLight<D>::CellLight(const Scene<D>& scene, const CellComplex<D>& cells, int threads)
     : opacity(scene, cells, threads), usual_size(usual_size_of(scene)) {
+    centres.reserve(cells.cell_count());
+    for (std::uint32_t cell = 0; cell < cells.cell_count(); ++cell) centres.push_back(cells.centre(cell));
     Box<D> around;
     for (const Vec<D>& point : cells.points) around.add(point);
     if (around.empty()) return;

@@ -24,6 +24,7 @@ struct CellLight {
     Vec<D> origin{};
     double unit = 1;                    ///< a power of 2 near the size of the tessellation
     std::vector<LitFacet<D>> facets{};  ///< as CellComplex::half_facets
+    std::vector<Vec<D>> centres{};      ///< CellComplex::centre() of each cell, in one place
     CellOpacity<D> opacity{};
     double usual_size = 1;  ///< nine primitives in ten are no larger: square root of the area, 2D: length
 

@@ -3,8 +3,7 @@
 #pragma once
 
 #include "core/methods/cells/cell_run.h"
-#include "core/methods/transmittance/light.h"
-#include "core/methods/transmittance/seen_cells.h"
+#include "core/methods/transmittance/known_light.h"
 #include "core/methods/transmittance/transmittance_parameters.h"
 
 namespace sightline {
@@ -28,79 +27,122 @@ struct LightTerms {
 template <int D>
 class Light {
 public:
-    explicit Light(const Problem<D>& problem)
-        : light_(cell_light(problem)),
-          eye_((problem.view.eye - light_->origin) / light_->unit),
-          in_view_(problem.cells->cell_count()),
-          directions_(problem.cells->cell_count(), unknown) {}
+    explicit Light(const Problem<D>& problem) { begin(problem); }
+    void begin(const Problem<D>& problem) {
+        light_ = cell_light(problem);
+        eye_ = (problem.view.eye - light_->origin) / light_->unit;
+        enqueued_show_ = CellParameters(problem.parameters).outside_view == OutsideView::unseen;
+        known_.begin(*problem.cells);
+    }
 
     const CellLight<D>& of_scene() const { return *light_; }
+    /// Caches of the view's.
+    KnownLight<D>& known() const { return known_; }
 
     /// What the cell behind `half` of cell `a` gets when `a`, just projected, is the last to give.
     /// transmittance(cell, key): of a projected cell.
     template <typename Transmittance>
-    LightTerms into(const Problem<D>& problem, const Marks& marks, std::uint32_t a, const HalfFacet& half,
-                    Transmittance transmittance) const {
-        const CellComplex<D>& cells = *problem.cells;
-        const std::uint32_t b = half.neighbour, last = marks[a].stamp;
-        double all = 0, others = 0, missing = 0;  // sums of what is missing are exact where nothing is
+    LightTerms into(const Problem<D>& problem, const Marks& marks, CellsInView<D>& in_view, std::uint32_t a,
+                    const HalfFacet& half, Transmittance transmittance) const {
+        double all = 0, others = 0;
         LightTerms t;
         t.handed_on = transmittance(a, marks[a].key);
         t.opacity = opacity_of(problem, a);
-        const auto facets = cells.facets_of(b);
-        const LitFacet<D>* const lit =
-            &light_->facets[static_cast<std::size_t>(facets.data() - cells.half_facets.data())];
-        for (std::size_t i = 0; i < facets.size(); ++i) {
-            const double angle = angle_of(lit[i], eye_);
-            if (angle == 0) continue;
-            const std::uint32_t n = facets[i].neighbour;
-            if (n == none) {
-                all += angle;
-                others += angle;
-                continue;
-            }
-            const Mark mark = marks[n];
-            // Of a later step, where this one is asked about afterwards, it was not projected yet.
-            const bool gives = mark.state == CellState::projected && mark.stamp <= last;
-            if (!gives && !in_view_.holds(problem, n)) continue;
-            all += angle;
-            if (!gives) {
-                missing += angle;
-                continue;
-            }
-            const double given =
-                n == a ? t.handed_on * (1 - t.opacity) : transmittance(n, mark.key) * (1 - opacity_of(problem, n));
-            missing += angle * (1 - given);
-            if (facets[i].facet() == half.facet())
-                t.share = angle;
-            else
-                others += angle * given;
-        }
+        t.shade = shade(problem, marks, in_view, a, half, transmittance,
+                        [&](const HalfFacet& facet, double angle, double given) {
+                            all += angle;
+                            if (facet.facet() == half.facet())
+                                t.share = angle;
+                            else
+                                others += angle * given;
+                        });
         if (all > 0) {
             t.share /= all;
             t.others = others / all;
-            t.shade = missing / all;
         } else {  // the eye lies in it, or looks in through cells outside the view alone
             t.share = 1;
-            t.shade = 1 - t.handed_on * (1 - t.opacity);
         }
         return t;
+    }
+    /// Of those terms the shade. tell(facet, angle, given): of each facet that counts.
+    template <typename Transmittance, typename Tell>
+    double shade(const Problem<D>& problem, const Marks& marks, CellsInView<D>& in_view, std::uint32_t a,
+                 const HalfFacet& half, Transmittance transmittance, Tell tell) const {
+        const CellComplex<D>& cells = *problem.cells;
+        const std::uint32_t b = half.neighbour, last = marks[a].stamp;
+        double all = 0, missing = 0;  // a sum of what is missing is exact where nothing is
+        const auto facets = cells.facets_of(b);
+        const double* const angles = known_.angles_of(cells, b, light_->facets.data(), eye_);
+        for (std::size_t i = 0; i < facets.size(); ++i) {
+            const double angle = angles[i];
+            if (angle == 0) continue;
+            const std::uint32_t n = facets[i].neighbour;
+            double given = 1;
+            if (n != none) {
+                const Mark mark = marks[n];
+                // Of a later step, where this one is asked about afterwards, it was not projected yet.
+                const bool gives = mark.state == CellState::projected && mark.stamp <= last;
+                if (!gives && !shows_cell(problem, in_view, n, mark)) continue;
+                given = gives ? given_by(problem, n, mark.key, transmittance) : 0;
+                missing += gives ? angle * (1 - given) : angle;
+            }
+            all += angle;
+            tell(facets[i], angle, given);
+        }
+        known_.of(cells, b).lit = all > 0;
+        return all > 0 ? missing / all : 1 - given_by(problem, a, marks[a].key, transmittance);
+    }
+    /// Whether what comes into the cell behind facet i of `a` is what it was before `a` was projected: it turns another
+    /// side than that facet to the eye. False where that is not known.
+    bool keeps(const Problem<D>& problem, std::uint32_t a, std::size_t i, std::uint32_t cell) const {
+        return known_.of(*problem.cells, cell).lit &&
+               known_.angles_of(*problem.cells, a, light_->facets.data(), eye_)[i] > 0;
+    }
+    /// What the key of a cell needs is asked for ahead.
+    void prefetch(const Problem<D>& problem, std::uint32_t cell) const {
+        const std::size_t first = KnownLight<D>::first_facet(*problem.cells, cell),
+                          end = first + problem.cells->facets_of(cell).size();
+        known_.prefetch(cell, first);
+        detail::prefetch(&light_->centres[cell]);
+        detail::prefetch(&problem.cells->half_facets[first]);
+        constexpr std::size_t a_line = 64 / sizeof(LitFacet<D>);
+        for (std::size_t i = first; i < end; i += a_line) detail::prefetch(&light_->facets[i]);
     }
 
     double opacity_of(const Problem<D>& problem, std::uint32_t cell) const {
         if (problem.cells->count(cell) == 0) return 0;
-        std::uint8_t& direction = directions_[cell];
-        if (direction == unknown)
-            direction = static_cast<std::uint8_t>(nearest_direction<D>(problem.view.eye - problem.cells->centre(cell)));
+        std::uint8_t& direction = known_.of(*problem.cells, cell).direction;
+        if (direction == KnownLight<D>::unknown)
+            direction = static_cast<std::uint8_t>(nearest_direction<D>(problem.view.eye - light_->centres[cell]));
         return light_->opacity.of(cell, direction);
     }
 
 private:
+    template <typename Transmittance>
+    double given_by(const Problem<D>& problem, std::uint32_t cell, double key, Transmittance transmittance) const {
+        const auto& known = known_.of(*problem.cells, cell);
+        if (known.given >= 0 && known.key == key) return known.given;
+        const double given = transmittance(cell, key) * (1 - opacity_of(problem, cell));
+        auto& now = known_.of(*problem.cells, cell);
+        now.key = key;
+        now.given = given;
+        return given;
+    }
+    /// Of a cell that does not give: whether it meets the view.
+    bool shows_cell(const Problem<D>& problem, CellsInView<D>& in_view, std::uint32_t cell, const Mark& mark) const {
+        if (mark.state == CellState::unseen) return false;
+        // A seed may lie outside; it has the key 0.
+        if (enqueued_show_ && mark.state == CellState::enqueued && mark.key != 0) return true;
+        std::uint8_t& shows = known_.of(*problem.cells, cell).in_view;
+        if (shows == KnownLight<D>::unknown)
+            shows = in_view.has(*problem.cells, problem.view, cell, problem.cells->corners_of(cell));
+        return shows != 0;
+    }
+
     std::shared_ptr<const CellLight<D>> light_;
     Vec<D> eye_;
-    SeenCells<D> in_view_;
-    static constexpr std::uint8_t unknown = 255;
-    mutable std::vector<std::uint8_t> directions_;  ///< a cache: that of each cell in which the eye lies
+    bool enqueued_show_ = true;  ///< what does not meet the view does not come into the front
+    mutable KnownLight<D> known_;
 };
 
 /// What makes the cell as dark as it is, for people.
@@ -126,22 +168,25 @@ public:
     static constexpr std::string_view key_title = "shade 1 − T";
 
     explicit Flux(const Problem<D>& problem) : light_(problem) {}
+    void begin(const Problem<D>& problem) { light_.begin(problem); }
 
-    LightTerms terms(const Problem<D>& problem, const Marks& marks, std::uint32_t a, const HalfFacet& half) const {
-        return light_.into(problem, marks, a, half, [](std::uint32_t, double key) { return 1 - key; });
+    const Light<D>& light() const { return light_; }
+
+    Key key(const Problem<D>& problem, const Marks& marks, CellsInView<D>& in_view, std::uint32_t a,
+            const HalfFacet& half) const {
+        return light_.shade(problem, marks, in_view, a, half, transmittance, [](const HalfFacet&, double, double) {});
     }
-    Key key(const Problem<D>& problem, const Marks& marks, std::uint32_t a, double, const HalfFacet& half) const {
-        return terms(problem, marks, a, half).shade;
-    }
-    KeyExplanation explain(const Problem<D>& problem, const Marks& marks, std::uint32_t a, double,
+    KeyExplanation explain(const Problem<D>& problem, const Marks& marks, CellsInView<D>& in_view, std::uint32_t a,
                            const HalfFacet& half, int digits) const {
-        return explain_light(terms(problem, marks, a, half), digits);
+        return explain_light(light_.into(problem, marks, in_view, a, half, transmittance), digits);
     }
     void add_key_lines(std::vector<CodeLine>& lines, const KeyExplanation* explained, int digits) const {
         add_light_lines(lines, explained, digits);
     }
 
 private:
+    static double transmittance(std::uint32_t, double key) { return 1 - key; }
+
     Light<D> light_;
 };
 

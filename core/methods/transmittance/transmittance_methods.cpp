@@ -16,6 +16,14 @@ std::vector<Method<D>> transmittance_methods() {
                                            "primitives by the light that reaches them and by how large they look"));
     table.back().parameters = {&maximise_row()};
     table.back().prepare = table.front().prepare;
+    table.push_back(
+        cell_method<D, TriSeen<D>>("tri-seen", "light, size and last frame",
+                                   "as tri, starting from the cells that showed something in the frame before, too"));
+    table.back().parameters = {&maximise_row()};
+    table.back().prepare = table.front().prepare;
+    table.back().needs.image = table.back().needs.history = true;
+    table.back().prefixes = false;  // what a frame leaves depends on its budget, and so does the order of the next
+    table.back().compared = false;
     return table;
 }
 

@@ -6,7 +6,7 @@
 
 namespace sightline {
 
-/// flux.
+/// flux, tri and tri-seen.
 template <int D>
 std::vector<Method<D>> transmittance_methods();
 

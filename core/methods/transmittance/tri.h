@@ -16,27 +16,28 @@ class Tri : public LitHeuristic {
 public:
     static constexpr std::string_view key_title = "key by light and size";
 
-    explicit Tri(const Problem<D>& problem)
-        : light_(problem),
-          maximise_(problem.parameters.template choice<Maximise>(maximise_row())),
-          usual_size_(light_.of_scene().usual_size) {
-        waiting.clear();
+    explicit Tri(const Problem<D>& problem) : light_(problem) { set(problem); }
+    void begin(const Problem<D>& problem) {
+        light_.begin(problem);
+        set(problem);
     }
 
-    LightTerms terms(const Problem<D>& problem, const Marks& marks, std::uint32_t a, const HalfFacet& half) const {
-        return light_.into(problem, marks, a, half,
-                           [&](std::uint32_t n, double key) { return transmittance(problem, n, key); });
+    const Light<D>& light() const { return light_; }
+
+    Key key(const Problem<D>& problem, const Marks& marks, CellsInView<D>& in_view, std::uint32_t a,
+            const HalfFacet& half) const {
+        const double shade = light_.shade(
+            problem, marks, in_view, a, half, [&](std::uint32_t n, double k) { return transmittance(problem, n, k); },
+            [](const HalfFacet&, double, double) {});
+        return key_at(problem, half.neighbour, 1 - shade);
     }
-    Key key(const Problem<D>& problem, const Marks& marks, std::uint32_t a, double, const HalfFacet& half) const {
-        return key_at(problem, half.neighbour, terms(problem, marks, a, half).transmittance());
-    }
-    KeyExplanation explain(const Problem<D>& problem, const Marks& marks, std::uint32_t a, double,
+    KeyExplanation explain(const Problem<D>& problem, const Marks& marks, CellsInView<D>& in_view, std::uint32_t a,
                            const HalfFacet& half, int digits) const;
     void add_key_lines(std::vector<CodeLine>& lines, const KeyExplanation* explained, int digits) const;
 
     /// Of a cell with that key.
     double transmittance(const Problem<D>& problem, std::uint32_t cell, double key) const {
-        return key == 0 ? 1 : std::min(1.0, of_ratio(distance_in_sizes(problem, cell)) / key);
+        return key == 0 ? 1 : std::min(1.0, distance_ratio(problem, cell) / key);
     }
 
     // What waits to be rendered. A cell that is projected adds what it holds.
@@ -46,23 +47,27 @@ public:
     void add_waiting(const Problem<D>& problem, const CellContents<D>& contents, std::uint32_t cell, double key) const;
 
 private:
+    void set(const Problem<D>& problem) {
+        maximise_ = problem.parameters.template choice<Maximise>(maximise_row());
+        usual_size_ = light_.of_scene().usual_size;
+        waiting.clear();
+    }
+
     /// What no light reaches comes last, but by size.
     static constexpr double least_transmittance = 0x1p-20;
 
-    template <typename Number>
-    Number of_ratio(Number ratio) const {
-        return maximise_ == Maximise::count ? std::sqrt(ratio) : ratio;
-    }
-    /// Of what looks as large as that, under that transmittance; edge-on ones come last, as what no light reaches.
-    float waiting_key(float apparent_size, float transmittance) const {
-        return 1 / std::max(of_ratio(apparent_size) * transmittance, 0x1p-31f);
-    }
+    double of_ratio(double ratio) const { return maximise_ == Maximise::count ? std::sqrt(ratio) : ratio; }
     double distance_in_sizes(const Problem<D>& problem, std::uint32_t cell) const {
-        const Vec<D> away = problem.cells->centre(cell) - problem.view.eye;
+        const Vec<D> away = light_.of_scene().centres[cell] - problem.view.eye;
         return std::sqrt(glm::dot(away, away)) / usual_size_;
     }
+    double distance_ratio(const Problem<D>& problem, std::uint32_t cell) const {
+        double& known = light_.known().of(*problem.cells, cell).ratio;
+        if (known < 0) known = of_ratio(distance_in_sizes(problem, cell));
+        return known;
+    }
     double key_at(const Problem<D>& problem, std::uint32_t cell, double transmittance) const {
-        return of_ratio(distance_in_sizes(problem, cell)) / std::max(transmittance, least_transmittance);
+        return distance_ratio(problem, cell) / std::max(transmittance, least_transmittance);
     }
 
     Light<D> light_;
@@ -72,5 +77,13 @@ private:
 
 extern template class Tri<2>;
 extern template class Tri<3>;
+
+/// `tri-seen`: starts from the cells that showed something in the frame before, too.
+template <int D>
+class TriSeen : public Tri<D> {
+public:
+    using Tri<D>::Tri;
+    static constexpr bool from_seen = true;
+};
 
 }  // namespace sightline

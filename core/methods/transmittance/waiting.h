@@ -11,8 +11,19 @@
 
 namespace sightline {
 
-/// References of cells to primitives (places in CellComplex::cell_primitives) by class of key, lowest first, and by
-/// place within a class. What comes first depends on what is in it, not on the order in which it came.
+/// A reference of a cell to a primitive. Lower ones are of lower places.
+struct WaitingReference {
+    std::uint32_t bits = none;
+
+    WaitingReference() = default;
+    WaitingReference(std::uint32_t place, bool shows) : bits(2 * place + shows) {}
+    std::uint32_t place() const { return bits >> 1; }  ///< in CellComplex::cell_primitives, below 2^31
+    bool shows() const { return bits & 1; }            ///< the view shows it, for sure
+    explicit operator bool() const { return bits != none; }
+};
+
+/// References of cells to primitives by class of key, lowest first, and by place within a class. What comes first
+/// depends on what is in it, not on the order in which it came.
 class Waiting {
 public:
     /// Those of keys between which less than a sixteenth of a power of two lies. `key`: positive.
@@ -23,30 +34,39 @@ public:
 
     void clear() {
         if (lowest_ < class_count)
-            for (Class& each : classes_) each.places.clear();
+            for (Class& each : classes_) each.references.clear();
         classes_.resize(class_count);
         lowest_ = class_count;
     }
-    void add(float key, std::uint32_t place) {
+    void add(float key, const WaitingReference& reference) {
         const std::uint32_t at = class_of(key);
-        classes_[at].places.push_back(place);
+        classes_[at].references.push_back(reference.bits);
         classes_[at].sorted = false;
         lowest_ = std::min(lowest_, at);
     }
-    /// The first, where its class comes before `end`; none: there is no such.
-    std::uint32_t first(std::uint32_t end) {
-        while (lowest_ < end && lowest_ < class_count && classes_[lowest_].places.empty()) ++lowest_;
-        if (lowest_ >= std::min(end, class_count)) return none;
+    /// The first, where its class comes before `end`; empty: there is no such.
+    WaitingReference first(std::uint32_t end) {
+        while (lowest_ < end && lowest_ < class_count && classes_[lowest_].references.empty()) ++lowest_;
+        WaitingReference found;
+        if (lowest_ >= std::min(end, class_count)) return found;
         Class& at = classes_[lowest_];
-        if (!at.sorted) std::sort(at.places.begin(), at.places.end(), std::greater<>());
+        if (!at.sorted) std::sort(at.references.begin(), at.references.end(), std::greater<>());
         at.sorted = true;
-        return at.places.back();
+        found.bits = at.references.back();
+        return found;
     }
-    void drop_first() { classes_[lowest_].places.pop_back(); }
+    /// So many behind the first, in its class; empty: there is no such. To be fetched ahead.
+    WaitingReference behind_first(std::size_t places) const {
+        const std::vector<std::uint32_t>& all = classes_[lowest_].references;
+        WaitingReference found;
+        if (places < all.size()) found.bits = all[all.size() - 1 - places];
+        return found;
+    }
+    void drop_first() { classes_[lowest_].references.pop_back(); }
 
 private:
     struct Class {
-        std::vector<std::uint32_t> places;  ///< once sorted, the first is the last
+        std::vector<std::uint32_t> references;  ///< WaitingReference::bits; once sorted, the first is the last
         bool sorted = false;
     };
     /// Of floats from 2^-32 to 2^32.
