@@ -10,10 +10,10 @@ namespace sightline::test {
 using Goldens = std::vector<std::array<const char*, 6>>;
 
 inline const Goldens picture_3d_goldens{
-    {"6d1688a40f702d0f", "fc5a6f7d3c704504", "859ea15dec5e176a", "13243365a74dcfb2", "d20e1cd20c181108", "495773fd4a2084d6"},
-    {"40b209f6e366d192", "779c3131cea35b58", "9e52e0d36045ef8a", "f47509da2db655fc", "44b814f136d9bb5d", "3e6acabb500993c6"},
-    {"180f9636a19a287a", "90e796348cc29940", "fab4745de890d348", "609353a017039364", "29c813a9e684fd62", "9d94a476c361fd48"},
-    {"fb96d5d9200c72da", "05a5230a831ef9c2", "af2c4204bd697fea", "21063cb2c84cfa14", "7050226eacb72e0c", "35e538bca3553d0e"},
+    {"fcfb878637f4d46a", "bf13094d4efa35fd", "b27e6af4471071e7", "e3314581bef01e48", "a28e3b33ffe50b9a", "a006c66f73d3dede"},
+    {"5a8d296f77ed7a6c", "fc84e5340559acd3", "32b22d0884e50ada", "c2e7d4a2dbc95ddd", "4fe150978ff32fe7", "0dbc28e919916830"},
+    {"f0438cdf9cf72279", "b3f8e3139370812a", "d5ed8cdc7054f09b", "0eac16a835446d7d", "d93a1382200fb177", "bca85de72a0c7193"},
+    {"aec42336c0c953b7", "ed0d6e8a2a74c263", "55286fb876dc334b", "a09611108d2d96de", "8d67163eae4a9e90", "d2c600113e501e60"},
 };
 
 }  // namespace sightline::test

@@ -311,21 +311,21 @@ TEST(Picture, AnEmptySceneHasAWorld) {
 
 const std::vector<Golden>& goldens() {
     static const std::vector<Golden> table{
-        {"bottleneck", {"1e93a0995ee17217", "587cb178f786dad9", "95e8f11a54c30cfc"}},
-        {"field", {"58c8d937da66b2a2", "9a4090a12bb53c54", "9e0df9876e16395b"}},
-        {"streets", {"a8814d2c51b10795", "ed1a078b2cbee62d", "33068dda224bd5e9"}},
-        {"rooms", {"83f511d4554e6406", "8c2d3a43d1db2802", "4ba687fc97fdf9d8"}},
-        {"cars", {"d829716d195a50f1", "a96eda00bf7344f9", "4b1fb15166caf645"}},
-        {"jungle", {"5d17f65cd600cce2", "8877f0c82d9427ef", "3275ee19a7e6fbc0"}},
-        {"terrain", {"48ea59f613c80cbd", "19a35d3a39cb2c2e", "7cc881f1161bd3c5"}},
-        {"wallholes", {"166be9c656e9f56e", "3f709bef69399b60", "e3b8854ddf89e250"}},
-        {"wall2", {"2b69a0820955d43b", "8a534d4cd0b03c72", "4b94e5413dbde31a"}},
-        {"statue", {"24384035fe539532", "342ea2e8dda2f992", "a7abffae4203f951"}},
-        {"forget", {"c3f5494110532b58", "ca786a5c4bdeaa32", "988c9c665a32bd1b"}},
-        {"soda", {"5f0549688ce76d34", "1fb1c44fac1da629", "f46939123aa83f27"}},
-        {"blocks", {"f54986a44553f37d", "f2fd430e1768005d", "73b85b8f5af56223"}},
-        {"tetra", {"9f04dd2d47ef2624", "047b168b1f8cee47", "b9fd20461682f892"}},
-        {"campus", {"67417d7421e8e940", "76fc3dab8f96c8c8", "af16db176c70a7da"}},
+        {"bottleneck", {"c096c795669b00c2", "ec143914054f17c6", "be116bb0c80eb47f"}},
+        {"field", {"ca8739aeacd32750", "3d386d8eff72ea61", "8019d513ff83062d"}},
+        {"streets", {"295e244b406380a0", "4ab8298899710e3b", "465a823a72c0dab4"}},
+        {"rooms", {"16bb47e2626d751c", "eed76559c59d37c9", "bad14566ad5a3de7"}},
+        {"cars", {"a71786e27db2d3bc", "0086e8ff73715e3d", "7eb1fcb7bd020623"}},
+        {"jungle", {"218f5482a98d4eb5", "01c1ec74ddb625f8", "c242c507fb3123f9"}},
+        {"terrain", {"49b85d863d6a4d20", "266d62e1a90337ca", "fe90faf37bd35859"}},
+        {"wallholes", {"c57fb18f6876cf6e", "2ea79cb4e11f0f07", "b0e1e1df18f5d6a7"}},
+        {"wall2", {"2026bf0ae22ee35a", "fae2810b9b8955b3", "e89a15c9789139f1"}},
+        {"statue", {"9c44162a23e23215", "4f424a1602abbc93", "9d33e7487cff7d64"}},
+        {"forget", {"64d0b75d8482c4c1", "41aae3452e06deaa", "932829af2f622611"}},
+        {"soda", {"6f3eb71457d897ea", "64efbbb097c948aa", "85005fde6cec45bc"}},
+        {"blocks", {"8a08d17d319cb72c", "bb5ded716e8204d5", "70c9360d100ef26b"}},
+        {"tetra", {"34a11bc5d2da292a", "189e6871eee44363", "20999be93a95af76"}},
+        {"campus", {"d85cce97f662f76e", "9fcec54ee00791f0", "0038c68a8a4ea86a"}},
     };
     return table;
 }

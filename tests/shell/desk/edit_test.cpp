@@ -171,9 +171,16 @@ TEST(Edit, RoomsAreThoseOfTheWallsThatAreLeft) {
     for (int i = 0; i < 12; ++i) {
         session.run(none);
         const auto seen = session.reference().visible;
-        const auto wall = std::find(seen.begin(), seen.end(), 1);
-        ASSERT_NE(wall, seen.end());
-        delete_segment(on.bench, static_cast<std::uint32_t>(wall - seen.begin()));
+        // The longest one that is seen: a wall.
+        std::uint32_t wall = none;
+        double most = 0;
+        for (std::uint32_t p = 0; p < seen.size(); ++p) {
+            const Primitive<2>& segment = session.scene().primitives[p];
+            const double length = seen[p] ? glm::length(segment[1] - segment[0]) : 0;
+            if (length > most) most = length, wall = p;
+        }
+        ASSERT_NE(wall, none);
+        delete_segment(on.bench, wall);
         session.run(none);
         const auto drawn = rendered_mask(session.met(), session.scene().primitives.size());
         const auto& now = session.reference().visible;
