@@ -72,7 +72,9 @@ public:
         if (variant_.method.id != by_viewpoint_id)
             throw InputError("--method: '" + variant_.text + "' is not by-viewpoint");
         say("reading " + where.scene);
-        scene_ = std::make_shared<const Scene<3>>(load_scene<3>(where.scene));
+        const SceneName name = parse_scene(where.scene);
+        if (name.dimension == 2) throw InputError("'" + where.scene + "' is 2D: lab viewpoint measures 3D");
+        scene_ = std::make_shared<const Scene<3>>(load_scene<3>(name.name));
         const FlightPath<3> path = find_path(*scene_, where.path);
         made_.scene = where.scene;
         made_.path = path.id;

@@ -145,6 +145,7 @@ TEST(ViewpointCommand, WritesItsPageAndNamesWhatIsWrong) {
     complains({"soda", "--path", "moon"}, "moon");
     complains({"soda", "campus", "--table", "t.json"}, "a table is of one scene");
     complains({"nowhere"}, "nowhere");
+    complains({"2d:rooms"}, "is 2D");
     complains({"soda", "--frames", "-1"}, "--frames");
 }
 
