@@ -137,6 +137,7 @@ export class Diagram {
     const look = this.core.look(), now = this.core.numbers(this.asked);
     this.now = now;
     this.stage.draw(this.core, now.view, `${++this.edits}`);
+    if (this.wanted) this.light(this.wanted);
     this.steps?.update(look, !!this.guess?.hides("steps"));
     if (this.steps) this.steps.element.inert = !!this.guess?.open && this.guess.kind !== "option";
     showLegend(this.legend, this.stage.legend ?? [], name => this.light(name));
@@ -210,7 +211,9 @@ export class Diagram {
     return { ...this.facts, ...this.now, ...(this.guess!.kind === "cell" ? { [asks]: told[asks] } : {}) } as Numbers;
   }
 
+  private wanted: string | null = null;  // lit as soon as there is a core, and again whenever the picture changes
   light(name: string | null) {
+    this.wanted = name;
     if (!this.core || (name && this.guess?.hides(name))) return;
     this.stage.lightUp(name ? this.core.place(name) : []);
   }

@@ -69,6 +69,14 @@ const lit = (page, id) => page.evaluate(id => {
   const canvas = document.querySelector(`#${id} .stage .over`);
   return canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data.some(value => value > 0);
 }, id);
+/// A number far from its diagram may have to wait for it to wake.
+async function becomesLit(page, id) {
+  for (let i = 0; i < 60; ++i) {
+    if (await lit(page, id)) return true;
+    await page.waitForTimeout(50);
+  }
+  return false;
+}
 async function guess(page, id, number = "7") {
   const form = page.locator(`#${id} form.guess`);
   if (await form.count() === 0 || await form.getAttribute("data-tried")) return;
@@ -150,7 +158,7 @@ for (const size of sizes) {
       for (const number of await page.locator(`#${id} button.n:not(:disabled)`).all()) {
         if (!await number.isVisible() || /^(0|0 %)$/.test(await number.textContent())) continue;
         size.hasTouch ? await number.tap() : await number.hover();
-        assert.ok(await lit(page, id), `${id}: ${await number.getAttribute("data-value")} lights nothing`);
+        assert.ok(await becomesLit(page, id), `${id}: ${await number.getAttribute("data-value")} lights nothing`);
         await page.evaluate(() => document.activeElement.blur());
         await page.mouse.move(1, 1);
         ++buttons;
