@@ -22,7 +22,9 @@ export function raise(value: HTMLElement, thing: string | undefined, light: (nam
                       value.textContent ?? "…");
   const show = () => light(thing ? `${thing} ${button.textContent}` : place);
   for (const event of ["mouseenter", "focus", "click"]) button.addEventListener(event, show);
-  for (const event of ["mouseleave", "blur"]) button.addEventListener(event, () => light(null));
+  // One that was tapped stays lit: the mouse that a browser makes up for a finger leaves when the page moves.
+  button.addEventListener("mouseleave", () => { if (document.activeElement !== button) light(null); });
+  button.addEventListener("blur", () => light(null));
   value.replaceWith(button);
   return button;
 }
