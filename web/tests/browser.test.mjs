@@ -152,6 +152,10 @@ for (const size of sizes) {
     await page.keyboard.press("ArrowRight");
     await settled(page);
     const wide = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
+    const [end, begin] = await page.evaluate(() => [document.querySelector("main").getBoundingClientRect().bottom,
+                                                    document.querySelector("footer").getBoundingClientRect().top]);
+    assert.ok(begin >= end - 1, `what is said begins at ${begin}, above the end of the page's body at ${end}`);
+    assert.ok(await page.evaluate(() => document.querySelector("main").clientHeight) > 300);
     assert.ok(wide[0] <= wide[1], `the page is ${wide[0]} wide in ${wide[1]}`);
     for (const scheme of ["light", "dark"]) {
       await page.emulateMedia({ colorScheme: scheme });
