@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/scene/read/parsed_scene.h"
+#include "core/scene/read/read_json.h"
 
 namespace sightline {
 
@@ -14,19 +15,12 @@ namespace {
 
 using OrderedJson = nlohmann::ordered_json;
 
-template <int D>
-OrderedJson coordinates(const Vec<D>& p) {
-    OrderedJson json = OrderedJson::array();
-    for (int i = 0; i < D; ++i) json.push_back(p[i]);
-    return json;
-}
+OrderedJson coordinates(const Vec<3>& p) { return {p.x, p.y, p.z}; }
 
-template <int D>
-Vec<D> vector_of(const Json& json) {
-    if (!json.is_array() || json.size() != D)
-        throw InputError("a point of the scene is not " + std::to_string(D) + " numbers");
-    Vec<D> p;
-    for (int i = 0; i < D; ++i) {
+Vec<3> vector_of(const Json& json) {
+    if (!json.is_array() || json.size() != 3) throw InputError("a point of the scene is not 3 numbers");
+    Vec<3> p;
+    for (int i = 0; i < 3; ++i) {
         p[i] = json.at(static_cast<std::size_t>(i)).get<double>();
         if (!std::isfinite(p[i])) throw InputError("a point of the scene is not finite");
     }
@@ -40,35 +34,14 @@ std::uint32_t index_of(const Json& json, std::size_t count) {
     return json.get<std::uint32_t>();
 }
 
-/// As the file of a scene in the plane says it.
-OrderedJson segments_json(const Scene<2>& scene) {
-    OrderedJson json{{"format", "sightline-scene"}, {"version", 1},           {"dimension", 2},    {"id", scene.id},
-                     {"title", scene.title},        {"lesson", scene.lesson}, {"seed", scene.seed}};
-    if (scene.origin != Vec<2>(0, 0)) json["origin"] = coordinates<2>(scene.origin);
-    if (scene.start_view)
-        json["view"] = {{"eye", coordinates<2>(scene.start_view->eye)},
-                        {"look_at", coordinates<2>(scene.start_view->look_at)},
-                        {"fov", scene.start_view->fov}};
-    OrderedJson& segments = json["segments"] = OrderedJson::array();
-    for (const Primitive<2>& s : scene.primitives) segments.push_back({s[0].x, s[0].y, s[1].x, s[1].y});
-    if (!scene.objects.empty()) json["objects"] = {{"names", scene.objects.names}, {"of", scene.objects.of}};
-    return json;
-}
-
-template <int D>
-OrderedJson rooms_json(const Rooms<D>& rooms) {
+OrderedJson rooms_json(const Rooms<3>& rooms) {
     OrderedJson json{{"all", OrderedJson::array()}, {"portals", OrderedJson::array()}};
-    for (const Room<D>& room : rooms.all) {
-        OrderedJson corners = OrderedJson::array();
-        if constexpr (D == 2)
-            for (const Vec<2>& p : room.shape) corners.push_back(coordinates<2>(p));
-        else
-            for (const Vec<3>& p : {room.shape.min, room.shape.max}) corners.push_back(coordinates<3>(p));
-        json["all"].push_back({{"name", room.name}, {"corners", corners}});
-    }
-    for (const Portal<D>& portal : rooms.portals) {
+    for (const Room<3>& room : rooms.all)
+        json["all"].push_back(
+            {{"name", room.name}, {"corners", {coordinates(room.shape.min), coordinates(room.shape.max)}}});
+    for (const Portal<3>& portal : rooms.portals) {
         OrderedJson corners = OrderedJson::array(), between = OrderedJson::array();
-        for (const Vec<D>& p : portal.corners) corners.push_back(coordinates<D>(p));
+        for (const Vec<3>& p : portal.corners) corners.push_back(coordinates(p));
         for (const std::uint32_t room : portal.rooms)
             between.push_back(room == none ? OrderedJson() : OrderedJson(room));
         json["portals"].push_back({{"rooms", between}, {"corners", corners}});
@@ -77,30 +50,20 @@ OrderedJson rooms_json(const Rooms<D>& rooms) {
     return json;
 }
 
-template <int D>
-Rooms<D> rooms_of(const Json& json, const std::string& name) {
-    Rooms<D> rooms;
-    for (const Json& one : json.at("all")) {
-        Room<D> room;
-        room.name = one.at("name").get<std::string>();
-        const Json& corners = one.at("corners");
-        if constexpr (D == 2) {
-            for (const Json& p : corners) room.shape.push_back(vector_of<2>(p));
-        } else {
-            room.shape.min = vector_of<3>(corners.at(0));
-            room.shape.max = vector_of<3>(corners.at(1));
-        }
-        rooms.all.push_back(std::move(room));
-    }
+Rooms<3> rooms_of(const Json& json, const std::string& name) {
+    Rooms<3> rooms;
+    for (const Json& one : json.at("all"))
+        rooms.all.push_back({one.at("name").get<std::string>(),
+                             {vector_of(one.at("corners").at(0)), vector_of(one.at("corners").at(1))}});
     for (const Json& one : json.at("portals")) {
-        Portal<D> portal;
+        Portal<3> portal;
         for (std::size_t side = 0; side < 2; ++side)
             if (const Json& room = one.at("rooms").at(side); !room.is_null())
                 portal.rooms[side] = index_of(room, rooms.all.size());
-        for (const Json& p : one.at("corners")) portal.corners.push_back(vector_of<D>(p));
+        for (const Json& p : one.at("corners")) portal.corners.push_back(vector_of(p));
         rooms.portals.push_back(std::move(portal));
     }
-    rooms.closed_from = json.value("closed_from", Rooms<3>{}.closed_from);
+    rooms.closed_from = json.value("closed_from", rooms.closed_from);
     check_rooms(rooms, name);
     return rooms;
 }
@@ -118,7 +81,7 @@ OrderedJson mesh_json(const Scene<3>& scene) {
             triangles.push_back(place->second);
         }
     OrderedJson json{{"title", scene.title}, {"lesson", scene.lesson}, {"up_axis", scene.up_axis}};
-    json["origin"] = coordinates<3>(scene.origin);
+    json["origin"] = coordinates(scene.origin);
     json["points"] = std::move(points);
     json["triangles"] = std::move(triangles);
     if (!scene.two_sided.empty()) json["two_sided"] = scene.two_sided;
@@ -131,7 +94,7 @@ Scene<3> mesh_of(const Json& json) {
     scene.title = json.at("title").get<std::string>();
     scene.lesson = json.at("lesson").get<std::string>();
     scene.up_axis = static_cast<int>(index_of(json.at("up_axis"), 3));
-    scene.origin = vector_of<3>(json.at("origin"));
+    scene.origin = vector_of(json.at("origin"));
     const std::vector<double> numbers = json.at("points").get<std::vector<double>>();
     for (const double number : numbers)
         if (!std::isfinite(number)) throw InputError("a point of the scene is not finite");
@@ -162,11 +125,12 @@ Scene<3> mesh_of(const Json& json) {
 
 template <int D>
 void embed_scene(const Scene<D>& scene, OrderedJson& part) {
-    if constexpr (D == 2)
-        part["embedded"] = segments_json(scene);
-    else
+    if constexpr (D == 2) {
+        part["embedded"] = OrderedJson::parse(write_json(scene));
+    } else {
         part["embedded"] = mesh_json(scene);
-    if (!scene.rooms.empty()) part["rooms"] = rooms_json(scene.rooms);
+        if (!scene.rooms.empty()) part["embedded"]["rooms"] = rooms_json(scene.rooms);
+    }
 }
 
 template <int D>
@@ -178,10 +142,10 @@ Scene<D> embedded_scene(const Json& part, const std::string& name) {
         scene = mesh_of(part.at("embedded"));
         scene.id = part.at("id").get<std::string>();
         scene.seed = part.value("seed", scene.seed);
+        if (part.at("embedded").contains("rooms")) scene.rooms = rooms_of(part["embedded"]["rooms"], name);
     }
     // What a scene's own file does not say.
     scene.source = part.value("source", scene.source);
-    if (part.contains("rooms")) scene.rooms = rooms_of<D>(part["rooms"], name);
     if (part.contains("dropped")) {
         const Json& dropped = part["dropped"];
         const auto count = [&](const char* key) { return dropped.value(key, std::size_t{0}); };

@@ -7,9 +7,8 @@
 
 namespace sightline {
 
-/// Members "embedded" and, where the scene has any, "rooms" of `part`, which says all else of the scene (2D: its
-/// segments as in a scene's file; 3D: points once each, and three a triangle). Reading them back gives the same
-/// primitives, bit for bit.
+/// Member "embedded" of `part`, which says all else of the scene (2D: its file; 3D: points once each, and three a
+/// triangle, with the rooms). Reading it back gives the same primitives, bit for bit.
 template <int D>
 void embed_scene(const Scene<D>& scene, nlohmann::ordered_json& part);
 

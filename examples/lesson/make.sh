@@ -11,7 +11,7 @@ state() {
     shift
     "$viewer" "$@; save $out/$name.json" > "$out/$name.log" 2>&1 || { cat "$out/$name.log" >&2; exit 1; }
     rm "$out/$name.log"
-    awk '/^  "(embedded|rooms)": \{/ { skip = 1; sub(/,$/, "", held) }
+    awk '/^  "embedded": \{/ { skip = 1; sub(/,$/, "", held) }
          !skip { if (NR > 1) print held; held = $0 }
          skip && /^  \}/ { skip = 0 }
          END { print held }' "$out/$name.json" > "$out/$name.short"

@@ -69,7 +69,7 @@ plane figure-8 wedge "coorg-teller threshold=1 leaf=1" "--eye 2.5,3" \
 # A moving eye: the frame before this one is kept. The catalogue makes the scene again.
 state moving-eye "$viewer2d" soda "coorg-teller step=change" "--fov 360 --eye 20,22" "frame keep; seek start"
 moving=$out/moving-eye
-awk '/^  "(embedded|rooms)": \{/ { skip = 1; sub(/,$/, "", held) }
+awk '/^  "embedded": \{/ { skip = 1; sub(/,$/, "", held) }
      !skip { if (NR > 1) print held; held = $0 }
      skip && /^  \}/ { skip = 0 }
      END { print held }' "$moving.json" > "$moving.short"
