@@ -11,8 +11,8 @@
 #include "core/methods/method_table.h"
 #include "core/scene/read/load.h"
 #include "core/scene/scene_view.h"
-#include "lab/command.h"
 #include "lab/viewpoint/viewpoint_report.h"
+#include "tests/lab/run_lab.h"
 
 namespace sightline::lab {
 namespace {
@@ -109,15 +109,7 @@ TEST(EyePlace, IsARoomTheGroundOrAboveAll) {
 
 TEST(ViewpointCommand, WritesItsPageAndNamesWhatIsWrong) {
     const fs::path folder = fs::temp_directory_path() / ("sightline-viewpoint-" + std::to_string(getpid()));
-    const auto lab = [&](std::vector<std::string> words) {
-        words.insert(words.begin(), {"lab", "viewpoint"});
-        std::vector<const char*> argv;
-        for (const std::string& word : words) argv.push_back(word.c_str());
-        testing::internal::CaptureStdout();
-        testing::internal::CaptureStderr();
-        const int status = lab_program(static_cast<int>(argv.size()), argv.data());
-        return std::pair(status, testing::internal::GetCapturedStdout() + testing::internal::GetCapturedStderr());
-    };
+    const auto lab = [](const std::vector<std::string>& words) { return test::run_lab("viewpoint", words); };
     const auto [status, said] =
         lab({"soda@walk", "--frames", "2", "--repeats", "1", "--fit-views", "2", "--image", "64x48", "--fill",
              "--sizes", "--method", "by-viewpoint techniques='view; portals; levels' grid=1 samples=1 azimuths=3",

@@ -10,10 +10,10 @@
 #include "core/base/file.h"
 #include "core/truth/software_ids.h"
 #include "lab/cells/sweep.h"
-#include "lab/command.h"
 #include "lab/object_space/object_space_report.h"
 #include "lab/object_space/papers_scenes.h"
 #include "tests/lab/report_rows.h"
+#include "tests/lab/run_lab.h"
 
 namespace sightline::lab {
 namespace {
@@ -240,15 +240,7 @@ TEST(ObjectSpaceJson, HasTheTables) {
 
 TEST(ObjectSpaceCommand, WritesItsPageAndNamesWhatIsWrong) {
     const fs::path folder = fs::temp_directory_path() / ("sightline-object-space-" + std::to_string(getpid()));
-    const auto lab = [&](std::vector<std::string> words) {
-        words.insert(words.begin(), {"lab", "object-space"});
-        std::vector<const char*> argv;
-        for (const std::string& word : words) argv.push_back(word.c_str());
-        testing::internal::CaptureStdout();
-        testing::internal::CaptureStderr();
-        const int status = lab_program(static_cast<int>(argv.size()), argv.data());
-        return std::pair(status, testing::internal::GetCapturedStdout() + testing::internal::GetCapturedStderr());
-    };
+    const auto lab = [](const std::vector<std::string>& words) { return test::run_lab("object-space", words); };
     const auto [status, said] = lab({"tetra",
                                      "--walk",
                                      "test",
