@@ -2,16 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#if defined(__SSE__)
-#include <xmmintrin.h>
-#endif
-
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "core/base/four_floats.h"
 #include "core/base/large_pages.h"
 #include "core/scene/scene.h"
 #include "core/scene/view.h"
@@ -31,7 +29,23 @@ struct CellTriangle {
 
     static constexpr std::uint32_t two_sided_bit = 0x80000000u;
 };
-static_assert(sizeof(CellTriangle) == 32);
+static_assert(sizeof(CellTriangle) == 32 && offsetof(CellTriangle, area) == 16);
+
+/// Four that lie side by side.
+struct FourTriangles {
+    FourColumns at, area;
+
+    explicit FourTriangles(const CellTriangle* t)
+        : at(first_half(t), first_half(t + 1), first_half(t + 2), first_half(t + 3)),
+          area(second_half(t), second_half(t + 1), second_half(t + 2), second_half(t + 3)) {}
+
+    const FourFloats& radius() const { return at.w; }
+    int two_sided() const { return area.w.signs(); }  ///< bit i: whether the i-th is
+
+private:
+    static const void* first_half(const CellTriangle* t) { return t; }
+    static const void* second_half(const CellTriangle* t) { return reinterpret_cast<const char*>(t) + 16; }
+};
 
 /// Those of all cells: row i is that of CellComplex::cell_primitives[i].
 class CellTriangles {
@@ -74,56 +88,21 @@ public:
             return no >> i & 1 ? Showing::no : yes >> i & 1 ? Showing::yes : Showing::unsure;
         }
     };
-#if defined(__SSE__)
+    /// The triangle and the three behind it.
     Four of_four(const CellTriangle* t) const {
-        __m128 x = _mm_loadu_ps(&t[0].centroid[0]), y = _mm_loadu_ps(&t[1].centroid[0]),
-               z = _mm_loadu_ps(&t[2].centroid[0]), radius = _mm_loadu_ps(&t[3].centroid[0]);
-        _MM_TRANSPOSE4_PS(x, y, z, radius);
-        __m128 a = _mm_loadu_ps(&t[0].area[0]), b = _mm_loadu_ps(&t[1].area[0]), c = _mm_loadu_ps(&t[2].area[0]),
-               bits = _mm_loadu_ps(&t[3].area[0]);
-        _MM_TRANSPOSE4_PS(a, b, c, bits);
-        const auto one = [](float value) { return _mm_set1_ps(value); };
-        const auto sum = [](__m128 p, __m128 q, __m128 r) { return _mm_add_ps(_mm_add_ps(p, q), r); };
-
-        const __m128 side = sum(_mm_mul_ps(a, _mm_sub_ps(one(eye_[0]), x)), _mm_mul_ps(b, _mm_sub_ps(one(eye_[1]), y)),
-                                _mm_mul_ps(c, _mm_sub_ps(one(eye_[2]), z)));
-        const __m128 sign = one(-0.0f), distance = one(unsure_distance_);
-        const __m128 size = sum(_mm_andnot_ps(sign, a), _mm_andnot_ps(sign, b), _mm_andnot_ps(sign, c));
-        const __m128 unsure = _mm_add_ps(_mm_mul_ps(size, distance), one(tiny));
-        __m128 least = one(std::numeric_limits<float>::infinity());
-        for (std::size_t i = 0; i < 4; ++i)
-            least = _mm_min_ps(
-                least, _mm_sub_ps(sum(_mm_mul_ps(one(x_[i]), x), _mm_mul_ps(one(y_[i]), y), _mm_mul_ps(one(z_[i]), z)),
-                                  one(offset_[i])));
+        const FourTriangles four(t);
+        const FourFloats &x = four.at.x, &y = four.at.y, &z = four.at.z, &a = four.area.x, &b = four.area.y,
+                         &c = four.area.z;
+        const FourFloats side = a * (eye_[0] - x) + b * (eye_[1] - y) + c * (eye_[2] - z);
+        const FourFloats unsure = (abs(a) + abs(b) + abs(c)) * unsure_distance_ + tiny;
+        FourFloats inside = std::numeric_limits<float>::infinity();
+        for (std::size_t i = 0; i < 4; ++i) inside = lesser(inside, x_[i] * x + y_[i] * y + z_[i] * z - offset_[i]);
         // Beyond a plane with all of its corners; or with its centroid, and so with one of them, inside of each.
-        const int two_sided = _mm_movemask_ps(bits);
-        const int away = _mm_movemask_ps(_mm_cmplt_ps(side, _mm_xor_ps(sign, unsure))) & ~two_sided;
-        const int out = _mm_movemask_ps(_mm_cmplt_ps(least, _mm_xor_ps(sign, _mm_add_ps(radius, distance))));
-        const int seen = _mm_movemask_ps(_mm_cmpgt_ps(side, unsure)) | two_sided;
-        const int in = _mm_movemask_ps(_mm_cmpgt_ps(least, distance));
+        const int two_sided = four.two_sided();
+        const int away = (side < -unsure) & ~two_sided, out = inside < -(four.radius() + unsure_distance_);
+        const int seen = (side > unsure) | two_sided, in = inside > unsure_distance_;
         return {away | out, seen & in};
     }
-#else
-    /// The same sums, one triangle after the other.
-    Four of_four(const CellTriangle* t) const {
-        Four four;
-        for (int i = 0; i < 4; ++i) {
-            const auto& [x, y, z] = t[i].centroid;
-            const auto& [a, b, c] = t[i].area;
-            const float side = a * (eye_[0] - x) + b * (eye_[1] - y) + c * (eye_[2] - z);
-            const float unsure = (std::abs(a) + std::abs(b) + std::abs(c)) * unsure_distance_ + tiny;
-            float least = std::numeric_limits<float>::infinity();
-            for (std::size_t k = 0; k < 4; ++k) {
-                const float inside = x_[k] * x + y_[k] * y + z_[k] * z - offset_[k];
-                least = least < inside ? least : inside;
-            }
-            const bool away = side < -unsure && !t[i].two_sided(), out = least < -(t[i].radius + unsure_distance_);
-            four.no |= (away || out) << i;
-            four.yes |= ((side > unsure || t[i].two_sided()) && least > unsure_distance_) << i;
-        }
-        return four;
-    }
-#endif
 
 private:
     static constexpr float tiny = 1e-30f;  ///< more than products lose when they underflow
