@@ -38,12 +38,13 @@ struct Box {
     /// Corner i of 2^D: bit a of i takes the upper end of axis a. 2D: corners 2 and 3 change places, so that the
     /// corners go round counter-clockwise.
     Vec<D> corner(int i) const {
-        if (D == 2 && i >= 2) i = 5 - i;
         Vec<D> p = min;
         for (int a = 0; a < D; ++a)
-            if (i >> a & 1) p[a] = max[a];
+            if (corner_bits(i) >> a & 1) p[a] = max[a];
         return p;
     }
+    /// The axes of which corner i takes the upper end, and back.
+    static constexpr int corner_bits(int i) { return D == 2 && i >= 2 ? 5 - i : i; }
     std::array<Vec<D>, 1 << D> corners() const {
         std::array<Vec<D>, 1 << D> all;
         for (int i = 0; i < 1 << D; ++i) all[static_cast<std::size_t>(i)] = corner(i);

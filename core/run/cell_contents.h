@@ -109,6 +109,8 @@ public:
     }
 
     const CellTriangle& held_at(const CellComplex<3>&, std::uint32_t place) const { return triangles_[place]; }
+    /// Of those side by side from there on: three behind the last can be read.
+    const CellTriangle* from(std::uint32_t place) const { return triangles_ + place; }
     template <typename Each>
     void by_fours(const CellComplex<3>& cells, std::uint32_t cell, Each each) const {
         const ShownFilter filter = filter_;  // a copy that stays in registers

@@ -168,6 +168,18 @@ struct Maker {
                 add_run(" " + key + " published " + assignments, build_cells(scene, start), start);
             }
     }
+
+    /// Light that comes to corners, and through facets.
+    void add_transports() {
+        for (const Tessellation tessellation : {Tessellation::delaunay, Tessellation::tree})
+            for (const char* method : {"flux", "tri"})
+                for (const char* transport : {"facets", "corners"}) {
+                    Settings start = settings(tessellation, std::string("transport=") + transport);
+                    start.method = method;
+                    const std::string key = std::string(words<Tessellation>[static_cast<std::size_t>(tessellation)]);
+                    add_run(" " + key + " " + method + " transport=" + transport, build_cells(scene, start), start);
+                }
+    }
 };
 
 template <int D>
@@ -180,8 +192,11 @@ void add_hashes(std::vector<std::string>& lines) {
             maker.add_boxes();
         }
     // Seen from within, from outside, and with cells out of view.
-    for (const char* id : {"bottleneck", "warehouse", "jungle"})
-        Maker<D>(*find_in_catalogue<D>(id), lines).add_settings();
+    for (const char* id : {"bottleneck", "warehouse", "jungle"}) {
+        Maker<D> maker(*find_in_catalogue<D>(id), lines);
+        maker.add_settings();
+        maker.add_transports();
+    }
 }
 
 std::string key_of(const std::string& line) { return line.substr(0, line.find(": ")); }

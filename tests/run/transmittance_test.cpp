@@ -176,7 +176,7 @@ void expect_light() {
                     if (projected.count(n))
                         light += angle * projected[n] *
                                  (1 - (lit.cells.count(n)
-                                           ? opacity.of(n, nearest_direction<D>(lit.view.eye - lit.cells.centre(n)))
+                                           ? opacity.of(n, nearest_direction(lit.view.eye - lit.cells.centre(n)))
                                            : 0));
                 }
                 ASSERT_GE(c.key->key, 0);

@@ -306,26 +306,76 @@ TEST(Explain, SeparatingDigitsAreTheFewestThatDo) {
 // Also across a facet that turns away, through which nothing of it comes.
 TEST(Explain, LightNamesWhatTheCellBeforeHas) {
     Random random(45);
-    for (const char* const method : {"flux", "tri"}) {
-        int turned_away = 0;
+    int turned_away = 0;
+    for (int i = 0; i < test::soak_count(30); ++i) {
+        test::Start start = test::random_start(random);
+        start.settings.method = "flux";
+        Session<2> session = start.session();
+        session.run();
+        for (std::uint32_t n = 1; n <= session.position(); ++n) {
+            const StepExplanation step = explain_step(session, n);
+            for (const Considered& c : step.looked_at) {
+                if (!c.key) continue;
+                ASSERT_NEAR(test::term(*c.key, "handed_on"), 1 - step.key, 1e-12) << "step " << n;
+                turned_away += test::term(*c.key, "share") == 0;
+            }
+        }
+    }
+    EXPECT_GT(turned_away, 20);
+}
+
+TEST(Explain, LightAndSizeMakeTheKeyOfTri) {
+    Random random(47);
+    for (const char* const transport : {"facets", "corners"}) {
+        int dark = 0, keys = 0;
         for (int i = 0; i < test::soak_count(30); ++i) {
             test::Start start = test::random_start(random);
-            start.settings.method = method;
+            start.settings.method = "tri";
+            apply_setting(start.settings, std::string("transport=") + transport);
+            const bool pixels = i % 2 == 0;
+            if (pixels) apply_setting(start.settings, "maximise=pixels");
             Session<2> session = start.session();
             session.run();
             for (std::uint32_t n = 1; n <= session.position(); ++n) {
-                const StepExplanation step = explain_step(session, n);
-                for (const Considered& c : step.looked_at) {
-                    if (!c.key) continue;
-                    if (start.settings.method == "flux" || step.key == 0) {
-                        ASSERT_NEAR(test::term(*c.key, "handed_on"), 1 - step.key, 1e-12) << method << ", step " << n;
+                for (const Considered& c : explain_step(session, n).looked_at) {
+                    if (!c.key || !(c.key->key > 0)) continue;
+                    const double light = test::term(*c.key, "transmittance"),
+                                 size = test::term(*c.key, "apparent_size");
+                    if (std::string_view(transport) == "corners") {
+                        ASSERT_LE(test::term(*c.key, "corner_least"), light + 1e-12);
+                        ASSERT_GE(test::term(*c.key, "corner_most"), light - 1e-12);
                     }
-                    turned_away += test::term(*c.key, "share") == 0;
+                    const double taken = std::max(light, 0x1p-20);
+                    ASSERT_NEAR(c.key->key * taken * (pixels ? size : std::sqrt(size)), 1, 1e-9);
+                    const std::string words = c.key->formula();
+                    EXPECT_EQ(words.find(", at least ") != std::string::npos, light < 0x1p-20) << words;
+                    dark += light < 0x1p-20;
+                    ++keys;
                 }
             }
         }
-        EXPECT_GT(turned_away, 20) << method;
+        EXPECT_GT(keys, 500) << transport;
+        EXPECT_GT(dark, 10) << transport;
     }
+}
+
+TEST(Explain, TheShadeOfFluxIsWhatItsCornersLack) {
+    Random random(48);
+    int keys = 0;
+    for (int i = 0; i < test::soak_count(30); ++i) {
+        test::Start start = test::random_start(random);
+        start.settings.method = "flux";
+        apply_setting(start.settings, "transport=corners");
+        Session<2> session = start.session();
+        session.run();
+        for (std::uint32_t n = 1; n <= session.position(); ++n)
+            for (const Considered& c : explain_step(session, n).looked_at) {
+                if (!c.key) continue;
+                ASSERT_EQ(c.key->key, 1 - test::term(*c.key, "transmittance"));
+                ++keys;
+            }
+    }
+    EXPECT_GT(keys, 500);
 }
 
 TEST(Explain, TheBannerSaysWhatBecameOfABox) {

@@ -38,8 +38,7 @@ struct NoSink {
 ///     Key key(const Problem<D>&, std::uint32_t a, double key_a, const HalfFacet& half) const;
 /// `a` was just projected with key `key_a`; `half` is its facet towards the cell that gets the key. The heuristic is
 /// made from the problem where it has such a constructor. Where more than cell `a` decides, key and explain take the
-/// marks and CellsInView in place of `key_a`, behind the problem, light() has keeps() and prefetch() (transmittance.h),
-/// and
+/// marks and CellsInView in place of `key_a`, behind the problem, light() has keeps() (transmittance.h), and
 ///     static constexpr bool stamps_pops = true;
 /// lets stamps say which cells were projected before `a`. One that starts in its own way has
 ///     static constexpr Seeds seeds;
@@ -51,6 +50,8 @@ struct NoSink {
 ///     static constexpr std::string_view key_title;
 /// and have, where that takes less time than key() and is the same to the last bit,
 ///     double key_value(problem, a, key_a, half) const;
+/// and ask ahead for what the key of a cell needs:
+///     void prefetch(problem, cell) const;
 template <int D, typename Heuristic>
 class CellRun final : public CellBase<D> {
 public:
@@ -275,6 +276,8 @@ private:
             if (!first) break;
             if (const auto ahead = heuristic_.waiting.behind_first(fetched_ahead))
                 detail::prefetch(&cells.cell_primitives[ahead.place()]);
+            if (const auto next = heuristic_.waiting.behind_first(fetched_ahead / 2))
+                this->drawn_.prefetch(cells.cell_primitives[next.place()]);
             const bool met = first.shows()
                                  ? add_met(this->problem_.budget, this->culled_costs_,
                                            {cells.cell_primitives[first.place()], false}, this->drawn_, this->counters_)
@@ -422,7 +425,8 @@ private:
         for (const HalfFacet& half : this->contents_.facets_of(cells, cell)) {
             if (half.neighbour == none) continue;
             detail::prefetch(this->marks_.address_of(half.neighbour));
-            if constexpr (by_light) heuristic_.light().prefetch(this->problem_, half.neighbour);
+            if constexpr (requires { heuristic_.prefetch(this->problem_, half.neighbour); })
+                heuristic_.prefetch(this->problem_, half.neighbour);
         }
     }
 

@@ -12,6 +12,7 @@ namespace {
 
 /// Cells that one thread takes at a time.
 constexpr std::uint32_t cells_of_part = 64;
+constexpr double diagonal_part = 0.57735026918962576451;  // of a unit vector along a diagonal, on each axis
 
 template <int D>
 std::vector<Vec<D>> made_directions() {
@@ -52,9 +53,8 @@ std::span<const Vec<D>> opacity_directions() {
     return all;
 }
 
-template <int D>
-std::size_t nearest_direction(const Vec<D>& to_eye) {
-    const auto all = opacity_directions<D>();
+std::size_t nearest_direction(const Vec<2>& to_eye) {
+    const auto all = opacity_directions<2>();
     std::size_t nearest = 0;
     double most = glm::dot(all[0], to_eye);
     for (std::size_t i = 1; i < all.size(); ++i)
@@ -63,6 +63,17 @@ std::size_t nearest_direction(const Vec<D>& to_eye) {
             nearest = i;
         }
     return nearest;
+}
+
+/// By the numbers that made_directions() gives: an axis where one part is more than all parts along a diagonal.
+std::size_t nearest_direction(const Vec<3>& to_eye) {
+    static constexpr std::array<std::array<std::size_t, 2>, 3> along{{{2, 11}, {5, 8}, {6, 7}}};
+    static constexpr std::array<std::size_t, 8> diagonals{0, 1, 3, 4, 9, 10, 12, 13};
+    const Vec<3> size = glm::abs(to_eye);
+    const std::size_t axis = size.x >= size.y ? (size.x >= size.z ? 0 : 2) : (size.y >= size.z ? 1 : 2);
+    if (size[static_cast<int>(axis)] > (size.x + size.y + size.z) * diagonal_part)
+        return along[axis][to_eye[static_cast<int>(axis)] > 0];
+    return diagonals[std::size_t{to_eye.x > 0} << 2 | std::size_t{to_eye.y > 0} << 1 | std::size_t{to_eye.z > 0}];
 }
 
 double covered_share(const Scene<2>& scene, const CellComplex<2>& cells, std::uint32_t cell, const Vec<2>& to_eye) {
@@ -111,8 +122,6 @@ CellOpacity<D>::CellOpacity(const Scene<D>& scene, const CellComplex<D>& cells, 
 
 template std::span<const Vec<2>> opacity_directions<2>();
 template std::span<const Vec<3>> opacity_directions<3>();
-template std::size_t nearest_direction<2>(const Vec<2>&);
-template std::size_t nearest_direction<3>(const Vec<3>&);
 template class CellOpacity<2>;
 template class CellOpacity<3>;
 

@@ -16,8 +16,8 @@ template <int D>
 std::span<const Vec<D>> opacity_directions();
 
 /// The one that is closest to `to_eye`, which may have any length but 0.
-template <int D>
-std::size_t nearest_direction(const Vec<D>& to_eye);
+std::size_t nearest_direction(const Vec<2>& to_eye);
+std::size_t nearest_direction(const Vec<3>& to_eye);
 
 /// Of each cell in each direction: the share of the cell's outline that the parts of primitives in the cell cover,
 /// those of triangles that turn a seen side to the direction. 2D: exact but for rounding; 3D: of 16 x 16 samples over
@@ -31,10 +31,13 @@ public:
 
     /// In [0, 1], a multiple of 1/255.
     double of(std::uint32_t cell, std::size_t direction) const {
-        return shares_[cell * opacity_directions<D>().size() + direction] / 255.0;
+        return shares_[cell * direction_count + direction] / 255.0;
     }
+    /// To be fetched ahead.
+    const void* address_of(std::uint32_t cell) const { return &shares_[cell * direction_count]; }
 
 private:
+    static constexpr std::size_t direction_count = D == 2 ? 16 : 14;
     std::vector<std::uint8_t> shares_;  ///< a row of directions for each cell
 };
 

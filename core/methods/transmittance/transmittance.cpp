@@ -12,6 +12,14 @@ const ParameterRow& maximise_row() {
     return row;
 }
 
+const ParameterRow& transport_row() {
+    static const ParameterRow row =
+        choice_row("transport", LightTransport::usual, "docs/methods.md, flux",
+                   "how light comes into a cell: through facets from projected cells, or to its corners (short "
+                   "characteristics); usual: corners for tri in 3D, else facets");
+    return row;
+}
+
 KeyExplanation explain_light(const LightTerms& t, int digits) {
     const auto number = [&](double v) { return short_number(v, digits); };
     KeyExplanation e;
@@ -53,7 +61,6 @@ void add_term_line(std::vector<CodeLine>& lines, std::string text, const KeyExpl
 }
 
 void add_light_lines(std::vector<CodeLine>& lines, const KeyExplanation* e, int digits) {
-    lines.push_back({"key(n, c): how much of its light n lacks", 0, false, {}, {}});
     add_term_line(lines, "share = angle of the facet / angle of all facets of n that turn to the eye", e, "share",
                   digits);
     add_term_line(lines, "opacity = covered share of c, as the eye sees it", e, "opacity", digits);

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 #include "core/methods/cells/cell_run.h"
+#include "core/methods/transmittance/corner_words.h"
 #include "core/methods/transmittance/known_light.h"
 #include "core/methods/transmittance/transmittance_parameters.h"
 
@@ -113,7 +116,7 @@ public:
         if (problem.cells->count(cell) == 0) return 0;
         std::uint8_t& direction = known_.of(*problem.cells, cell).direction;
         if (direction == KnownLight<D>::unknown)
-            direction = static_cast<std::uint8_t>(nearest_direction<D>(problem.view.eye - light_->centres[cell]));
+            direction = static_cast<std::uint8_t>(nearest_direction(problem.view.eye - light_->centres[cell]));
         return light_->opacity.of(cell, direction);
     }
 
@@ -153,41 +156,78 @@ void add_term_line(std::vector<CodeLine>& lines, std::string text, const KeyExpl
                    std::string_view name, int digits);
 void add_light_lines(std::vector<CodeLine>& lines, const KeyExplanation* explained, int digits);
 
-/// What all that order by light say of themselves (cells/cell_run.h).
-struct LitHeuristic {
+/// What all that order by light say of themselves (cells/cell_run.h), and the two ways in which it comes.
+template <int D>
+class LitHeuristic {
+public:
     static constexpr double seed_key = 0;
-    static constexpr OnReenqueue on_reenqueue = OnReenqueue::replace;
     static constexpr bool stamps_pops = true;
     static constexpr Seeds seeds = Seeds::hull;  ///< light comes in through all that an eye outside looks at
+
+    /// At corners light depends on the view only, and so does a key.
+    OnReenqueue on_reenqueue = OnReenqueue::replace;
+
+    const Light<D>& light() const { return light_; }
+    void prefetch(const Problem<D>& problem, std::uint32_t cell) const {
+        if (corners_)
+            corners_->prefetch(*problem.cells, cell);
+        else
+            light_.prefetch(problem, cell);
+    }
+
+protected:
+    LitHeuristic(const Problem<D>& problem, LightTransport usual) : light_(problem) { set_transport(problem, usual); }
+    void begin(const Problem<D>& problem, LightTransport usual) {
+        light_.begin(problem);
+        set_transport(problem, usual);
+    }
+
+    Light<D> light_;
+    std::optional<CornerLight<D>> corners_;  ///< where light comes to corners
+
+private:
+    void set_transport(const Problem<D>& problem, LightTransport usual) {
+        const bool corners = takes_corners(problem, usual);
+        on_reenqueue = corners ? OnReenqueue::never : OnReenqueue::replace;
+        if (!corners)
+            corners_.reset();
+        else if (corners_)
+            corners_->begin(problem);
+        else
+            corners_.emplace(problem);
+    }
 };
 
 /// `flux`: the key is the shade, 1 − T.
 template <int D>
-class Flux : public LitHeuristic {
+class Flux : public LitHeuristic<D> {
 public:
     static constexpr std::string_view key_title = "shade 1 − T";
 
-    explicit Flux(const Problem<D>& problem) : light_(problem) {}
-    void begin(const Problem<D>& problem) { light_.begin(problem); }
-
-    const Light<D>& light() const { return light_; }
+    explicit Flux(const Problem<D>& problem) : LitHeuristic<D>(problem, LightTransport::facets) {}
+    void begin(const Problem<D>& problem) { LitHeuristic<D>::begin(problem, LightTransport::facets); }
 
     Key key(const Problem<D>& problem, const Marks& marks, CellsInView<D>& in_view, std::uint32_t a,
             const HalfFacet& half) const {
-        return light_.shade(problem, marks, in_view, a, half, transmittance, [](const HalfFacet&, double, double) {});
+        if (this->corners_) return 1 - this->corners_->of_cell(problem, half.neighbour);
+        return this->light_.shade(problem, marks, in_view, a, half, transmittance,
+                                  [](const HalfFacet&, double, double) {});
     }
     KeyExplanation explain(const Problem<D>& problem, const Marks& marks, CellsInView<D>& in_view, std::uint32_t a,
                            const HalfFacet& half, int digits) const {
-        return explain_light(light_.into(problem, marks, in_view, a, half, transmittance), digits);
+        if (this->corners_) return explain_corners(corner_terms(*this->corners_, problem, half.neighbour), digits);
+        return explain_light(this->light_.into(problem, marks, in_view, a, half, transmittance), digits);
     }
     void add_key_lines(std::vector<CodeLine>& lines, const KeyExplanation* explained, int digits) const {
-        add_light_lines(lines, explained, digits);
+        lines.push_back({"key(n, c): how much of its light n lacks, 1 − T", 0, false, {}, {}});
+        if (this->corners_)
+            add_corner_lines(lines, explained, digits);
+        else
+            add_light_lines(lines, explained, digits);
     }
 
 private:
     static double transmittance(std::uint32_t, double key) { return 1 - key; }
-
-    Light<D> light_;
 };
 
 }  // namespace sightline

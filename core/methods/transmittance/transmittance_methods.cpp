@@ -6,21 +6,33 @@
 
 namespace sightline {
 
+namespace {
+
+/// What all views of a problem share.
+template <int D>
+void prepare_light(const Problem<D>& problem, LightTransport usual) {
+    cell_light(problem);
+    if (takes_corners(problem, usual)) corner_rays(problem);
+}
+
+}  // namespace
+
 template <int D>
 std::vector<Method<D>> transmittance_methods() {
     std::vector<Method<D>> table;
     table.push_back(cell_method<D, Flux<D>>("flux", "light", "cells by how much light from the eye reaches them"));
-    table.back().parameters = {&culled_cost_row(), &budget_counts_row(), &neighbours_before_break_row()};
-    table.back().prepare = [](const Problem<D>& problem) { cell_light(problem); };
+    table.back().parameters = {&transport_row(), &culled_cost_row(), &budget_counts_row(),
+                               &neighbours_before_break_row()};
+    table.back().prepare = [](const Problem<D>& problem) { prepare_light(problem, LightTransport::facets); };
     table.push_back(cell_method<D, Tri<D>>("tri", "light and size",
                                            "primitives by the light that reaches them and by how large they look"));
-    table.back().parameters = {&maximise_row()};
-    table.back().prepare = table.front().prepare;
+    table.back().parameters = {&maximise_row(), &transport_row()};
+    table.back().prepare = [](const Problem<D>& problem) { prepare_light(problem, Tri<D>::usual_transport); };
     table.push_back(
         cell_method<D, TriSeen<D>>("tri-seen", "light, size and last frame",
                                    "as tri, starting from the cells that showed something in the frame before, too"));
-    table.back().parameters = {&maximise_row()};
-    table.back().prepare = table.front().prepare;
+    table.back().parameters = {&maximise_row(), &transport_row()};
+    table.back().prepare = table[1].prepare;
     table.back().needs.image = table.back().needs.history = true;
     table.back().prefixes = false;  // what a frame leaves depends on its budget, and so does the order of the next
     table.back().compared = false;

@@ -13,4 +13,12 @@ inline constexpr auto words<Maximise> = std::to_array<std::string_view>({"count"
 
 const ParameterRow& maximise_row();
 
+/// How light comes into a cell: through its facets, from the cells that were projected; or to its corners, through what
+/// lies before them, projected or not.
+enum class LightTransport : std::uint8_t { usual, facets, corners };
+template <>
+inline constexpr auto words<LightTransport> = std::to_array<std::string_view>({"usual", "facets", "corners"});
+
+const ParameterRow& transport_row();
+
 }  // namespace sightline

@@ -7,25 +7,30 @@
 
 namespace sightline {
 
+/// What no light reaches comes last, but by size.
+inline constexpr float least_light = 0x1p-20f;
+
 /// `tri`: the key of a cell is 1 / (T sqrt(u / r)), with maximise=pixels 1 / (T u / r): r is the distance of its centre
 /// and u the usual size of a primitive, so that u / r is what a primitive of that size would look like there.
-/// Primitives of projected cells wait with keys of the same form, from what they do look like, and are rendered when no
-/// cell that waits comes before them. So a small one waits until the front has passed where larger ones might be.
+/// Primitives of projected cells wait with keys of the same form, from what they do look like and from the light of the
+/// cell, or at their centroids where corners have it, and are rendered when no cell that waits comes before them. So a
+/// small one waits until the front has passed where larger ones might be.
 template <int D>
-class Tri : public LitHeuristic {
+class Tri : public LitHeuristic<D> {
 public:
     static constexpr std::string_view key_title = "key by light and size";
+    /// What finds more in the scenes of docs/methods.md: in the plane cells are few, and gaps sharp.
+    static constexpr LightTransport usual_transport = D == 3 ? LightTransport::corners : LightTransport::facets;
 
-    explicit Tri(const Problem<D>& problem) : light_(problem) { set(problem); }
+    explicit Tri(const Problem<D>& problem) : LitHeuristic<D>(problem, usual_transport) { set(problem); }
     void begin(const Problem<D>& problem) {
-        light_.begin(problem);
+        LitHeuristic<D>::begin(problem, usual_transport);
         set(problem);
     }
 
-    const Light<D>& light() const { return light_; }
-
     Key key(const Problem<D>& problem, const Marks& marks, CellsInView<D>& in_view, std::uint32_t a,
             const HalfFacet& half) const {
+        if (corners_) return key_at(problem, half.neighbour, corners_->of_cell(problem, half.neighbour));
         const double shade = light_.shade(
             problem, marks, in_view, a, half, [&](std::uint32_t n, double k) { return transmittance(problem, n, k); },
             [](const HalfFacet&, double, double) {});
@@ -47,14 +52,14 @@ public:
     void add_waiting(const Problem<D>& problem, const CellContents<D>& contents, std::uint32_t cell, double key) const;
 
 private:
+    using LitHeuristic<D>::light_;
+    using LitHeuristic<D>::corners_;
+
     void set(const Problem<D>& problem) {
         maximise_ = problem.parameters.template choice<Maximise>(maximise_row());
         usual_size_ = light_.of_scene().usual_size;
         waiting.clear();
     }
-
-    /// What no light reaches comes last, but by size.
-    static constexpr double least_transmittance = 0x1p-20;
 
     double of_ratio(double ratio) const { return maximise_ == Maximise::count ? std::sqrt(ratio) : ratio; }
     double distance_in_sizes(const Problem<D>& problem, std::uint32_t cell) const {
@@ -67,10 +72,11 @@ private:
         return known;
     }
     double key_at(const Problem<D>& problem, std::uint32_t cell, double transmittance) const {
-        return distance_ratio(problem, cell) / std::max(transmittance, least_transmittance);
+        // At corners a key is asked for once.
+        const double ratio = corners_ ? of_ratio(distance_in_sizes(problem, cell)) : distance_ratio(problem, cell);
+        return ratio / std::max(transmittance, double{least_light});
     }
 
-    Light<D> light_;
     Maximise maximise_;
     double usual_size_;
 };
