@@ -27,7 +27,8 @@ template <int D>
 void open_part(Workbench<D>& bench, std::size_t part) {
     Teaching& teaching = *bench.teaching;
     const LessonPart& opened = teaching.lesson.parts.at(part);
-    open(bench, opens(teaching.lesson, opened));
+    const bool followed = bench.session.settings().automatic == Switch::on;
+    open_as_it_is(bench, opens(teaching.lesson, opened));
     teaching.part = part;
     teaching.presses = 0;
     teaching.guessed.clear();
@@ -39,6 +40,7 @@ void open_part(Workbench<D>& bench, std::size_t part) {
     bench.desk.projector_panel = opened.panel;
     if (const Panel<D>* panel = find_panel<D>(opened.panel))
         (panel->column == Column::left ? bench.desk.left : bench.desk.right) = opened.panel;
+    if (followed) bench.say("auto is off: the lesson sets method, cells and budget");
 }
 
 template <int D>

@@ -18,6 +18,22 @@ auto warner(const Workbench<D>& bench) {
     return [&bench](const std::string& line) { bench.say("warning: " + line); };
 }
 
+enum class Opened : std::uint8_t { scene, state };
+
+template <int D>
+Opened open_what(Workbench<D>& bench, const std::string& name) {
+    if (const auto text = state_text<D>(name)) {
+        open_state_text(bench, *text, name);
+        return Opened::state;
+    }
+    Session<D> session =
+        open_scene<D>(name, start_settings<D>(name, bench.record_ahead), bench.methods, warner(bench), bench.graphics);
+    add_bookmarks(session);
+    replace_session(bench, std::move(session));
+    bench.figure = {};
+    return Opened::scene;
+}
+
 }  // namespace
 
 template <int D>
@@ -31,14 +47,16 @@ void open_state_text(Workbench<D>& bench, const std::string& text, const std::st
 
 template <int D>
 void open(Workbench<D>& bench, const std::string& name) {
-    if (const auto text = state_text<D>(name)) return open_state_text(bench, *text, name);
-    Session<D> session =
-        open_scene<D>(name, start_settings<D>(name, bench.record_ahead), bench.methods, warner(bench), bench.graphics);
-    add_bookmarks(session);
     const bool follows = bench.session.settings().automatic == Switch::on;
-    replace_session(bench, std::move(session));
-    bench.figure = {};
-    if (follows) choose_auto(bench, false, bench.session.settings());
+    if (open_what(bench, name) == Opened::scene && follows) choose_auto(bench, false, bench.session.settings());
+}
+
+template <int D>
+void open_as_it_is(Workbench<D>& bench, const std::string& name) {
+    open_what(bench, name);
+    Settings settings = bench.session.settings();
+    settings.automatic = Switch::off;
+    bench.session.change(settings);
 }
 
 template <int D>
@@ -56,6 +74,7 @@ void compare_file(Workbench<D>& bench, const std::string& name) {
 
 #define SIGHTLINE_INSTANTIATE(D)                                                             \
     template void open<D>(Workbench<D>&, const std::string&);                                \
+    template void open_as_it_is<D>(Workbench<D>&, const std::string&);                       \
     template void open_state_text<D>(Workbench<D>&, const std::string&, const std::string&); \
     template void compare_file<D>(Workbench<D>&, const std::string&);
 SIGHTLINE_INSTANTIATE(2)

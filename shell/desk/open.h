@@ -14,6 +14,10 @@ namespace sightline {
 template <int D>
 void open(Workbench<D>& bench, const std::string& name);
 
+/// The same with the settings that the scene or the state begins with, whatever is recommended: `auto` is off.
+template <int D>
+void open_as_it_is(Workbench<D>& bench, const std::string& name);
+
 /// The same for the text of a state file; `name` begins error lines.
 template <int D>
 void open_state_text(Workbench<D>& bench, const std::string& text, const std::string& name);

@@ -7,6 +7,7 @@
 #include "core/draw/picture.h"
 #include "core/session/headline.h"
 #include "shell/commands/teach.h"
+#include "shell/desk/auto_choice.h"
 #include "shell/desk/conceal.h"
 #include "shell/desk/faults.h"
 #include "shell/pane/cell_words.h"
@@ -110,6 +111,27 @@ TEST_F(Lessons, TheGuideListsThemAll) {
                                 "D | " + std::to_string(lesson.parts.size()) + " | " +
                                 std::to_string(lesson.minutes()) + " | ";
         EXPECT_NE(guide.find(row), std::string::npos) << row;
+    }
+}
+
+TEST_F(Lessons, APartIsWhatItSetsWhateverIsRecommended) {
+    const std::vector<Lesson> lessons = read_lessons(lessons_of_the_project());
+    const auto light =
+        std::find_if(lessons.begin(), lessons.end(), [](const Lesson& one) { return one.id == "light"; });
+    ASSERT_NE(light, lessons.end());
+    for (std::size_t part = 0; part < light->parts.size(); ++part) {
+        begin_lesson(*bench, *light, part);
+        const Settings as_it_is = session().settings();
+        bench->auto_file = folder / "auto.json";
+        keep_auto(bench->auto_file, auto_key(*bench), {"perfect", "kd", "7", 1, 0, false, "2001-02-03"});
+        Settings automatic = as_it_is;
+        automatic.automatic = Switch::on;
+        session().change(automatic);
+        said.clear();
+        begin_lesson(*bench, *light, part);
+        EXPECT_TRUE(session().settings() == as_it_is) << light->parts[part].title;
+        EXPECT_EQ(said.back(), "auto is off: the lesson sets method, cells and budget");
+        bench->other.reset();
     }
 }
 
