@@ -5,6 +5,7 @@
 #include <array>
 #include <limits>
 
+#include "core/measure/frame_before.h"
 #include "core/run/drawn_levels.h"
 
 namespace sightline {
@@ -108,6 +109,8 @@ bool TradeOffStudy<D>::advance() {
             make_problem(variant.method, variant.parameters, *task_.scene, *task_.cells, task_.views[view], budget,
                          known_services(std::make_shared<std::vector<std::uint8_t>>(truth_.reference.visible),
                                         task_.reference_size));
+        if (!task_.before.empty())
+            work_->problem.history = frame_history<D>(variant.method, work_->problem, task_.before[view]);
         work_->runner.emplace(variant.method, work_->problem);
     } else if (!work_->run) {
         if (work_->runner->advance(steps_a_slice)) return true;

@@ -22,6 +22,7 @@ struct TradeOffTask {
     std::shared_ptr<const CellComplex<D>> cells{};
     ImageSize reference_size{};
     std::vector<View<D>> views{};
+    std::vector<View<D>> before{};  ///< of each view the frame before it; empty: methods that look at it have none
     std::vector<Variant<D>> variants{};
     DrawIds draw_ids{};          ///< 3D; empty: in software
     TimeDrawing time_drawing{};  ///< 3D; empty: drawing is not timed

@@ -287,21 +287,6 @@ private:
 }  // namespace
 
 template <int D>
-std::shared_ptr<const FrameHistory> frame_history(const Method<D>& method, Problem<D> problem,
-                                                  const std::optional<View<D>>& before) {
-    if (!method.needs.history || !before) return nullptr;
-    problem.view = *before;
-    if (method.prefixes) problem.budget = none;
-    const std::unique_ptr<Run<D>> run = method.start(problem);
-    run->run(none);
-    return run->next_history();
-}
-template std::shared_ptr<const FrameHistory> frame_history<2>(const Method<2>&, Problem<2>,
-                                                              const std::optional<View<2>>&);
-template std::shared_ptr<const FrameHistory> frame_history<3>(const Method<3>&, Problem<3>,
-                                                              const std::optional<View<3>>&);
-
-template <int D>
 std::vector<Row> measure_path(const LabScene<D>& lab, const Study& study, const Instruments& instruments) {
     return PathStudy<D>(lab, study, instruments).run();
 }

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/measure/frame_before.h"
 #include "core/measure/frame_clock.h"
 #include "core/truth/id_image.h"
 #include "lab/measure/lab_scene.h"
@@ -28,13 +29,6 @@ struct Instruments {
     /// After each frame, and before the first; false stops.
     std::function<bool(const FrameResult& frame)> frame_done{};
 };
-
-/// What a frame is left by that before it on the path, `before`, which had no history itself; nullptr where there is
-/// none or the method asks for none. `problem` is that of the frame, whose budget counts where a budget changes the
-/// order.
-template <int D>
-std::shared_ptr<const FrameHistory> frame_history(const Method<D>& method, Problem<D> problem,
-                                                  const std::optional<View<D>>& before);
 
 /// A row per method and budget, methods outermost; fewer frames where frame_done stopped it. Numbers that need no clock
 /// are made on all cores; then times are taken, one after the other. Methods that the dimension does not have are left

@@ -46,15 +46,22 @@ bool has_key(const Json& entry, const std::string& key) {
     return entry.is_object() && entry.contains("key") && entry["key"] == key;
 }
 
+/// A frame and the one before it, as an eye that goes along the path or stands still meets them.
 template <int D>
-std::vector<ViewSpec<D>> frames_to_measure(const Workbench<D>& bench) {
+struct FrameToMeasure {
+    ViewSpec<D> view, before;
+};
+
+template <int D>
+std::vector<FrameToMeasure<D>> frames_to_measure(const Workbench<D>& bench) {
     const auto& chosen = bench.flight.path.frames;
     const auto& paths = bench.session.scene().paths;
     const auto& all = !chosen.empty() || paths.empty() ? chosen : paths.front().frames;
-    if (all.empty()) return {bench.session.culling_view()};
-    std::vector<ViewSpec<D>> views;
-    for (const std::size_t frame : spread_frames(all.size(), measured_frames)) views.push_back(all[frame]);
-    return views;
+    if (all.empty()) return {{bench.session.culling_view(), bench.session.culling_view()}};
+    std::vector<FrameToMeasure<D>> frames;
+    for (const std::size_t frame : spread_frames(all.size(), measured_frames))
+        frames.push_back({all[frame], all[frame == 0 ? 0 : frame - 1]});
+    return frames;
 }
 
 template <int D>
@@ -64,21 +71,21 @@ std::string path_name(const Workbench<D>& bench) {
     return paths.empty() ? "the view" : "path " + paths.front().id;
 }
 
-/// What the bench's methods offer on these cells; without those that need none where `cells_only`.
+/// What the bench's methods offer on these cells.
 template <int D>
 TradeOffTask<D> task_of(const Workbench<D>& bench, Tessellation tessellation, bool cells_only) {
     const Session<D>& session = bench.session;
     Settings settings = session.settings();
-    TradeOffTask<D> task{session.shared_scene(), session.shared_cells(), settings.reference_size, {}, {}};
+    TradeOffTask<D> task{session.shared_scene(), session.shared_cells(), settings.reference_size};
     if (settings.tessellation != tessellation) {
         settings.tessellation = tessellation;
         task.cells = std::make_shared<const CellComplex<D>>(build_cells(session.scene(), settings));
     }
-    for (const ViewSpec<D>& view : frames_to_measure(bench))
-        task.views.push_back(scene_view(view, session.scene(), settings.reference_size));
-    for (const Method<D>& method : bench.methods)
-        if (method.compared && !method.needs.history && (!cells_only || method.orders_cells()))
-            task.variants.push_back(variant_of(method, settings.parameters, settings.parameters));
+    for (const FrameToMeasure<D>& frame : frames_to_measure(bench)) {
+        task.views.push_back(scene_view(frame.view, session.scene(), settings.reference_size));
+        task.before.push_back(scene_view(frame.before, session.scene(), settings.reference_size));
+    }
+    task.variants = auto_methods(bench, cells_only);
     task.draw_ids = drawing_of(settings.reference, bench.graphics.draw_ids);
     if (D == 3 && bench.graphics.time_drawing) task.time_drawing = bench.graphics.time_drawing(settings.reference_size);
     return task;
@@ -180,6 +187,17 @@ std::string auto_key(const Workbench<D>& bench) {
 }
 
 template <int D>
+std::vector<Variant<D>> auto_methods(const Workbench<D>& bench, bool cells_only) {
+    const Parameters& parameters = bench.session.settings().parameters;
+    std::vector<Variant<D>> variants;
+    for (const bool cells : {false, true})
+        for (const Method<D>& method : bench.methods)
+            if (method.compared && method.needs.cells == cells && (cells || !cells_only))
+                variants.push_back(variant_of(method, parameters, parameters));
+    return variants;
+}
+
+template <int D>
 AutoChoice measure_auto(const Workbench<D>& bench, double seconds) {
     std::vector<Offer> offers;
     const Stopwatch clock;
@@ -239,10 +257,11 @@ void change_by_hand(Workbench<D>& bench, const Settings& settings) {
     change_settings(bench, settings);
 }
 
-#define SIGHTLINE_INSTANTIATE(D)                                        \
-    template std::string auto_key<D>(const Workbench<D>&);              \
-    template AutoChoice measure_auto<D>(const Workbench<D>&, double);   \
-    template void choose_auto<D>(Workbench<D>&, bool, const Settings&); \
+#define SIGHTLINE_INSTANTIATE(D)                                                 \
+    template std::string auto_key<D>(const Workbench<D>&);                       \
+    template std::vector<Variant<D>> auto_methods<D>(const Workbench<D>&, bool); \
+    template AutoChoice measure_auto<D>(const Workbench<D>&, double);            \
+    template void choose_auto<D>(Workbench<D>&, bool, const Settings&);          \
     template void change_by_hand<D>(Workbench<D>&, const Settings&);
 SIGHTLINE_INSTANTIATE(2)
 SIGHTLINE_INSTANTIATE(3)

@@ -38,10 +38,16 @@ void keep_auto(const std::filesystem::path& file, const std::string& key, const 
 template <int D>
 std::string auto_key(const Workbench<D>& bench);
 
+/// What is measured: what stands in studies that name no methods, those first that need no cells, so that what engines
+/// do is not left out where time is short. `cells_only`: without these.
+template <int D>
+std::vector<Variant<D>> auto_methods(const Workbench<D>& bench, bool cells_only);
+
 /// Measures the methods of the bench on Delaunay and tree cells at the usual budgets, on four frames of the chosen
-/// path, else of the scene's first, else in the view at hand; what is not done after `seconds` is left out. A frame's
-/// time is that of traversal, upload and drawing; where nothing is drawn that can be timed, a millisecond for 1000
-/// primitives. Throws WorkError where nothing could be measured.
+/// path, else of the scene's first, else in the view at hand; what is not done after `seconds` is left out. Methods
+/// that look at the frame before see that of the path, or the same view. A frame's time is that of traversal, upload
+/// and drawing; where nothing is drawn that can be timed, a millisecond for 1000 primitives. Throws WorkError where
+/// nothing could be measured.
 template <int D>
 AutoChoice measure_auto(const Workbench<D>& bench, double seconds = 20);
 

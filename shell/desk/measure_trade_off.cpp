@@ -41,12 +41,16 @@ void update_trade_off(Workbench<D>& bench) {
     TradeOff<D>& trade_off = bench.trade_off;
     const Session<D>& session = bench.session;
     const auto& all = bench.flight.path.frames;
-    std::vector<ViewSpec<D>> views;
+    std::vector<ViewSpec<D>> views, before;
     std::string path = "current view only";
     if (all.empty()) {
         views.push_back(session.culling_view());
+        before = views;
     } else {
-        for (const std::size_t frame : spread_frames(all.size(), trade_off_frames)) views.push_back(all[frame]);
+        for (const std::size_t frame : spread_frames(all.size(), trade_off_frames)) {
+            views.push_back(all[frame]);
+            before.push_back(all[frame == 0 ? 0 : frame - 1]);
+        }
         path = "path " + bench.flight.path.id + ", " + std::to_string(views.size()) + " of " +
                std::to_string(all.size()) + " frames";
     }
@@ -54,6 +58,8 @@ void update_trade_off(Workbench<D>& bench) {
         TradeOffTask<D> task{session.shared_scene(), session.shared_cells(), session.settings().reference_size, {}, {}};
         for (const ViewSpec<D>& view : views)
             task.views.push_back(scene_view(view, session.scene(), session.settings().reference_size));
+        for (const ViewSpec<D>& view : before)
+            task.before.push_back(scene_view(view, session.scene(), session.settings().reference_size));
         for (const Method<D>& method : bench.methods)
             if (method.compared && !method.needs.history)  // the frames of a chart follow no path
                 task.variants.push_back(

@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/base/number.h"
+#include "core/measure/frame_before.h"
 #include "core/measure/wrong_region.h"
 #include "core/scene/scene_view.h"
 #include "shell/commands/command_table.h"
@@ -32,10 +33,11 @@ TradeOffTask<D> task_of(const Session<D>& session, std::size_t views, Random& ra
     ViewSpec<D> spec = session.culling_view();
     for (std::size_t i = 0; i < views; ++i) {
         task.views.push_back(scene_view(spec, session.scene(), session.settings().reference_size));
+        task.before.push_back(i == 0 ? task.views[0] : task.views[i - 1]);
         for (int c = 0; c < D; ++c) spec.eye[c] += random.uniform(-0.2, 0.2);
     }
     for (const Method<D>& method : method_table<D>())
-        if (method.compared && !method.needs.history)
+        if (method.compared)
             task.variants.push_back(variant_of(method, session.settings().parameters, session.settings().parameters));
     return task;
 }
@@ -49,8 +51,9 @@ void check_all(const TradeOffStudy<D>& study) {
         const auto truths = make_truths<D>(*task.scene, {&cells, 1}, task.views[v], task.reference_size, task.draw_ids);
         for (const TradeOffDot& dot : study.dots()) {
             const Variant<D>& variant = task.variants[dot.variant];
-            const Problem<D> problem =
-                make_problem(variant.method, variant.parameters, *task.scene, *cells, task.views[v]);
+            Problem<D> problem = make_problem(variant.method, variant.parameters, *task.scene, *cells, task.views[v],
+                                              none, known_services({}, task.reference_size));
+            problem.history = frame_history<D>(variant.method, problem, task.before[v]);
             const WholeRun run = whole_run<D>(variant.method, problem, truths[0].reference);
             const auto all = static_cast<std::uint32_t>(task.scene->primitives.size());
             const std::uint32_t k = std::min(all, dot.budget.primitives(all));
@@ -152,7 +155,7 @@ TEST(TradeOff, MeasuresTheBudgetThatIsAskedForToo) {
     const Session<2> session = random_start(random, 90).session();
     TradeOffStudy<2> study(task_of(session, 1, random));
     const std::size_t usual = study.dots().size();
-    EXPECT_EQ(usual, 7u * 4 + 5) << "four budgets for each approximate method, none for the others";
+    EXPECT_EQ(usual, 7u * 4 + 9) << "four budgets for each approximate method, none for the others";
     std::vector<double> shares;
     for (const TradeOffDot& dot : study.dots())
         if (dot.variant == 0) shares.push_back(dot.budget.value);

@@ -193,6 +193,29 @@ TEST_F(AutoChoiceTest, FollowsWhenASceneIsOpenedAndStaysAsAStateHasIt) {
     EXPECT_EQ(bench.session.settings().method, "centroid") << "and the next scene is followed again";
 }
 
+TEST_F(AutoChoiceTest, ComesFromWhatEnginesDoAndFromOrders) {
+    const Workbench<2> bench = bench_on("rooms");
+    const auto ids = [&](bool cells_only) {
+        std::vector<std::string_view> found;
+        for (const Variant<2>& variant : auto_methods(bench, cells_only)) found.push_back(variant.method.id);
+        return found;
+    };
+    const auto has = [](const std::vector<std::string_view>& all, std::string_view id) {
+        return std::count(all.begin(), all.end(), id) == 1;
+    };
+    const auto all = ids(false), of_cells = ids(true);
+    for (const char* id : {"view", "boxes", "hzb", "hom", "two-pass", "coorg-teller", "tri-z"}) {
+        EXPECT_TRUE(has(all, id)) << id;
+        EXPECT_FALSE(has(of_cells, id)) << id;
+        EXPECT_LT(std::find(all.begin(), all.end(), id), std::find(all.begin(), all.end(), "published")) << id;
+    }
+    for (const char* id : {"published", "layers", "flux", "tri", "extinction"}) {
+        EXPECT_TRUE(has(all, id)) << id;
+        EXPECT_TRUE(has(of_cells, id)) << id;
+    }
+    for (const char* id : {"perfect", "formula"}) EXPECT_FALSE(has(all, id)) << id;
+}
+
 TEST_F(AutoChoiceTest, IsOneOfTheOffersAndRightEnough) {
     const Workbench<2> rooms = bench_on("rooms");
     const AutoChoice choice = measure_auto(rooms);
