@@ -239,7 +239,11 @@ void choose_auto(Workbench<D>& bench, bool again, const Settings& wanted) {
         }
     if (!choice) {
         choice = measure_auto(bench);
-        keep_auto(bench.auto_file, key, *choice);
+        try {
+            keep_auto(bench.auto_file, key, *choice);
+        } catch (const WorkError& error) {
+            bench.say("warning: what auto found is not remembered: " + std::string(error.what()));
+        }
     }
     Settings settings = wanted;
     settings.automatic = Switch::on;

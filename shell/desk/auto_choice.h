@@ -52,7 +52,8 @@ template <int D>
 AutoChoice measure_auto(const Workbench<D>& bench, double seconds = 20);
 
 /// `wanted`, with the recommended method, cells and budget in place of its own, and `auto` on, in one change, which is
-/// said. Takes what is remembered, or measures it (`again`: in any case) and remembers it. Throws as measure_auto.
+/// said. Takes what is remembered, or measures it (`again`: in any case) and remembers it; where that fails, a warning
+/// says so. Throws as measure_auto.
 template <int D>
 void choose_auto(Workbench<D>& bench, bool again, const Settings& wanted);
 

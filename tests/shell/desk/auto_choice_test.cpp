@@ -122,6 +122,21 @@ TEST_F(AutoChoiceTest, IsTaken) {
     EXPECT_NE(recall_auto(file(), auto_key(bench))->method, "magic");
 }
 
+TEST_F(AutoChoiceTest, IsTakenWhereItCannotBeRemembered) {
+    Workbench<2> bench = bench_on("bottleneck");
+    std::filesystem::create_directories(folder_);
+    write_file(folder_ / "file", "no folder");
+    bench.auto_file = folder_ / "file" / "sightline" / "auto.json";
+    std::vector<std::string> said;
+    bench.say = [&](const std::string& line) { said.push_back(line); };
+    choose_auto(bench, false, bench.session.settings());
+    EXPECT_EQ(bench.session.settings().automatic, Switch::on);
+    ASSERT_GE(said.size(), 2u);
+    EXPECT_TRUE(said.front().starts_with("warning: what auto found is not remembered: cannot make the folder "))
+        << said.front();
+    EXPECT_TRUE(said.back().starts_with("auto: ")) << said.back();
+}
+
 TEST_F(AutoChoiceTest, IsASettingThatGoesOffByHand) {
     Workbench<2> bench = bench_on("rooms");
     bench.auto_file = file();
