@@ -360,12 +360,14 @@ std::span<const Preset> presets() {
          "PLP as printed, without the star-shape test, as the 2D program of TR",
          {"view_vector=camera", "transfer_sign=signed", "on_reenqueue=replace", "star_shaped=off", "penalty=multiply",
           "penalty_amount=2", "solidity_scale=max", "own_content=off", "budget_counts=each_once",
-          "outside_view=enqueue", "culled_cost=free", "neighbours_before_break=no", "seeds=one"}},
+          "outside_view=enqueue", "culled_cost=free", "neighbours_before_break=no", "seeds=one"},
+         "published"},
         {"paper-3d",
          "PLP as printed, with the star-shape test, as the 3D program of TR and TVCG",
          {"view_vector=camera", "transfer_sign=signed", "on_reenqueue=replace", "star_shaped=on", "penalty=multiply",
           "penalty_amount=2", "solidity_scale=max", "own_content=off", "budget_counts=each_once",
-          "outside_view=enqueue", "culled_cost=free", "neighbours_before_break=no", "seeds=one"}},
+          "outside_view=enqueue", "culled_cost=free", "neighbours_before_break=no", "seeds=one"},
+         "published"},
     };
     return table;
 }
@@ -380,7 +382,8 @@ std::span<const Preset> old_presets() {
          {"view_vector=camera", "transfer_sign=signed", "on_reenqueue=replace", "star_shaped=off", "penalty=multiply",
           "penalty_amount=2", "solidity_scale=max", "own_content=off", "budget_counts=each_once",
           "outside_view=enqueue", "culled_cost=free", "neighbours_before_break=no", "seeds=one", "border=none",
-          "jitter=0.02", "error_bound=0.05"}},
+          "jitter=0.02", "error_bound=0.05"},
+         "published"},
     };
     return table;
 }
@@ -391,6 +394,7 @@ void apply_preset(Settings& settings, std::string_view id) {
     for (const auto table : {presets(), old_presets()})
         for (const Preset& preset : table)
             if (preset.id == id) {
+                if (settings.automatic == Switch::on && !preset.method.empty()) settings.method = preset.method;
                 for (const std::string_view assignment : preset.assignments) apply_setting(settings, assignment);
                 return;
             }

@@ -62,6 +62,7 @@ struct Preset {
     std::string_view id;
     std::string_view title;
     std::vector<std::string_view> assignments;
+    std::string_view method{};  ///< that it is a form of, which it puts in place of one that `auto` chose
 };
 
 /// Named sets of assignments, applied on top of the current settings. They set parameters of methods and leave the

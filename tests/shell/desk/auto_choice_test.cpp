@@ -182,6 +182,23 @@ TEST_F(AutoChoiceTest, IsASettingThatGoesOffByHand) {
     EXPECT_EQ(left_auto(both, both), "");
 }
 
+TEST_F(AutoChoiceTest, GivesWayToThePresetOfAMethod) {
+    Workbench<2> bench = bench_on("rooms");
+    bench.auto_file = file();
+    std::vector<std::string> said;
+    bench.say = [&](const std::string& line) { said.push_back(line); };
+    keep_auto(file(), auto_key(bench), {"tri-z", "delaunay", "2%", 1, 0.25, false, "2001-02-03"});
+    for (const Preset& preset : presets()) {
+        choose_auto(bench, false, bench.session.settings());
+        ASSERT_EQ(bench.session.settings().method, "tri-z");
+        run_commands(bench, "preset " + std::string(preset.id));
+        EXPECT_EQ(bench.session.settings().method, preset.method.empty() ? "tri-z" : preset.method) << preset.id;
+        EXPECT_EQ(said.back().ends_with("; auto is off: the method was set by hand"), !preset.method.empty());
+    }
+    run_commands(bench, "method layers; preset paper-3d");
+    EXPECT_EQ(bench.session.settings().method, "layers") << "chosen by hand";
+}
+
 TEST_F(AutoChoiceTest, FollowsWhenASceneIsOpenedAndStaysAsAStateHasIt) {
     Workbench<2> bench = bench_on("rooms");
     bench.auto_file = file();
