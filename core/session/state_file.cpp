@@ -213,6 +213,7 @@ OpenedState<D> read_state(const Json& json, const std::string& name, std::span<c
     if (json.contains("figure")) opened.figure = figure_of_state(json.at("figure"));
     read_breakpoints(json, session);
     if (given.differs) {  // the rest is about steps, cells and primitives of another scene
+        opened.of_another_scene = true;
         opened.warnings.push_back(
             name + ": opened with another scene than it was made with: its view and settings, at " + "step 0");
         return opened;

@@ -38,6 +38,7 @@ struct OpenedState {
     std::vector<std::string> warnings;  ///< e.g. that the traversal has changed since
     std::optional<Session<D>> other{};  ///< shares the scene of `session` when it had the same
     Align align = Align::step;
+    bool of_another_scene = false;  ///< than it was made with
 };
 
 /// `name` begins every error line. The scene is looked for as it is written, then beside the file `name`, then among

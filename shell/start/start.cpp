@@ -61,10 +61,12 @@ ViewSpec<D> apply_options(ViewSpec<D> view, const Options& o, const Scene<D>& sc
 
 void warn(const std::string& line) { std::cerr << "warning: " << line << "\n"; }
 
-/// Where `auto` is asked for; what else is asked for stands over what is recommended.
+/// Where `auto` is asked for, or on in the state of another scene; what else is asked for stands over what is
+/// recommended.
 template <int D>
-void follow_recommendation(Workbench<D>& bench, const Options& o) {
+void follow_recommendation(Workbench<D>& bench, const Options& o, bool state_of_another_scene) {
     Settings asked;
+    if (state_of_another_scene) asked.automatic = bench.session.settings().automatic;
     apply_options(asked, o);
     if (asked.automatic == Switch::off) return;
     choose_auto(bench, false, bench.session.settings());
@@ -89,6 +91,7 @@ std::string text_of_state(const std::string& name) {
 struct Asked {
     std::string name;                  ///< of a scene, or of the state file
     std::optional<std::string> state;  ///< what the state file says
+    bool of_another_scene = false;     ///< the state, than the one that it was opened with
 };
 
 template <int D>
@@ -114,7 +117,7 @@ Session<D> open_session(const Options& o, const std::string& name, bool in_windo
 }
 
 template <int D>
-Workbench<D> open_bench(const Options& o, const Asked& asked, bool in_window, std::span<const Method<D>> methods,
+Workbench<D> open_bench(const Options& o, Asked& asked, bool in_window, std::span<const Method<D>> methods,
                         const Graphics& graphics) {
     // JSON on standard output stays alone there.
     std::ostream& out = o.stats == "-" || o.trace == "-" ? std::cerr : std::cout;
@@ -131,8 +134,12 @@ Workbench<D> open_bench(const Options& o, const Asked& asked, bool in_window, st
                                           o.state.empty() ? "" : o.scene);
     for (const std::string& warning : opened.warnings) warn(warning);
     for (const std::string& warning : opened.session.scene().warnings) warn(warning);
+    asked.of_another_scene = opened.of_another_scene;
     Settings settings = opened.session.settings();
     apply_options(settings, o);
+    const std::string left =
+        settings.automatic == Switch::on ? left_auto(opened.session.settings(), settings) : std::string();
+    if (!left.empty()) settings.automatic = Switch::off;
     if (difference(opened.session.settings(), settings) == Invalidates::scene)
         throw InputError(
             "two_sided, up and degrees decide how the scene is read: they cannot be changed in a state file");
@@ -155,7 +162,7 @@ Workbench<D> open_last(const Options& o, Asked& asked, bool in_window, Recalled&
         return open_bench<D>(o, asked, in_window, methods, graphics);
     const std::string& last = recalled.memory.recent.front();
     try {
-        const Asked again{last, state_text<D>(last)};
+        Asked again{last, state_text<D>(last)};
         Workbench<D> bench = open_bench<D>(o, again, in_window, methods, graphics);
         asked = again;
         return bench;
@@ -374,7 +381,7 @@ void obey(const Options& o, std::span<const Method<D>> methods, const Viewer<D>&
     start_path(bench, o);
     bench.auto_file = auto_file();
     bench.page = o.page;
-    follow_recommendation(bench, o);
+    follow_recommendation(bench, o, asked.of_another_scene);
     if (o.frames) return write_text(o.stats, path_stats(bench, *o.frames));
     move(bench, o, asked.state.has_value(), in_window);
     if (!in_window || o.writes()) print_summary(bench);

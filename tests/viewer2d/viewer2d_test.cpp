@@ -79,6 +79,27 @@ TEST_F(Viewer2d, AStateOpensAnotherSceneWhereOneIsNamed) {
     EXPECT_EQ(stats["steps"], 0);
 }
 
+TEST_F(Viewer2d, AStateUnderAutoFollowsTheSceneThatIsNamed) {
+    setenv("XDG_CACHE_HOME", (folder / "cache").c_str(), 1);  // of the program; each test is a process
+    good({"rooms", "--method", "layers", "--budget", "7", "--do", "save plain.json"});
+    std::string text = read("plain.json");
+    const std::string off = "\"auto\": \"off\"";
+    ASSERT_NE(text.find(off), std::string::npos);
+    write("kept.json", text.replace(text.find(off), off.size(), "\"auto\": \"on\""));
+    const auto panels = [&](std::vector<std::string> arguments) {
+        arguments.insert(arguments.end(), {"--state", "kept.json", "--do", "panels"});
+        const Result result = headless(std::move(arguments));
+        EXPECT_EQ(result.status, 0) << result.err;
+        return result.out;
+    };
+    EXPECT_EQ(panels({}).find("; measured 2"), std::string::npos) << "as it was saved";
+    EXPECT_NE(panels({"bottleneck"}).find("; measured 2"), std::string::npos);
+    const Json by_hand = stats({"--state", "kept.json", "--method", "flux"});
+    EXPECT_EQ(by_hand["method"], "flux");
+    good({"--state", "kept.json", "--method", "flux", "--do", "save by-hand.json"});
+    EXPECT_NE(read("by-hand.json").find(off), std::string::npos);
+}
+
 TEST_F(Viewer2d, WhatCannotBeIsRefusedBeforeTheRun) {
     bad({"--state", ""}, "--state '': is empty");
     bad({""}, "SCENE '': is empty");
