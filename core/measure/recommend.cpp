@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/measure/recommend.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -27,10 +28,14 @@ std::optional<std::size_t> recommend(std::span<const Offer> offers, double most_
     return best;
 }
 
-bool nearly_all_is_visible(std::span<const double> drawn, std::span<const double> visible) {
+InView what_is_in_view(std::span<const double> drawn, std::span<const double> visible) {
+    if (drawn.empty()) return InView::much_hidden;
+    const auto is_none = [](double count) { return count == 0; };
+    if (std::all_of(drawn.begin(), drawn.end(), is_none)) return InView::nothing;
+    if (std::all_of(visible.begin(), visible.end(), is_none)) return InView::nothing_visible;
     for (std::size_t i = 0; i < drawn.size(); ++i)
-        if (!(visible[i] >= nearly_all * drawn[i])) return false;
-    return !drawn.empty();
+        if (!(visible[i] >= nearly_all * drawn[i])) return InView::much_hidden;
+    return InView::nearly_all_visible;
 }
 
 }  // namespace sightline

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -29,8 +30,15 @@ inline constexpr double unseen_wrong = 0.001;
 /// one that misses nothing. Index into the offers; nothing where none was measured.
 std::optional<std::size_t> recommend(std::span<const Offer> offers, double most_wrong = unseen_wrong);
 
-/// Whether what is visible is so much of what view culling draws that nothing else can save much: at least nine tenths,
-/// in primitives. `drawn` and `visible` of each frame.
-bool nearly_all_is_visible(std::span<const double> drawn, std::span<const double> visible);
+/// What the view shows, as far as it decides how much any culling can save.
+enum class InView : std::uint8_t {
+    much_hidden,
+    nearly_all_visible,  ///< at least nine tenths in each frame, in primitives: nothing saves much
+    nothing_visible,     ///< in any frame, though something is drawn: nothing can be told apart
+    nothing              ///< no frame has anything to draw
+};
+
+/// `drawn` by view culling and `visible`, of each frame; without a frame much_hidden.
+InView what_is_in_view(std::span<const double> drawn, std::span<const double> visible);
 
 }  // namespace sightline

@@ -102,9 +102,9 @@ void add_offers(const TradeOffStudy<D>& study, Tessellation tessellation, std::v
     }
 }
 
-/// Whether view culling draws little that is hidden in the frames that were measured.
+/// In the frames that were measured.
 template <int D>
-bool little_is_hidden(const TradeOffStudy<D>& study) {
+InView what_frames_show(const TradeOffStudy<D>& study) {
     std::vector<double> drawn, visible;
     for (const TradeOffDot& dot : study.dots()) {
         if (study.task().variants[dot.variant].method.id != "view") continue;
@@ -113,7 +113,21 @@ bool little_is_hidden(const TradeOffStudy<D>& study) {
             visible.push_back(frame[Measure::visible]);
         }
     }
-    return nearly_all_is_visible(drawn, visible);
+    return what_is_in_view(drawn, visible);
+}
+
+std::string since_words(InView what) {
+    switch (what) {
+        case InView::nearly_all_visible:
+            return "nearly all that is in view is visible";
+        case InView::nothing_visible:
+            return "nothing that is in view is visible";
+        case InView::nothing:
+            return "nothing is in view";
+        case InView::much_hidden:
+            break;
+    }
+    return "";
 }
 
 }  // namespace
@@ -125,7 +139,7 @@ std::string auto_text(const AutoChoice& choice) {
     text += ", " + short_number(choice.ms) + " ms, " +
             (choice.wrong == 0 ? std::string("nothing wrong")
                                : short_number(100 * choice.wrong) + " % of the pixels wrong");
-    if (choice.all_visible) text += ", since nearly all that is in view is visible";
+    if (!choice.since.empty()) text += ", since " + choice.since;
     return text + "; measured " + choice.date;
 }
 
@@ -145,7 +159,7 @@ std::optional<AutoChoice> recall_auto(const std::filesystem::path& file, const s
         if (!has_key(entry, key)) continue;
         try {
             AutoChoice choice{entry.at("method"), entry.at("tessellation"), entry.at("budget"), entry.at("ms"),
-                              entry.at("wrong"),  entry.at("all_visible"),  entry.at("date")};
+                              entry.at("wrong"),  entry.at("since"),        entry.at("date")};
             Settings checked;  // what an older program knew may be gone
             apply_setting(checked, "tessellation=" + choice.tessellation);
             apply_setting(checked, "budget=" + choice.budget);
@@ -166,7 +180,7 @@ void keep_auto(const std::filesystem::path& file, const std::string& key, const 
                     {"budget", choice.budget},
                     {"ms", choice.ms},
                     {"wrong", choice.wrong},
-                    {"all_visible", choice.all_visible},
+                    {"since", choice.since},
                     {"date", choice.date}});
     for (const Json& entry : read_choices(file))
         if (!has_key(entry, key) && kept.size() < most_kept) kept.push_back(entry);
@@ -202,7 +216,7 @@ AutoChoice measure_auto(const Workbench<D>& bench, double seconds) {
     std::vector<Offer> offers;
     const Stopwatch clock;
     std::optional<std::size_t> of_view;
-    bool all_visible = false;
+    InView shown = InView::much_hidden;
     for (const Tessellation tessellation : {Tessellation::delaunay, Tessellation::tree}) {
         const bool first = tessellation == Tessellation::delaunay;
         TradeOffStudy<D> study(task_of(bench, tessellation, !first));
@@ -212,11 +226,12 @@ AutoChoice measure_auto(const Workbench<D>& bench, double seconds) {
                    (first ? 0 : 0.7) +
                        (first ? 0.7 : 0.3) * static_cast<double>(study.done()) / static_cast<double>(study.total()));
         add_offers(study, tessellation, offers);
-        if (first) all_visible = little_is_hidden(study);
+        if (first) shown = what_frames_show(study);
     }
     for (std::size_t i = 0; i < offers.size(); ++i)
         if (offers[i].variant == "view" && !std::isnan(offers[i].ms)) of_view = i;
-    const std::optional<std::size_t> best = all_visible && of_view ? of_view : recommend(offers);
+    const bool view_will_do = shown != InView::much_hidden && of_view;
+    const std::optional<std::size_t> best = view_will_do ? of_view : recommend(offers);
     if (!best) throw WorkError("auto: nothing could be measured in " + short_number(seconds) + " s");
     const Offer& offer = offers[*best];
     return {offer.variant,
@@ -224,7 +239,7 @@ AutoChoice measure_auto(const Workbench<D>& bench, double seconds) {
             budget_text(offer.budget),
             offer.ms,
             offer.wrong,
-            all_visible && of_view,
+            view_will_do ? since_words(shown) : std::string(),
             today_text()};
 }
 

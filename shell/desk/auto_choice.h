@@ -16,7 +16,7 @@ struct AutoChoice {
     std::string tessellation, budget;  ///< as settings have them
     double ms = 0;                     ///< per frame, as it was measured
     double wrong = 0;                  ///< share of pixels
-    bool all_visible = false;          ///< view culling, since little is hidden
+    std::string since;                 ///< why view culling, whatever it takes: "nothing is in view"; else empty
     std::string date;                  ///< YYYY-MM-DD
 
     bool operator==(const AutoChoice&) const = default;

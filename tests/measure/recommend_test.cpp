@@ -53,11 +53,14 @@ TEST(Recommend, TheFastestThatIsRightEnoughElseTheRightest) {
 }
 
 TEST(Recommend, ViewCullingWhereNearlyAllIsVisible) {
-    const double drawn[] = {100, 200}, most[] = {90, 190}, some[] = {95, 100}, unknown[] = {95, std::nan("")};
-    EXPECT_TRUE(nearly_all_is_visible(drawn, most));
-    EXPECT_FALSE(nearly_all_is_visible(drawn, some)) << "in each frame";
-    EXPECT_FALSE(nearly_all_is_visible(drawn, unknown));
-    EXPECT_FALSE(nearly_all_is_visible({}, {})) << "nothing was measured";
+    const double drawn[] = {100, 200}, most[] = {90, 190}, some[] = {95, 100}, unknown[] = {95, std::nan("")},
+                 no[] = {0, 0};
+    EXPECT_EQ(what_is_in_view(drawn, most), InView::nearly_all_visible);
+    EXPECT_EQ(what_is_in_view(drawn, some), InView::much_hidden) << "in each frame";
+    EXPECT_EQ(what_is_in_view(drawn, unknown), InView::much_hidden);
+    EXPECT_EQ(what_is_in_view({}, {}), InView::much_hidden) << "nothing was measured";
+    EXPECT_EQ(what_is_in_view(drawn, no), InView::nothing_visible);
+    EXPECT_EQ(what_is_in_view(no, no), InView::nothing);
 }
 
 }  // namespace

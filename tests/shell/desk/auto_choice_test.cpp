@@ -34,16 +34,16 @@ protected:
 
     std::filesystem::path folder_ =
         std::filesystem::temp_directory_path() / ("sightline-auto-" + std::to_string(getpid()));
-    const AutoChoice some_{"layers on_reenqueue=min", "tree", "5%", 3.625, 0.0005, false, "2026-11-29"};
+    const AutoChoice some_{"layers on_reenqueue=min", "tree", "5%", 3.625, 0.0005, "", "2026-11-29"};
 };
 
 TEST_F(AutoChoiceTest, IsSaidInOneLine) {
     EXPECT_EQ(auto_text(some_),
               "auto: layers on_reenqueue=min on tree cells at 5%, 3.62 ms, 0.05 % of the pixels wrong; measured "
               "2026-11-29");
-    EXPECT_EQ(auto_text({"hzb", "delaunay", "unlimited", 3.6, 0, false, "2026-11-29"}),
+    EXPECT_EQ(auto_text({"hzb", "delaunay", "unlimited", 3.6, 0, "", "2026-11-29"}),
               "auto: hzb, 3.6 ms, nothing wrong; measured 2026-11-29");
-    EXPECT_EQ(auto_text({"view", "delaunay", "unlimited", 2, 0, true, "2026-11-29"}),
+    EXPECT_EQ(auto_text({"view", "delaunay", "unlimited", 2, 0, "nearly all that is in view is visible", "2026-11-29"}),
               "auto: view, 2 ms, nothing wrong, since nearly all that is in view is visible; measured 2026-11-29");
 }
 
@@ -107,7 +107,7 @@ TEST_F(AutoChoiceTest, IsTaken) {
     bench.auto_file = file();
     std::vector<std::string> said;
     bench.say = [&](const std::string& line) { said.push_back(line); };
-    keep_auto(file(), auto_key(bench), {"layers", "tree", "2%", 1, 0.25, false, "2001-02-03"});
+    keep_auto(file(), auto_key(bench), {"layers", "tree", "2%", 1, 0.25, "", "2001-02-03"});
     choose_auto(bench, false, bench.session.settings());
     EXPECT_EQ(bench.session.settings().method, "layers");
     EXPECT_EQ(bench.session.settings().tessellation, Tessellation::tree);
@@ -115,7 +115,7 @@ TEST_F(AutoChoiceTest, IsTaken) {
     EXPECT_EQ(bench.session.settings().automatic, Switch::on);
     EXPECT_EQ(said.back(), "auto: layers on tree cells at 2%, 1 ms, 25 % of the pixels wrong; measured 2001-02-03");
     // What another program remembered under a method that is not there is measured again.
-    keep_auto(file(), auto_key(bench), {"magic", "tree", "2%", 1, 0.25, false, "2001-02-03"});
+    keep_auto(file(), auto_key(bench), {"magic", "tree", "2%", 1, 0.25, "", "2001-02-03"});
     choose_auto(bench, false, bench.session.settings());
     EXPECT_NE(said.back().find("measured 20"), std::string::npos);
     EXPECT_EQ(said.back().find("2001"), std::string::npos);
@@ -142,7 +142,7 @@ TEST_F(AutoChoiceTest, IsASettingThatGoesOffByHand) {
     bench.auto_file = file();
     std::vector<std::string> said;
     bench.say = [&](const std::string& line) { said.push_back(line); };
-    keep_auto(file(), auto_key(bench), {"layers", "tree", "2%", 1, 0.25, false, "2001-02-03"});
+    keep_auto(file(), auto_key(bench), {"layers", "tree", "2%", 1, 0.25, "", "2001-02-03"});
     const auto by_hand = [&](const std::string& assignment) {
         said.clear();
         Settings settings = bench.session.settings();
@@ -187,7 +187,7 @@ TEST_F(AutoChoiceTest, GivesWayToThePresetOfAMethod) {
     bench.auto_file = file();
     std::vector<std::string> said;
     bench.say = [&](const std::string& line) { said.push_back(line); };
-    keep_auto(file(), auto_key(bench), {"tri-z", "delaunay", "2%", 1, 0.25, false, "2001-02-03"});
+    keep_auto(file(), auto_key(bench), {"tri-z", "delaunay", "2%", 1, 0.25, "", "2001-02-03"});
     for (const Preset& preset : presets()) {
         choose_auto(bench, false, bench.session.settings());
         ASSERT_EQ(bench.session.settings().method, "tri-z");
@@ -202,8 +202,9 @@ TEST_F(AutoChoiceTest, GivesWayToThePresetOfAMethod) {
 TEST_F(AutoChoiceTest, FollowsWhenASceneIsOpenedAndStaysAsAStateHasIt) {
     Workbench<2> bench = bench_on("rooms");
     bench.auto_file = file();
-    keep_auto(file(), auto_key(bench), {"layers", "tree", "2%", 1, 0.25, false, "2001-02-03"});
-    keep_auto(file(), auto_key(bench_on("streets")), {"view", "delaunay", "unlimited", 1, 0, true, "2001-02-04"});
+    keep_auto(file(), auto_key(bench), {"layers", "tree", "2%", 1, 0.25, "", "2001-02-03"});
+    keep_auto(file(), auto_key(bench_on("streets")),
+              {"view", "delaunay", "unlimited", 1, 0, "nothing is in view", "2001-02-04"});
     std::vector<std::string> said;
     bench.say = [&](const std::string& line) { said.push_back(line); };
     open(bench, "streets");
@@ -213,11 +214,11 @@ TEST_F(AutoChoiceTest, FollowsWhenASceneIsOpenedAndStaysAsAStateHasIt) {
     open(bench, "streets");
     EXPECT_EQ(bench.session.settings().method, "view");
     EXPECT_EQ(bench.session.settings().automatic, Switch::on);
-    EXPECT_NE(said.back().find("since nearly all that is in view is visible"), std::string::npos) << said.back();
+    EXPECT_NE(said.back().find(", since nothing is in view;"), std::string::npos) << said.back();
     // A state reopens as it was, whatever is recommended now.
     open(bench, "rooms");
     const std::string state = state_json(bench.session, {});
-    keep_auto(file(), auto_key(bench), {"centroid", "delaunay", "5%", 1, 0.25, false, "2001-02-05"});
+    keep_auto(file(), auto_key(bench), {"centroid", "delaunay", "5%", 1, 0.25, "", "2001-02-05"});
     open_state_text(bench, state, "kept.json");
     EXPECT_EQ(bench.session.settings().method, "layers");
     EXPECT_EQ(bench.session.settings().automatic, Switch::on);
@@ -251,7 +252,7 @@ TEST_F(AutoChoiceTest, ComesFromWhatEnginesDoAndFromOrders) {
 TEST_F(AutoChoiceTest, IsOneOfTheOffersAndRightEnough) {
     const Workbench<2> rooms = bench_on("rooms");
     const AutoChoice choice = measure_auto(rooms);
-    EXPECT_FALSE(choice.all_visible) << "walls hide most";
+    EXPECT_EQ(choice.since, "") << "walls hide most";
     EXPECT_LE(choice.wrong, unseen_wrong) << "conservative methods are among them";
     EXPECT_GT(choice.ms, 0);
     // Nothing hides anything: two segments beside each other.
@@ -259,10 +260,17 @@ TEST_F(AutoChoiceTest, IsOneOfTheOffersAndRightEnough) {
     scene->primitives = {{Vec<2>(2, 1), Vec<2>(2, .5)}, {Vec<2>(2, -.5), Vec<2>(2, -1)}};
     const Workbench<2> open{Session<2>(scene, {{0, 0}, {1, 0}, 90}, {})};
     const AutoChoice of_open = measure_auto(open);
-    EXPECT_TRUE(of_open.all_visible);
+    EXPECT_EQ(of_open.since, "nearly all that is in view is visible");
     EXPECT_EQ(of_open.method, "view");
     EXPECT_EQ(of_open.budget, "unlimited");
     EXPECT_THROW(measure_auto(open, 0), WorkError) << "no time";
+    // The eye looks away from them, or there are none.
+    const Workbench<2> away{Session<2>(scene, {{0, 0}, {-1, 0}, 90}, {})};
+    EXPECT_EQ(measure_auto(away).method, "view");
+    EXPECT_EQ(measure_auto(away).since, "nothing is in view");
+    const Workbench<2> empty{Session<2>(std::make_shared<Scene<2>>(), {{0, 0}, {1, 0}, 90}, {})};
+    EXPECT_EQ(measure_auto(empty).method, "view");
+    EXPECT_EQ(measure_auto(empty).since, "nothing is in view");
 }
 
 TEST_F(EachCommand, auto) {
