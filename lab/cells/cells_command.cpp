@@ -158,6 +158,10 @@ int cells_command(int argc, const char* const* argv, const MethodTables& tables)
     if (!sweeps.empty()) return sweep_parameters(asked, sweeps, measure, out, format);
     const Study sweep = sweep_study(asked, bounds), cell_free = cell_free_study(asked);
     if (sweep.methods.empty()) throw InputError("lab cells: none of these methods orders cells");
+    if (!reach && !app.get_option("--methods")->empty())
+        for (const MethodChoice& choice : asked.methods)
+            if (std::find(sweep.methods.begin(), sweep.methods.end(), choice) == sweep.methods.end())
+                warn(excerpt(method_text(choice)) + ": is left out: it orders no cells; --reach compares it");
     const std::vector<KindStudy> studies =
         kinds.empty() ? std::vector<KindStudy>{{"", sweep}} : kind_studies(sweep, parse_kinds(kinds));
     const Study& first = studies.front().study;

@@ -12,6 +12,7 @@
 #include "core/base/quote.h"
 #include "core/base/text.h"
 #include "lab/command.h"
+#include "lab/measure/left_out.h"
 #include "lab/measure/out_folder.h"
 #include "lab/measure/run_study.h"
 #include "lab/measure/study_options.h"
@@ -178,6 +179,7 @@ int measure_command(int argc, const char* const* argv, const MethodTables& table
     note_interrupts();
     run.stopped = interrupted;
     LabGraphics graphics;
+    for (const std::string& line : left_out(study, !has_3d(study) || graphics.has_opengl())) warn(line);
     const std::uintmax_t before = size_of(std::filesystem::path(out) / "frames.jsonl");
     const Results results = run_study(study, out, graphics, run);
     const bool all_kept = before > 0 && before == size_of(std::filesystem::path(out) / "frames.jsonl");

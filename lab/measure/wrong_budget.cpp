@@ -33,8 +33,7 @@ std::vector<WrongFlight> fly_in_wrong_pixels(const LabScene<D>& lab, const Study
     std::vector<Flying> all;
     for (const MethodChoice& choice : study.methods) {
         const Method<D>* const method = method_of<D>(lab.tables, choice);
-        if (!method || !method->budgeted || !method->prefixes || method->needs.visible_set || method->needs.history)
-            continue;
+        if (!method || !can_follow_wrong_pixels<D>(*method)) continue;
         for (const double wrong : study.wrong_budgets)
             all.push_back({lab.variant_for(choice), {lab.name, lab.path, choice, wrong, {}}});
     }

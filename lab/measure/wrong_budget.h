@@ -14,9 +14,15 @@
 
 namespace sightline::lab {
 
+/// Whether a budget selects a prefix of the method's order, which no frame before changes.
+template <int D>
+bool can_follow_wrong_pixels(const Method<D>& method) {
+    return method.budgeted && method.prefixes && !method.needs.visible_set && !method.needs.history;
+}
+
 /// The frames of the path in order, for each budgeted method and each of the study's wrong pixels: drawn with what
 /// predict_needed (core/run/wrong_budget.h) says, then measured as far as they were drawn. Nothing is timed. Methods
-/// whose orders depend on the budget or on frames before are left out. Empty where `go_on` says no.
+/// that cannot follow them are left out. Empty where `go_on` says no.
 template <int D>
 std::vector<WrongFlight> fly_in_wrong_pixels(const LabScene<D>& lab, const Study& study, const DrawIds& draw_ids,
                                              const std::function<bool()>& go_on);

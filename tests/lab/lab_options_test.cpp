@@ -77,6 +77,30 @@ TEST_F(LabOptions, WhatWouldDoNothingIsRefused) {
     EXPECT_TRUE(fs::exists(folder_ / "out/lab-2d_rooms-2/report.html"));
 }
 
+TEST_F(LabOptions, WhatIsLeftOutIsSaid) {
+    const auto says = [&](const std::string& words) {
+        return complaint_.find("lab: warning: " + words + "\n") != std::string::npos;
+    };
+    const std::string small = " --frames 2 --repeats 0 --methods ";
+    EXPECT_EQ(run("measure 2d:bottleneck --budgets 16ms" + small + "'tri; tri-z'"), 0);
+    EXPECT_TRUE(says("2d:bottleneck: no method is measured with a budget in time: in 2D no drawing is timed"))
+        << complaint_;
+    EXPECT_EQ(run("measure 2d:bottleneck --budgets wrong:1%" + small + "'tri; tri-seen; view'"), 0);
+    EXPECT_TRUE(
+        says("tri-seen: is not measured with a budget in wrong pixels: its order depends on the budget or on "
+             "the frames before"))
+        << complaint_;
+    EXPECT_EQ(complaint_.find("warning: tri:"), std::string::npos) << complaint_;
+    EXPECT_EQ(complaint_.find("warning: view"), std::string::npos) << "it has no use for a budget: " << complaint_;
+    const std::string cells = "cells 2d:bottleneck --error-bounds 0.4,0.2 --frames 1 --repeats 0 ";
+    EXPECT_EQ(run(cells + "--methods 'layers; tri-z'"), 0);
+    EXPECT_TRUE(says("tri-z: is left out: it orders no cells; --reach compares it")) << complaint_;
+    EXPECT_EQ(run(cells + "--reach 0.01 --methods 'layers; tri-z'"), 0);
+    EXPECT_EQ(complaint_.find("is left out"), std::string::npos) << complaint_;
+    EXPECT_EQ(run(cells), 0);
+    EXPECT_EQ(complaint_.find("is left out"), std::string::npos) << "nobody asked for one: " << complaint_;
+}
+
 TEST_F(LabOptions, ForeignWordsAreShortAndPlain) {
     const std::string long_word(4000, 'x');
     for (const std::string arguments :
