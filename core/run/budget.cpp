@@ -27,6 +27,8 @@ Budget parse_budget(std::string_view text) {
             "budget '" + excerpt(text) + "': " + why +
             " (write a whole number of primitives, a share such as 5%, a time such as 16ms, or unlimited)");
     };
+    if (text.starts_with("wrong:"))
+        throw InputError("budget '" + excerpt(text) + "': only lab measure follows wrong pixels");
     Budget::Kind kind = Budget::Kind::primitives;
     std::string_view digits = text;
     if (digits.ends_with('%')) {
