@@ -96,7 +96,13 @@ bool complete_at_rest(Workbench<D>& bench) {
     if (!session.flying() || !flight.completes || flight.completed || session.method().id == "cplp" ||
         !session.method().orders_cells())
         return false;
-    begin_completing(bench, bench.history.gesture);
+    try {
+        begin_completing(bench, bench.history.gesture);
+    } catch (const InputError& error) {  // one whose front cPLP cannot go on from
+        flight.completes = false;
+        bench.say(error.what());
+        return false;
+    }
     flight.completed = true;
     return true;
 }

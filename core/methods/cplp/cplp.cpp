@@ -2,6 +2,7 @@
 #include "core/methods/cplp/cplp.h"
 
 #include "core/base/error.h"
+#include "core/base/excerpt.h"
 #include "core/methods/cells/cell_base.h"
 #include "core/run/budget.h"
 
@@ -10,6 +11,18 @@ namespace sightline {
 namespace {
 
 std::string check_first(const ParameterRow&, std::string_view text) { return read_variant(text).text(); }
+
+/// Throws InputError that lists those which may come first.
+template <int D>
+void check_among(const std::vector<Method<D>>& firsts, const std::string& id) {
+    std::string known;
+    for (const Method<D>& method : firsts) {
+        if (method.is_called(id)) return;
+        known += (known.empty() ? "" : ", ") + std::string(method.id);
+    }
+    throw InputError("'" + excerpt(id) +
+                     "' cannot be completed: rounds of cPLP go on from methods that render whole cells: " + known);
+}
 
 std::string check_total(const ParameterRow&, std::string_view text) {
     const Budget total = parse_budget(text);
@@ -72,6 +85,7 @@ Method<D> cplp_method(std::vector<Method<D>> firsts, std::vector<const Parameter
                      [firsts = std::move(firsts)](const Problem<D>& problem) {
                          Problem<D> inner = problem;
                          const VariantText first = read_variant(problem.parameters.text(cplp_first_row()));
+                         check_among<D>(firsts, first.id);
                          const Method<D>& chosen = find_variant<D>(firsts, first, inner.parameters);
                          std::unique_ptr<Run<D>> run = chosen.start(inner);
                          auto* const cells = dynamic_cast<CellBase<D>*>(run.get());

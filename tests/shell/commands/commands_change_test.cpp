@@ -4,6 +4,7 @@
 #include "core/methods/cplp/cplp.h"
 #include "core/methods/plp/plp_parameters.h"
 #include "core/session/settings_table.h"
+#include "tests/scene/scene_support.h"
 #include "tests/shell/commands/commands_support.h"
 
 namespace sightline {
@@ -80,6 +81,14 @@ TEST_F(EachCommand, complete) {
     run("undo");
     EXPECT_EQ(session().method().id, "layers");
     EXPECT_THROW(run("method everything; complete"), InputError);
+    for (const char* method : {"tri", "tri-seen", "extinction"}) {
+        run("method " + std::string(method));
+        test::expect_input_error([&] { run("complete"); },
+                                 "command 'complete': '" + std::string(method) +
+                                     "' cannot be completed: rounds of cPLP go on from methods that render whole "
+                                     "cells: published, layers, formula, flux");
+        EXPECT_EQ(session().method().id, method);
+    }
 }
 
 TEST_F(EachCommand, method) {
@@ -91,6 +100,8 @@ TEST_F(EachCommand, budget) {
     run("budget 5%; run");
     EXPECT_EQ(bench->last_stop, Stop::budget);
     EXPECT_EQ(budget_text(session().settings().budget), "5%");
+    test::expect_input_error([&] { run("budget wrong:0.5%"); },
+                             "command 'budget wrong:0.5%': setting budget: budget 'wrong:0.5%': only lab measure follows wrong pixels");
 }
 
 TEST_F(EachCommand, undo) {
