@@ -206,7 +206,7 @@ std::vector<Variant<D>> auto_methods(const Workbench<D>& bench, bool cells_only)
     std::vector<Variant<D>> variants;
     for (const bool cells : {false, true})
         for (const Method<D>& method : bench.methods)
-            if (method.compared && method.needs.cells == cells && (cells || !cells_only))
+            if (method.compared && !method.draws_levels && method.needs.cells == cells && (cells || !cells_only))
                 variants.push_back(variant_of(method, parameters, parameters));
     return variants;
 }

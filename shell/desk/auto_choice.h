@@ -39,7 +39,8 @@ template <int D>
 std::string auto_key(const Workbench<D>& bench);
 
 /// What is measured: what stands in studies that name no methods, those first that need no cells, so that what engines
-/// do is not left out where time is short. `cells_only`: without these.
+/// do is not left out where time is short; but for levels of detail, whose wrong pixels are counted by objects.
+/// `cells_only`: without those that need none.
 template <int D>
 std::vector<Variant<D>> auto_methods(const Workbench<D>& bench, bool cells_only);
 

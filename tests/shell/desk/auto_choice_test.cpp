@@ -246,7 +246,7 @@ TEST_F(AutoChoiceTest, ComesFromWhatEnginesDoAndFromOrders) {
         EXPECT_TRUE(has(all, id)) << id;
         EXPECT_TRUE(has(of_cells, id)) << id;
     }
-    for (const char* id : {"perfect", "formula"}) EXPECT_FALSE(has(all, id)) << id;
+    for (const char* id : {"perfect", "formula", "levels"}) EXPECT_FALSE(has(all, id)) << id;
 }
 
 TEST_F(AutoChoiceTest, IsOneOfTheOffersAndRightEnough) {
