@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shell/desk/auto_choice.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 
@@ -136,9 +138,11 @@ std::string auto_text(const AutoChoice& choice) {
     std::string text = "auto: " + choice.method;
     if (choice.tessellation != word(Tessellation::delaunay)) text += " on " + choice.tessellation + " cells";
     if (choice.budget != "unlimited") text += " at " + choice.budget;
-    text += ", " + short_number(choice.ms) + " ms, " +
-            (choice.wrong == 0 ? std::string("nothing wrong")
-                               : short_number(100 * choice.wrong) + " % of the pixels wrong");
+    text += ", " + short_number(choice.ms) + " ms";
+    if (choice.guessed_ms > 0) text += " with drawing as " + short_number(1000 * choice.guessed_ms) + " ms per 1000";
+    text += ", " + (choice.wrong == 0 ? std::string("nothing wrong")
+                                      : short_number(100 * choice.wrong) + " % of the pixels wrong");
+    text += choice.frames == 1 ? ", in one frame" : ", over " + std::to_string(choice.frames) + " frames";
     if (!choice.since.empty()) text += ", since " + choice.since;
     return text + "; measured " + choice.date;
 }
@@ -158,8 +162,9 @@ std::optional<AutoChoice> recall_auto(const std::filesystem::path& file, const s
     for (const Json& entry : read_choices(file)) {
         if (!has_key(entry, key)) continue;
         try {
-            AutoChoice choice{entry.at("method"), entry.at("tessellation"), entry.at("budget"), entry.at("ms"),
-                              entry.at("wrong"),  entry.at("since"),        entry.at("date")};
+            AutoChoice choice{entry.at("method"),     entry.at("tessellation"), entry.at("budget"),
+                              entry.at("ms"),         entry.at("wrong"),        entry.at("frames"),
+                              entry.at("guessed_ms"), entry.at("since"),        entry.at("date")};
             Settings checked;  // what an older program knew may be gone
             apply_setting(checked, "tessellation=" + choice.tessellation);
             apply_setting(checked, "budget=" + choice.budget);
@@ -180,6 +185,8 @@ void keep_auto(const std::filesystem::path& file, const std::string& key, const 
                     {"budget", choice.budget},
                     {"ms", choice.ms},
                     {"wrong", choice.wrong},
+                    {"frames", choice.frames},
+                    {"guessed_ms", choice.guessed_ms},
                     {"since", choice.since},
                     {"date", choice.date}});
     for (const Json& entry : read_choices(file))
@@ -217,6 +224,8 @@ AutoChoice measure_auto(const Workbench<D>& bench, double seconds) {
     const Stopwatch clock;
     std::optional<std::size_t> of_view;
     InView shown = InView::much_hidden;
+    std::array<std::size_t, 2> frames{};  // on Delaunay cells and on those of the tree
+    bool timed_drawing = false;
     for (const Tessellation tessellation : {Tessellation::delaunay, Tessellation::tree}) {
         const bool first = tessellation == Tessellation::delaunay;
         TradeOffStudy<D> study(task_of(bench, tessellation, !first));
@@ -226,6 +235,8 @@ AutoChoice measure_auto(const Workbench<D>& bench, double seconds) {
                    (first ? 0 : 0.7) +
                        (first ? 0.7 : 0.3) * static_cast<double>(study.done()) / static_cast<double>(study.total()));
         add_offers(study, tessellation, offers);
+        frames[first ? 0 : 1] = std::max<std::size_t>(study.common_views(), 1);
+        timed_drawing = bool(study.task().time_drawing);
         if (first) shown = what_frames_show(study);
     }
     for (std::size_t i = 0; i < offers.size(); ++i)
@@ -239,6 +250,8 @@ AutoChoice measure_auto(const Workbench<D>& bench, double seconds) {
             budget_text(offer.budget),
             offer.ms,
             offer.wrong,
+            static_cast<std::uint32_t>(frames[offer.tessellation == Tessellation::delaunay ? 0 : 1]),
+            timed_drawing ? 0 : guessed_ms,
             view_will_do ? since_words(shown) : std::string(),
             today_text()};
 }

@@ -16,13 +16,15 @@ struct AutoChoice {
     std::string tessellation, budget;  ///< as settings have them
     double ms = 0;                     ///< per frame, as it was measured
     double wrong = 0;                  ///< share of pixels
+    std::uint32_t frames = 1;          ///< that both are of: the median of times, the mean of shares
+    double guessed_ms = 0;             ///< what a drawn primitive counts for in `ms`; 0: drawing was timed
     std::string since;                 ///< why view culling, whatever it takes: "nothing is in view"; else empty
     std::string date;                  ///< YYYY-MM-DD
 
     bool operator==(const AutoChoice&) const = default;
 };
 
-/// "auto: hzb, 3.6 ms, nothing wrong; measured 2026-11-29"
+/// "auto: hzb, 3.6 ms, nothing wrong, over 4 frames; measured 2026-11-29"
 std::string auto_text(const AutoChoice& choice);
 
 /// auto.json in sightline's folder under $XDG_CACHE_HOME or ~/.cache; empty where neither is known.

@@ -34,17 +34,20 @@ protected:
 
     std::filesystem::path folder_ =
         std::filesystem::temp_directory_path() / ("sightline-auto-" + std::to_string(getpid()));
-    const AutoChoice some_{"layers on_reenqueue=min", "tree", "5%", 3.625, 0.0005, "", "2026-11-29"};
+    const AutoChoice some_{"layers on_reenqueue=min", "tree", "5%", 3.625, 0.0005, 4, 0, "", "2026-11-29"};
 };
 
 TEST_F(AutoChoiceTest, IsSaidInOneLine) {
     EXPECT_EQ(auto_text(some_),
-              "auto: layers on_reenqueue=min on tree cells at 5%, 3.62 ms, 0.05 % of the pixels wrong; measured "
+              "auto: layers on_reenqueue=min on tree cells at 5%, 3.62 ms, 0.05 % of the pixels wrong, over 4 frames; "
+              "measured "
               "2026-11-29");
-    EXPECT_EQ(auto_text({"hzb", "delaunay", "unlimited", 3.6, 0, "", "2026-11-29"}),
-              "auto: hzb, 3.6 ms, nothing wrong; measured 2026-11-29");
-    EXPECT_EQ(auto_text({"view", "delaunay", "unlimited", 2, 0, "nearly all that is in view is visible", "2026-11-29"}),
-              "auto: view, 2 ms, nothing wrong, since nearly all that is in view is visible; measured 2026-11-29");
+    EXPECT_EQ(auto_text({"hzb", "delaunay", "unlimited", 3.6, 0, 4, 0, "", "2026-11-29"}),
+              "auto: hzb, 3.6 ms, nothing wrong, over 4 frames; measured 2026-11-29");
+    EXPECT_EQ(auto_text({"view", "delaunay", "unlimited", 2, 0, 1, 0.001, "nearly all that is in view is visible",
+                         "2026-11-29"}),
+              "auto: view, 2 ms with drawing as 1 ms per 1000, nothing wrong, in one frame, since nearly all that is "
+              "in view is visible; measured 2026-11-29");
 }
 
 TEST_F(AutoChoiceTest, IsRememberedByItsKey) {
@@ -107,15 +110,16 @@ TEST_F(AutoChoiceTest, IsTaken) {
     bench.auto_file = file();
     std::vector<std::string> said;
     bench.say = [&](const std::string& line) { said.push_back(line); };
-    keep_auto(file(), auto_key(bench), {"layers", "tree", "2%", 1, 0.25, "", "2001-02-03"});
+    keep_auto(file(), auto_key(bench), {"layers", "tree", "2%", 1, 0.25, 4, 0, "", "2001-02-03"});
     choose_auto(bench, false, bench.session.settings());
     EXPECT_EQ(bench.session.settings().method, "layers");
     EXPECT_EQ(bench.session.settings().tessellation, Tessellation::tree);
     EXPECT_EQ(budget_text(bench.session.settings().budget), "2%");
     EXPECT_EQ(bench.session.settings().automatic, Switch::on);
-    EXPECT_EQ(said.back(), "auto: layers on tree cells at 2%, 1 ms, 25 % of the pixels wrong; measured 2001-02-03");
+    EXPECT_EQ(said.back(),
+              "auto: layers on tree cells at 2%, 1 ms, 25 % of the pixels wrong, over 4 frames; measured 2001-02-03");
     // What another program remembered under a method that is not there is measured again.
-    keep_auto(file(), auto_key(bench), {"magic", "tree", "2%", 1, 0.25, "", "2001-02-03"});
+    keep_auto(file(), auto_key(bench), {"magic", "tree", "2%", 1, 0.25, 4, 0, "", "2001-02-03"});
     choose_auto(bench, false, bench.session.settings());
     EXPECT_NE(said.back().find("measured 20"), std::string::npos);
     EXPECT_EQ(said.back().find("2001"), std::string::npos);
@@ -142,7 +146,7 @@ TEST_F(AutoChoiceTest, IsASettingThatGoesOffByHand) {
     bench.auto_file = file();
     std::vector<std::string> said;
     bench.say = [&](const std::string& line) { said.push_back(line); };
-    keep_auto(file(), auto_key(bench), {"layers", "tree", "2%", 1, 0.25, "", "2001-02-03"});
+    keep_auto(file(), auto_key(bench), {"layers", "tree", "2%", 1, 0.25, 4, 0, "", "2001-02-03"});
     const auto by_hand = [&](const std::string& assignment) {
         said.clear();
         Settings settings = bench.session.settings();
@@ -187,7 +191,7 @@ TEST_F(AutoChoiceTest, GivesWayToThePresetOfAMethod) {
     bench.auto_file = file();
     std::vector<std::string> said;
     bench.say = [&](const std::string& line) { said.push_back(line); };
-    keep_auto(file(), auto_key(bench), {"tri-z", "delaunay", "2%", 1, 0.25, "", "2001-02-03"});
+    keep_auto(file(), auto_key(bench), {"tri-z", "delaunay", "2%", 1, 0.25, 4, 0, "", "2001-02-03"});
     for (const Preset& preset : presets()) {
         choose_auto(bench, false, bench.session.settings());
         ASSERT_EQ(bench.session.settings().method, "tri-z");
@@ -202,9 +206,9 @@ TEST_F(AutoChoiceTest, GivesWayToThePresetOfAMethod) {
 TEST_F(AutoChoiceTest, FollowsWhenASceneIsOpenedAndStaysAsAStateHasIt) {
     Workbench<2> bench = bench_on("rooms");
     bench.auto_file = file();
-    keep_auto(file(), auto_key(bench), {"layers", "tree", "2%", 1, 0.25, "", "2001-02-03"});
+    keep_auto(file(), auto_key(bench), {"layers", "tree", "2%", 1, 0.25, 4, 0, "", "2001-02-03"});
     keep_auto(file(), auto_key(bench_on("streets")),
-              {"view", "delaunay", "unlimited", 1, 0, "nothing is in view", "2001-02-04"});
+              {"view", "delaunay", "unlimited", 1, 0, 1, 0, "nothing is in view", "2001-02-04"});
     std::vector<std::string> said;
     bench.say = [&](const std::string& line) { said.push_back(line); };
     open(bench, "streets");
@@ -218,7 +222,7 @@ TEST_F(AutoChoiceTest, FollowsWhenASceneIsOpenedAndStaysAsAStateHasIt) {
     // A state reopens as it was, whatever is recommended now.
     open(bench, "rooms");
     const std::string state = state_json(bench.session, {});
-    keep_auto(file(), auto_key(bench), {"centroid", "delaunay", "5%", 1, 0.25, "", "2001-02-05"});
+    keep_auto(file(), auto_key(bench), {"centroid", "delaunay", "5%", 1, 0.25, 4, 0, "", "2001-02-05"});
     open_state_text(bench, state, "kept.json");
     EXPECT_EQ(bench.session.settings().method, "layers");
     EXPECT_EQ(bench.session.settings().automatic, Switch::on);
@@ -255,6 +259,8 @@ TEST_F(AutoChoiceTest, IsOneOfTheOffersAndRightEnough) {
     EXPECT_EQ(choice.since, "") << "walls hide most";
     EXPECT_LE(choice.wrong, unseen_wrong) << "conservative methods are among them";
     EXPECT_GT(choice.ms, 0);
+    EXPECT_EQ(choice.guessed_ms, 0.001) << "segments cost nothing to draw";
+    EXPECT_EQ(choice.frames, 1u) << "no path: the view at hand";
     // Nothing hides anything: two segments beside each other.
     auto scene = std::make_shared<Scene<2>>();
     scene->primitives = {{Vec<2>(2, 1), Vec<2>(2, .5)}, {Vec<2>(2, -.5), Vec<2>(2, -1)}};
