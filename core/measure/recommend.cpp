@@ -12,6 +12,8 @@ namespace sightline {
 namespace {
 
 constexpr double nearly_all = 0.9;
+/// How far apart the times of one method are from one measurement to the next, as a share.
+constexpr double noise = 0.1;
 
 }  // namespace
 
@@ -26,6 +28,20 @@ std::optional<std::size_t> recommend(std::span<const Offer> offers, double most_
             best = i;
     }
     return best;
+}
+
+std::optional<std::size_t> close_second(std::span<const Offer> offers, std::size_t best, double most_wrong) {
+    const Offer& taken = offers[best];
+    std::optional<std::size_t> second;
+    for (std::size_t i = 0; i < offers.size(); ++i) {
+        const Offer& other = offers[i];
+        const bool same = other.variant == taken.variant && other.tessellation == taken.tessellation;
+        if (same || !(other.wrong <= std::max(most_wrong, taken.wrong))) continue;
+        const double errors = 2 * std::sqrt(other.error * other.error + taken.error * taken.error);
+        if (!(other.ms - taken.ms <= std::max(noise * taken.ms, errors))) continue;
+        if (!second || other.ms < offers[*second].ms) second = i;
+    }
+    return second;
 }
 
 InView what_is_in_view(std::span<const double> drawn, std::span<const double> visible) {

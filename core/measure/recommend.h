@@ -21,6 +21,7 @@ struct Offer {
     double ms = 0;                ///< per frame; NaN: not measured
     double wrong = 0;             ///< share of pixels; NaN: not measured
     bool misses_nothing = false;  ///< at the reference's resolution
+    double error = 0;             ///< standard error of `ms`; NaN: not known
 };
 
 /// So few wrong pixels count as none that a person would see.
@@ -29,6 +30,11 @@ inline constexpr double unseen_wrong = 0.001;
 /// Of the Pareto points the fastest with at most `most_wrong`, else the one with the fewest wrong pixels; of equals the
 /// one that misses nothing. Index into the offers; nothing where none was measured.
 std::optional<std::size_t> recommend(std::span<const Offer> offers, double most_wrong = unseen_wrong);
+
+/// Of the offers with another variant or other cells the fastest with as few wrong pixels, or at most `most_wrong`, if
+/// another measurement might well find it to be faster: it takes at most a tenth longer, or two standard errors.
+std::optional<std::size_t> close_second(std::span<const Offer> offers, std::size_t best,
+                                        double most_wrong = unseen_wrong);
 
 /// What the view shows, as far as it decides how much any culling can save.
 enum class InView : std::uint8_t {

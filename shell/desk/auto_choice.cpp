@@ -100,7 +100,8 @@ void add_offers(const TradeOffStudy<D>& study, Tessellation tessellation, std::v
         double ms = study.value(dot, Measure::total_ms);
         if (!study.task().time_drawing) ms += guessed_ms * study.value(dot, Measure::rendered);
         offers.push_back({variant.text, tessellation, dot.budget, ms, study.value(dot, Measure::wrong),
-                          variant.method.promise_with(variant.parameters) != Misses::may});
+                          variant.method.promise_with(variant.parameters) != Misses::may,
+                          study.value(dot, Measure::total_error)});
     }
 }
 
@@ -116,6 +117,14 @@ InView what_frames_show(const TradeOffStudy<D>& study) {
         }
     }
     return what_is_in_view(drawn, visible);
+}
+
+/// "layers on tree cells at 5%, 3.62 ms"
+std::string offer_text(const std::string& method, std::string_view tessellation, const std::string& budget, double ms) {
+    std::string text = method;
+    if (tessellation != word(Tessellation::delaunay)) text += " on " + std::string(tessellation) + " cells";
+    if (budget != "unlimited") text += " at " + budget;
+    return text + ", " + short_number(ms) + " ms";
 }
 
 std::string since_words(InView what) {
@@ -135,15 +144,13 @@ std::string since_words(InView what) {
 }  // namespace
 
 std::string auto_text(const AutoChoice& choice) {
-    std::string text = "auto: " + choice.method;
-    if (choice.tessellation != word(Tessellation::delaunay)) text += " on " + choice.tessellation + " cells";
-    if (choice.budget != "unlimited") text += " at " + choice.budget;
-    text += ", " + short_number(choice.ms) + " ms";
+    std::string text = "auto: " + offer_text(choice.method, choice.tessellation, choice.budget, choice.ms);
     if (choice.guessed_ms > 0) text += " with drawing as " + short_number(1000 * choice.guessed_ms) + " ms per 1000";
     text += ", " + (choice.wrong == 0 ? std::string("nothing wrong")
                                       : short_number(100 * choice.wrong) + " % of the pixels wrong");
     text += choice.frames == 1 ? ", in one frame" : ", over " + std::to_string(choice.frames) + " frames";
     if (!choice.since.empty()) text += ", since " + choice.since;
+    if (!choice.close.empty()) text += "; a close call with " + choice.close;
     return text + "; measured " + choice.date;
 }
 
@@ -162,9 +169,9 @@ std::optional<AutoChoice> recall_auto(const std::filesystem::path& file, const s
     for (const Json& entry : read_choices(file)) {
         if (!has_key(entry, key)) continue;
         try {
-            AutoChoice choice{entry.at("method"),     entry.at("tessellation"), entry.at("budget"),
-                              entry.at("ms"),         entry.at("wrong"),        entry.at("frames"),
-                              entry.at("guessed_ms"), entry.at("since"),        entry.at("date")};
+            AutoChoice choice{entry.at("method"), entry.at("tessellation"), entry.at("budget"),     entry.at("ms"),
+                              entry.at("wrong"),  entry.at("frames"),       entry.at("guessed_ms"), entry.at("close"),
+                              entry.at("since"),  entry.at("date")};
             Settings checked;  // what an older program knew may be gone
             apply_setting(checked, "tessellation=" + choice.tessellation);
             apply_setting(checked, "budget=" + choice.budget);
@@ -187,6 +194,7 @@ void keep_auto(const std::filesystem::path& file, const std::string& key, const 
                     {"wrong", choice.wrong},
                     {"frames", choice.frames},
                     {"guessed_ms", choice.guessed_ms},
+                    {"close", choice.close},
                     {"since", choice.since},
                     {"date", choice.date}});
     for (const Json& entry : read_choices(file))
@@ -245,6 +253,10 @@ AutoChoice measure_auto(const Workbench<D>& bench, double seconds) {
     const std::optional<std::size_t> best = view_will_do ? of_view : recommend(offers);
     if (!best) throw WorkError("auto: nothing could be measured in " + short_number(seconds) + " s");
     const Offer& offer = offers[*best];
+    const std::optional<std::size_t> close = view_will_do ? std::nullopt : close_second(offers, *best);
+    const auto text = [](const Offer& o) {
+        return offer_text(o.variant, word(o.tessellation), budget_text(o.budget), o.ms);
+    };
     return {offer.variant,
             std::string(word(offer.tessellation)),
             budget_text(offer.budget),
@@ -252,6 +264,7 @@ AutoChoice measure_auto(const Workbench<D>& bench, double seconds) {
             offer.wrong,
             static_cast<std::uint32_t>(frames[offer.tessellation == Tessellation::delaunay ? 0 : 1]),
             timed_drawing ? 0 : guessed_ms,
+            close ? text(offers[*close]) : std::string(),
             view_will_do ? since_words(shown) : std::string(),
             today_text()};
 }

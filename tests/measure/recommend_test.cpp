@@ -52,6 +52,32 @@ TEST(Recommend, TheFastestThatIsRightEnoughElseTheRightest) {
     EXPECT_LT(right, 450u);
 }
 
+TEST(Recommend, NamesACloseSecond) {
+    const auto offer = [](const char* variant, double ms, double wrong, double error = 0) {
+        Offer made;
+        made.variant = variant;
+        made.ms = ms;
+        made.wrong = wrong;
+        made.error = error;
+        return made;
+    };
+    std::vector<Offer> offers{offer("a", 10, 0), offer("a", 10, 0), offer("b", 10.9, 0.0009), offer("c", 9, 0.5),
+                              offer("d", std::nan(""), 0)};
+    EXPECT_EQ(close_second(offers, 0), 2u) << "another variant, right enough, measured";
+    offers[2].ms = 11.1;
+    EXPECT_EQ(close_second(offers, 0), std::nullopt);
+    offers[2].error = 0.6;
+    EXPECT_EQ(close_second(offers, 0), 2u) << "two standard errors are 1.2";
+    offers[1].tessellation = Tessellation::tree;
+    EXPECT_EQ(close_second(offers, 0), 1u) << "other cells, and faster";
+    offers[0].error = std::nan("");
+    offers[1].ms = 10.5;
+    EXPECT_EQ(close_second(offers, 0), 1u) << "an error that is not known";
+    EXPECT_EQ(close_second(offers, 3), std::nullopt) << "these take longer by more than the noise";
+    offers[3].ms = 10;
+    EXPECT_EQ(close_second(offers, 3), 0u) << "fewer wrong pixels, and the fastest of these";
+}
+
 TEST(Recommend, ViewCullingWhereNearlyAllIsVisible) {
     const double drawn[] = {100, 200}, most[] = {90, 190}, some[] = {95, 100}, unknown[] = {95, std::nan("")},
                  no[] = {0, 0};

@@ -34,17 +34,17 @@ protected:
 
     std::filesystem::path folder_ =
         std::filesystem::temp_directory_path() / ("sightline-auto-" + std::to_string(getpid()));
-    const AutoChoice some_{"layers on_reenqueue=min", "tree", "5%", 3.625, 0.0005, 4, 0, "", "2026-11-29"};
+    const AutoChoice some_{"layers on_reenqueue=min", "tree", "5%",        3.625, 0.0005, 4, 0,
+                           "tri at 10%, 3.7 ms",      "",     "2026-11-29"};
 };
 
 TEST_F(AutoChoiceTest, IsSaidInOneLine) {
     EXPECT_EQ(auto_text(some_),
               "auto: layers on_reenqueue=min on tree cells at 5%, 3.62 ms, 0.05 % of the pixels wrong, over 4 frames; "
-              "measured "
-              "2026-11-29");
-    EXPECT_EQ(auto_text({"hzb", "delaunay", "unlimited", 3.6, 0, 4, 0, "", "2026-11-29"}),
+              "a close call with tri at 10%, 3.7 ms; measured 2026-11-29");
+    EXPECT_EQ(auto_text({"hzb", "delaunay", "unlimited", 3.6, 0, 4, 0, "", "", "2026-11-29"}),
               "auto: hzb, 3.6 ms, nothing wrong, over 4 frames; measured 2026-11-29");
-    EXPECT_EQ(auto_text({"view", "delaunay", "unlimited", 2, 0, 1, 0.001, "nearly all that is in view is visible",
+    EXPECT_EQ(auto_text({"view", "delaunay", "unlimited", 2, 0, 1, 0.001, "", "nearly all that is in view is visible",
                          "2026-11-29"}),
               "auto: view, 2 ms with drawing as 1 ms per 1000, nothing wrong, in one frame, since nearly all that is "
               "in view is visible; measured 2026-11-29");
@@ -110,7 +110,7 @@ TEST_F(AutoChoiceTest, IsTaken) {
     bench.auto_file = file();
     std::vector<std::string> said;
     bench.say = [&](const std::string& line) { said.push_back(line); };
-    keep_auto(file(), auto_key(bench), {"layers", "tree", "2%", 1, 0.25, 4, 0, "", "2001-02-03"});
+    keep_auto(file(), auto_key(bench), {"layers", "tree", "2%", 1, 0.25, 4, 0, "", "", "2001-02-03"});
     choose_auto(bench, false, bench.session.settings());
     EXPECT_EQ(bench.session.settings().method, "layers");
     EXPECT_EQ(bench.session.settings().tessellation, Tessellation::tree);
@@ -119,7 +119,7 @@ TEST_F(AutoChoiceTest, IsTaken) {
     EXPECT_EQ(said.back(),
               "auto: layers on tree cells at 2%, 1 ms, 25 % of the pixels wrong, over 4 frames; measured 2001-02-03");
     // What another program remembered under a method that is not there is measured again.
-    keep_auto(file(), auto_key(bench), {"magic", "tree", "2%", 1, 0.25, 4, 0, "", "2001-02-03"});
+    keep_auto(file(), auto_key(bench), {"magic", "tree", "2%", 1, 0.25, 4, 0, "", "", "2001-02-03"});
     choose_auto(bench, false, bench.session.settings());
     EXPECT_NE(said.back().find("measured 20"), std::string::npos);
     EXPECT_EQ(said.back().find("2001"), std::string::npos);
@@ -146,7 +146,7 @@ TEST_F(AutoChoiceTest, IsASettingThatGoesOffByHand) {
     bench.auto_file = file();
     std::vector<std::string> said;
     bench.say = [&](const std::string& line) { said.push_back(line); };
-    keep_auto(file(), auto_key(bench), {"layers", "tree", "2%", 1, 0.25, 4, 0, "", "2001-02-03"});
+    keep_auto(file(), auto_key(bench), {"layers", "tree", "2%", 1, 0.25, 4, 0, "", "", "2001-02-03"});
     const auto by_hand = [&](const std::string& assignment) {
         said.clear();
         Settings settings = bench.session.settings();
@@ -191,7 +191,7 @@ TEST_F(AutoChoiceTest, GivesWayToThePresetOfAMethod) {
     bench.auto_file = file();
     std::vector<std::string> said;
     bench.say = [&](const std::string& line) { said.push_back(line); };
-    keep_auto(file(), auto_key(bench), {"tri-z", "delaunay", "2%", 1, 0.25, 4, 0, "", "2001-02-03"});
+    keep_auto(file(), auto_key(bench), {"tri-z", "delaunay", "2%", 1, 0.25, 4, 0, "", "", "2001-02-03"});
     for (const Preset& preset : presets()) {
         choose_auto(bench, false, bench.session.settings());
         ASSERT_EQ(bench.session.settings().method, "tri-z");
@@ -206,9 +206,9 @@ TEST_F(AutoChoiceTest, GivesWayToThePresetOfAMethod) {
 TEST_F(AutoChoiceTest, FollowsWhenASceneIsOpenedAndStaysAsAStateHasIt) {
     Workbench<2> bench = bench_on("rooms");
     bench.auto_file = file();
-    keep_auto(file(), auto_key(bench), {"layers", "tree", "2%", 1, 0.25, 4, 0, "", "2001-02-03"});
+    keep_auto(file(), auto_key(bench), {"layers", "tree", "2%", 1, 0.25, 4, 0, "", "", "2001-02-03"});
     keep_auto(file(), auto_key(bench_on("streets")),
-              {"view", "delaunay", "unlimited", 1, 0, 1, 0, "nothing is in view", "2001-02-04"});
+              {"view", "delaunay", "unlimited", 1, 0, 1, 0, "", "nothing is in view", "2001-02-04"});
     std::vector<std::string> said;
     bench.say = [&](const std::string& line) { said.push_back(line); };
     open(bench, "streets");
@@ -222,7 +222,7 @@ TEST_F(AutoChoiceTest, FollowsWhenASceneIsOpenedAndStaysAsAStateHasIt) {
     // A state reopens as it was, whatever is recommended now.
     open(bench, "rooms");
     const std::string state = state_json(bench.session, {});
-    keep_auto(file(), auto_key(bench), {"centroid", "delaunay", "5%", 1, 0.25, 4, 0, "", "2001-02-05"});
+    keep_auto(file(), auto_key(bench), {"centroid", "delaunay", "5%", 1, 0.25, 4, 0, "", "", "2001-02-05"});
     open_state_text(bench, state, "kept.json");
     EXPECT_EQ(bench.session.settings().method, "layers");
     EXPECT_EQ(bench.session.settings().automatic, Switch::on);

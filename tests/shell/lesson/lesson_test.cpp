@@ -123,7 +123,7 @@ TEST_F(Lessons, APartIsWhatItSetsWhateverIsRecommended) {
         begin_lesson(*bench, *light, part);
         const Settings as_it_is = session().settings();
         bench->auto_file = folder / "auto.json";
-        keep_auto(bench->auto_file, auto_key(*bench), {"perfect", "kd", "7", 1, 0, 1, 0, "", "2001-02-03"});
+        keep_auto(bench->auto_file, auto_key(*bench), {"perfect", "kd", "7", 1, 0, 1, 0, "", "", "2001-02-03"});
         Settings automatic = as_it_is;
         automatic.automatic = Switch::on;
         session().change(automatic);
