@@ -96,8 +96,7 @@ void print_table(const Results& results) {
     }
     for (const WrongFlight& flight : results.wrong_flights)
         std::cout << one_line(flight.scene + ", " + flight.path + ", " + method_text(flight.method)) << ": "
-                  << per_cent(share_kept(flight)) << " % of " << flight.frames.size() << " frames within "
-                  << wrong_budget_text(flight.wrong) << " + 10 %\n";
+                  << kept_text(flight) << "\n";
     for (const TimedFlight& flight : results.flights)
         std::cout << one_line(flight.scene + ", " + flight.path + ", " + method_text(flight.method)) << ": "
                   << per_cent(share_kept(flight)) << " % of " << flight.frames.size() << " frames within "

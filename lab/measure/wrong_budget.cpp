@@ -92,6 +92,13 @@ double share_kept(const WrongFlight& flight) {
     return static_cast<double>(kept) / static_cast<double>(flight.frames.size() - 1);
 }
 
+std::string kept_text(const WrongFlight& flight) {
+    const std::size_t judged = std::max<std::size_t>(flight.frames.size(), 1) - 1;
+    return (judged == 0 ? std::string("none") : short_number(100 * share_kept(flight)) + " %") + " of " +
+           std::to_string(judged) + " frames (all but the first, which nothing is known of) within " +
+           wrong_budget_text(flight.wrong) + " + 10 %";
+}
+
 std::string wrong_flights_json(const std::vector<WrongFlight>& flights) {
     nlohmann::ordered_json all = nlohmann::ordered_json::array();
     for (const WrongFlight& flight : flights) {

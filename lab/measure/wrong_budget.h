@@ -36,4 +36,7 @@ std::optional<double> parse_wrong_budget(std::string_view text);
 /// is known of, is left out.
 double share_kept(const WrongFlight& flight);
 
+/// "80 % of 5 frames (all but the first, which nothing is known of) within wrong:0.5% + 10 %"
+std::string kept_text(const WrongFlight& flight);
+
 }  // namespace sightline::lab

@@ -97,6 +97,9 @@ TEST(WrongBudget, IsWrittenCountedAndReadBack) {
     const WrongFlight flight = made_by_hand();
     EXPECT_EQ(share_kept(flight), 0.5) << "the first frame does not count";
     EXPECT_TRUE(std::isnan(share_kept(WrongFlight{})));
+    EXPECT_EQ(kept_text(flight), "50 % of " + std::to_string(flight.frames.size() - 1) +
+                                     " frames (all but the first, which nothing is known of) within wrong:0.5% + 10 %");
+    EXPECT_TRUE(kept_text(WrongFlight{}).starts_with("none of 0 frames"));
     const std::string text = wrong_flights_json({flight, {}});
     EXPECT_EQ(text.find('\n'), std::string::npos) << "a checkpoint is a line";
     const auto read = read_wrong_flights(text);
