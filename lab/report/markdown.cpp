@@ -58,7 +58,7 @@ void write_markdown(const Results& results, const std::string& command, const st
                        "pixels. [Measuring](measuring.md) says what each number is and how to read the charts.\n";
     if (const std::vector<Claim> claims = judge_claims(results); !claims.empty()) text += claims_of(claims);
     if (const TextTable table = winners_table(results); !table.rows.empty())
-        text += "\n## Who wins where\n\n" + std::string(winners_caption) + "\n\n" + markdown(table);
+        text += "\n## Who wins where\n\n" + winners_text(results) + "\n\n" + markdown(table);
     if (const std::vector<Table1Row> table = table_1(results); !table.empty())
         text += "\n## Table 1 of the papers\n\n" + std::string(table_1_caption) + "\n\n" + markdown(text_table(table));
     if (const TextTable table = gem_table(results); !table.rows.empty())

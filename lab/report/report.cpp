@@ -71,7 +71,7 @@ std::string caption(const FramePicture& p) {
 std::string tables_of_papers(const Results& results) {
     std::string text;
     if (const TextTable table = winners_table(results); !table.rows.empty())
-        text += "<h2>Who wins where</h2>" + html(table, winners_caption);
+        text += "<h2>Who wins where</h2>" + html(table, winners_text(results));
     if (const std::vector<Table1Row> table = table_1(results); !table.empty())
         text += "<h2>Table 1 of the papers</h2>" + html(text_table(table), table_1_caption);
     if (const TextTable table = gem_table(results); !table.rows.empty())

@@ -123,6 +123,38 @@ TEST(LabTradeOff, SaysWhoWinsAtEachShareOfWrongPixels) {
     EXPECT_TRUE(winners_table(results_of({report_row("city", "perfect", "unlimited", 1, 0, 1)})).rows.empty());
 }
 
+TEST(LabTradeOff, SaysOfWinnersWhatWasMeasured) {
+    const auto says = [](const std::vector<Row>& rows, const std::string& words) {
+        const std::string text = winners_text(results_of(rows));
+        EXPECT_NE(text.find(words), std::string::npos) << text;
+        for (const Method<3>& method : method_table<3>()) {
+            const std::string id(method.id);
+            const bool measured =
+                std::any_of(rows.begin(), rows.end(), [&](const Row& row) { return row.method.id() == id; });
+            for (const char* const after : {" ", ",", ";", ")"})
+                EXPECT_TRUE(measured || text.find(" " + id + after) == std::string::npos || id == "view" ||
+                            id == "everything")
+                    << id << " was not measured: " << text;
+        }
+    };
+    const std::vector<Row> rows{
+        report_row("city", "layers", "1%", 2, 0.04, 0), report_row("city", "boxes", "unlimited", 4, 0, 1),
+        report_row("cars", "layers", "1%", 2, 0.04, 0), report_row("cars", "boxes", "unlimited", 4, 0.0001, 1),
+        report_row("room", "tri", "5%", 2, 0.04, 0)};
+    says(rows, "at most 5 % wrong: layers 2, tri 1; none wrong: boxes 1, nobody 2.");
+    says(rows, "(traversal + upload + drawing; milliseconds");
+    says(rows, "A budget wins only where a few pixels may be wrong");
+    std::vector<Row> flat{report_row("2d:streets", "published", "1%", 2, 0.04, 0),
+                          report_row("2d:streets", "view", "unlimited", 1, 0, 1)};
+    for (Row& row : flat)
+        for (Values& values : row.values) values[M::draw_ms] = values[M::upload_ms] = std::nan("");
+    says(flat, "at most 5 % wrong: view 1; none wrong: view 1.");
+    says(flat, "(traversal alone, since no drawing is timed; milliseconds");
+    EXPECT_EQ(winners_text(results_of(flat)).find("A budget wins"), std::string::npos) << "it does not";
+    flat.insert(flat.end(), rows.begin(), rows.end());
+    says(flat, "(traversal + upload + drawing; where no drawing is timed, traversal alone; milliseconds");
+}
+
 class LabFiles : public testing::Test {
 protected:
     void SetUp() override { fs::create_directories(folder_); }
