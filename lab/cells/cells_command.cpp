@@ -145,6 +145,7 @@ int cells_command(int argc, const char* const* argv, const MethodTables& tables)
             ->capture_default_str();
     app.add_option("--within", within,
                    "how much worse than the best the knee may be, in units of the measure (shares: 0.01 is 1 %)")
+        ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
     app.add_option("--reach", reach, "also name the simplest method that reaches this value of the measure");
     app.add_option("--out", out, "folder of the results; default: out/cells-SCENE");

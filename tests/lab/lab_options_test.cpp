@@ -57,6 +57,7 @@ TEST_F(LabOptions, WhatWouldDoNothingIsRefused) {
         {"reduce 2d:rooms --until 'inversion == 1' --limit 0", "--limit"},
         {"compare layers published 2d:rooms --methods view", "--methods does nothing"},
         {"compare nosuch/results.json layers", "no such file"},
+        {"cells 2d:rooms --methods tri --within -1", "--within"},
         {"measure nosuch.obj --frames 1", "nosuch.obj"},
         {"measure 2d:rooms --chart-size 3", "--chart-size"},
     };
