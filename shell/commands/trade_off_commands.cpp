@@ -58,7 +58,7 @@ void trade_off(Workbench<D>& bench, Text text) {
 
 template <int D>
 void choose_for_me(Workbench<D>& bench, Text text) {
-    if (!text.empty() && text != "again") throw InputError("write again, or nothing");
+    if (!text.empty() && text != "again") throw InputError("write again, or nothing; set auto=off switches it off");
     choose_auto(bench, text == "again", bench.session.settings());
 }
 

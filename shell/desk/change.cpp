@@ -86,7 +86,7 @@ void change_settings(Workbench<D>& bench, const Settings& wanted, const std::str
         if (!left.empty()) bench.say(left);
         return;
     }
-    bench.say(what_became(bench, before, what) + (left.empty() ? "" : "; " + left));
+    if (by == SetBy::hand) bench.say(what_became(bench, before, what) + (left.empty() ? "" : "; " + left));
 }
 
 template <int D>

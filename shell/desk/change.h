@@ -15,9 +15,10 @@ enum class SetBy : std::uint8_t { hand, recommendation };
 /// "auto is off: the budget was set by hand"; empty where method, cells and budget are the same.
 std::string left_auto(const Settings& recommended, const Settings& settings);
 
-/// `gesture` as remember() takes it. Says what became of the traversal when it was made again. By hand, the setting
-/// `auto` goes off where method, cells or budget become others. Throws InputError for a method that does not exist or a
-/// setting that only a fresh load can change; then nothing has changed.
+/// `gesture` as remember() takes it. By hand it says what became of the traversal when it was made again, and the
+/// setting `auto` goes off where method, cells or budget become others; a recommendation is said by whoever made it.
+/// Throws InputError for a method that does not exist or a setting that only a fresh load can change; then nothing has
+/// changed.
 template <int D>
 void change_settings(Workbench<D>& bench, const Settings& settings, const std::string& gesture = "",
                      SetBy by = SetBy::hand);

@@ -15,6 +15,7 @@
 #include "shell/desk/change.h"
 #include "shell/desk/open.h"
 #include "shell/desk/undo.h"
+#include "tests/scene/scene_support.h"
 #include "tests/shell/commands/commands_support.h"
 
 namespace sightline {
@@ -282,7 +283,7 @@ TEST_F(AutoChoiceTest, IsOneOfTheOffersAndRightEnough) {
 TEST_F(EachCommand, auto) {
     bench->auto_file = folder / "auto.json";
     run("auto");
-    ASSERT_EQ(said.size(), 2u) << "the run that was made again, and what was chosen";
+    ASSERT_EQ(said.size(), 1u) << "one line, which the status line can show";
     EXPECT_TRUE(said.back().starts_with("auto: ")) << said.back();
     const std::optional<AutoChoice> kept = recall_auto(bench->auto_file, auto_key(*bench));
     ASSERT_TRUE(kept);
@@ -299,7 +300,10 @@ TEST_F(EachCommand, auto) {
     EXPECT_NE(said.back().find("2001-02-03"), std::string::npos);
     run("auto again");
     EXPECT_EQ(said.back().find("2001-02-03"), std::string::npos);
-    EXPECT_THROW(run("auto now"), InputError);
+    test::expect_input_error([&] { run("auto off"); },
+                             "command 'auto off': write again, or nothing; set auto=off switches it off");
+    run("set auto=off");
+    EXPECT_EQ(session().settings().automatic, Switch::off);
 }
 
 }  // namespace
