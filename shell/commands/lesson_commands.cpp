@@ -93,7 +93,8 @@ std::span<const Command<D>> lesson_commands() {
         Command<D>{"answer", "Answer", "NUMBER",
                    "the key that an exercise of a lesson asks for; PageDown tells it without an answer", "",
                    [](Workbench<D>& bench, Text text) {
-                       answer_exercise(bench, number_argument(text, "the key of the cell"));
+                       answer_exercise(bench, number_argument(text, "a number, as the key of a cell is"));
+                       bench.say(bench.teaching->guessed);
                    }},
         Command<D>{"speaker", "Speaker notes", "",
                    "open or close a second window with your notes, what comes next, and the time", "F3",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/error.h"
 #include "core/session/headline.h"
+#include "tests/scene/scene_support.h"
 #include "tests/shell/commands/commands_support.h"
 
 namespace sightline {
@@ -52,8 +53,10 @@ TEST_F(EachCommand, previous) {
 TEST_F(EachCommand, answer) {
     EXPECT_THROW(run("answer 1"), InputError) << "no lesson is given";
     run("lesson plp 4");
-    EXPECT_THROW(run("answer much"), InputError);
+    test::expect_input_error([&] { run("answer much"); },
+                             "command 'answer much': 'much' is not a number, as the key of a cell is");
     run("answer 0.549");
+    EXPECT_TRUE(said.back().starts_with("You said 0.549, right: ")) << said.back();
     EXPECT_EQ(bench->teaching->presses, 1u);
     EXPECT_EQ(bench->teaching->score.right, 1u);
 }
