@@ -32,6 +32,10 @@ std::string headline(const Session<D>& session) {
     return text + std::to_string(session.reference().count) + " of " + all + " visible";
 }
 
+std::string coverage_text(std::optional<double> coverage) {
+    return coverage ? short_number(*coverage, separating_digits(*coverage, 1)) : "none";
+}
+
 template <int D>
 std::string result_line(const Session<D>& session) {
     std::string text = std::to_string(session.counters().drawn()) + " drawn";
@@ -41,7 +45,7 @@ std::string result_line(const Session<D>& session) {
     if (found == all) return text + ", all " + std::to_string(all) + " visible found";
     const auto share = coverage(session.reference(), found);
     return text + ", " + std::to_string(found) + " of " + std::to_string(all) + " visible found, coverage " +
-           short_number(share.value_or(0));
+           coverage_text(share);
 }
 
 std::string step_line(const StepExplanation& step, bool truth, std::string_view of) {

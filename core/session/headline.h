@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "core/session/explain.h"
@@ -17,6 +18,9 @@ bool tells_truth(const Session<D>& session) {
 /// "Bottleneck: PLP as published, 76 cells, 22 of 337 segments visible"; of a frame in flight no more than is known.
 template <int D>
 std::string headline(const Session<D>& session);
+
+/// A coverage for people: 1 only where nothing is missing ("0.9997"); "none" where nothing is visible.
+std::string coverage_text(std::optional<double> coverage);
 
 /// "101 drawn, 10 of 22 visible found (45.5 %)"; "all 22 visible found".
 template <int D>

@@ -15,11 +15,11 @@ const std::string undefined = "–";
 const std::string concealed = "?";
 
 template <int D>
-std::string coverage_text(const Session<D>& session) {
+std::string coverage_cell(const Session<D>& session) {
     if (!tells_truth(session)) return concealed;
     if (session.flying() && !session.has_reference()) return "…";  // a frame of a flight does not wait for it
     const auto share = coverage(session.reference(), session.visible_rendered());
-    return share ? short_number(*share) : undefined;
+    return share ? coverage_text(share) : undefined;
 }
 
 /// A method without a front has none to compare with what it took.
@@ -57,7 +57,7 @@ std::vector<Row> compare_rows(const Workbench<D>& bench) {
     add("rendered", std::to_string(left.counters().drawn()), std::to_string(right.counters().drawn()),
         by_step ? "align rendered" : "");
     if (!flying) rows.push_back({align_sentence(left, right, bench.other->align), Tone::faint});
-    add("coverage", coverage_text(left), coverage_text(right));
+    add("coverage", coverage_cell(left), coverage_cell(right));
     if (!flying) add("inversions", inversions_text(left), inversions_text(right), "show inversions");
     if (!goes_through_cells(left) || !goes_through_cells(right))
         rows.push_back({"one goes through no cells: compare what is drawn", Tone::faint});

@@ -36,8 +36,7 @@ std::vector<Row> run_rows(const Workbench<D>& bench) {
         const auto share = coverage(s.reference(), s.visible_rendered());
         const auto best = oracle(s.reference(), s.counters().drawn());
         add(std::to_string(s.visible_rendered()) + " of " + std::to_string(s.reference().count) +
-            " visible, coverage " + (share ? short_number(*share) : "none") + ", oracle " +
-            (best ? short_number(*best) : "none"));
+            " visible, coverage " + coverage_text(share) + ", oracle " + (best ? short_number(*best) : "none"));
     }
     add(conditions(s), Tone::faint);
     return rows;

@@ -16,6 +16,7 @@
 #include "core/base/stopwatch.h"
 #include "core/base/text.h"
 #include "core/session/condition.h"
+#include "core/session/headline.h"
 #include "core/session/report.h"
 #include "core/session/settings_file.h"
 #include "core/session/state_file.h"
@@ -203,8 +204,6 @@ void move(Workbench<D>& bench, const Options& o, bool state, bool window) {
     if (o.steps) go_to_step(bench, *o.steps);
 }
 
-std::string value(const std::optional<double>& v) { return v ? short_number(*v) : "none (nothing is visible)"; }
-
 template <int D>
 std::string wrong_text(const Session<D>& s) {
     return short_number(100 * s.wrong_pixels()) + " %";
@@ -222,7 +221,8 @@ void print_summary(const Workbench<D>& bench) {
               " (stopped by: " + std::string(stop_words[static_cast<std::size_t>(bench.last_stop)]) +
               "): " + std::to_string(s.counters().drawn()) + " rendered, " + std::to_string(s.visible_rendered()) +
               " of " + std::to_string(reference.count) + " visible; coverage " +
-              value(coverage(reference, s.visible_rendered())) +
+              (reference.count == 0 ? std::string("none (nothing is visible)")
+                                    : coverage_text(coverage(reference, s.visible_rendered()))) +
               (D == 2 ? " (exact reference)" : " (" + reference.name + "), wrong pixels " + wrong_text(s)) +
               ", inversions " + std::to_string(so_far) + ", state " + hash_text(s.hash()));
     if (s.cells().cell_count() == 0) std::cerr << "warning: no cells: too few leaf centres without a border\n";

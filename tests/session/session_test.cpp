@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "core/draw/picture.h"
 #include "core/session/explain.h"
+#include "core/session/headline.h"
 #include "core/space/builders.h"
 #include "tests/run/run_support.h"
 #include "tests/scene/scene_support.h"
@@ -30,6 +31,14 @@ Forward forward_only(const test::Start& start) {
     Forward forward{{run->hash()}, Stop::none};
     while ((forward.end = run->run(1)) == Stop::steps) forward.hashes.push_back(run->hash());
     return forward;
+}
+
+TEST(Session, CoverageIsOneOnlyWhereNothingIsMissing) {
+    EXPECT_EQ(coverage_text(3942.0 / 3943), "0.9997");
+    EXPECT_EQ(coverage_text(1), "1");
+    EXPECT_EQ(coverage_text(0.4545), "0.455");
+    EXPECT_EQ(coverage_text(0), "0");
+    EXPECT_EQ(coverage_text(std::nullopt), "none");
 }
 
 TEST(Session, AnyWalkFindsTheHashesOfAForwardRun) {
