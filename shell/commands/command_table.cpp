@@ -88,6 +88,11 @@ InputError unknown_command(const std::string& word, std::span<const std::string_
     return InputError(text + "and " + std::to_string(known.size() - some) + " more: Tab lists them, as does --help");
 }
 
+/// The command and its arguments; without the colon that opens the line, which people type in it as well.
+std::array<std::string, 2> words_of(std::string_view part) {
+    return split_word(std::string(part.starts_with(':') ? part.substr(1) : part));
+}
+
 /// nullptr when there is no command of this id.
 template <int D>
 const Command<D>* find_command(std::string_view id) {
@@ -101,7 +106,7 @@ const Command<D>* find_command(std::string_view id) {
 template <int D>
 std::string_view slow_word(std::string_view text) try {
     for (const std::string& part : split_commands(text))
-        if (const Command<D>* const command = find_command<D>(split_word(part)[0]); command && !command->slow.empty())
+        if (const Command<D>* const command = find_command<D>(words_of(part)[0]); command && !command->slow.empty())
             return command->slow;
     return {};
 } catch (const InputError&) {
@@ -111,7 +116,7 @@ std::string_view slow_word(std::string_view text) try {
 template <int D>
 void run_commands(Workbench<D>& bench, std::string_view text) {
     for (const std::string& part : split_commands(text)) {
-        const auto words = split_word(part);
+        const auto words = words_of(part);
         const std::string &word = words[0], &argument = words[1];
         const Command<D>* const found = find_command<D>(word);
         if (!found) {

@@ -24,7 +24,7 @@ std::span<const CommandGroup<D>> command_groups();
 template <int D>
 std::span<const Command<D>> command_table();
 
-/// Runs "COMMAND; COMMAND; …" until the end or quit. A ';' inside double quotes does not separate, and two double
+/// Runs "COMMAND; COMMAND; …" until the end or quit. A ':' before a command is ignored. A ';' inside double quotes does not separate, and two double
 /// quotes there are one. Throws InputError that names the command; those before it have been carried out.
 template <int D>
 void run_commands(Workbench<D>& bench, std::string_view text);

@@ -38,6 +38,14 @@ TEST_F(Commands, SeparatorsAndQuotes) {
     EXPECT_EQ(session().position(), before) << "nothing runs when the text is not understood";
 }
 
+TEST_F(Commands, AColonBeforeOneIsIgnored) {
+    run(":step 3; :back");
+    EXPECT_EQ(session().position(), 2u);
+    EXPECT_EQ(slow_word<2>(":auto again"), slow_word<2>("auto again"));
+    EXPECT_NE(slow_word<2>(":auto again"), "");
+    EXPECT_THROW(run(":"), InputError);
+}
+
 TEST_F(Commands, ErrorsNameTheCommandAndChangeNothing) {
     run("seek 10");
     const std::uint64_t hash = session().hash();
