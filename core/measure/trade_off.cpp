@@ -28,6 +28,7 @@ TradeOffStudy<D>::TradeOffStudy(TradeOffTask<D> task) : task_(std::move(task)), 
 template <int D>
 void TradeOffStudy<D>::add_usual_dots(std::size_t v) {
     if (!task_.variants[v].method.budgeted) return dots_.push_back({v, {}});
+    if (task_.budget) return dots_.push_back({v, *task_.budget});
     for (const double share : usual_shares) dots_.push_back({v, {Budget::Kind::share, share}});
 }
 

@@ -24,8 +24,9 @@ struct TradeOffTask {
     std::vector<View<D>> views{};
     std::vector<View<D>> before{};  ///< of each view the frame before it; empty: methods that look at it have none
     std::vector<Variant<D>> variants{};
-    DrawIds draw_ids{};          ///< 3D; empty: in software
-    TimeDrawing time_drawing{};  ///< 3D; empty: drawing is not timed
+    std::optional<Budget> budget{};  ///< in place of the usual ones; not one in milliseconds
+    DrawIds draw_ids{};              ///< 3D; empty: in software
+    TimeDrawing time_drawing{};      ///< 3D; empty: drawing is not timed
 };
 
 /// A variant at a budget; what it makes of the views so far, in their order.

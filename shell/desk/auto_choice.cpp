@@ -75,7 +75,8 @@ std::string path_name(const Workbench<D>& bench) {
 
 /// What the bench's methods offer on these cells.
 template <int D>
-TradeOffTask<D> task_of(const Workbench<D>& bench, Tessellation tessellation, bool cells_only) {
+TradeOffTask<D> task_of(const Workbench<D>& bench, Tessellation tessellation, bool cells_only,
+                        const std::optional<Budget>& budget) {
     const Session<D>& session = bench.session;
     Settings settings = session.settings();
     TradeOffTask<D> task{session.shared_scene(), session.shared_cells(), settings.reference_size};
@@ -88,6 +89,8 @@ TradeOffTask<D> task_of(const Workbench<D>& bench, Tessellation tessellation, bo
         task.before.push_back(scene_view(frame.before, session.scene(), settings.reference_size));
     }
     task.variants = auto_methods(bench, cells_only);
+    task.budget = budget;
+    if (budget) task.before.clear();  // a first frame renders most, and is not to be cut short either
     task.draw_ids = drawing_of(settings.reference, bench.graphics.draw_ids);
     if (D == 3 && bench.graphics.time_drawing) task.time_drawing = bench.graphics.time_drawing(settings.reference_size);
     return task;
@@ -97,6 +100,12 @@ template <int D>
 void add_offers(const TradeOffStudy<D>& study, Tessellation tessellation, std::vector<Offer>& offers) {
     for (const TradeOffDot& dot : study.dots()) {
         const Variant<D>& variant = study.task().variants[dot.variant];
+        const std::optional<Budget>& asked = study.task().budget;
+        const std::uint32_t most = asked ? asked->primitives(study.task().scene->primitives.size()) : none;
+        if (!variant.method.budgeted && std::any_of(dot.frames.begin(), dot.frames.end(), [&](const Values& frame) {
+                return frame[Measure::rendered] > most;
+            }))
+            continue;
         double ms = study.value(dot, Measure::total_ms);
         if (!study.task().time_drawing) ms += guessed_ms * study.value(dot, Measure::rendered);
         offers.push_back({variant.text, tessellation, dot.budget, ms, study.value(dot, Measure::wrong),
@@ -227,7 +236,7 @@ std::vector<Variant<D>> auto_methods(const Workbench<D>& bench, bool cells_only)
 }
 
 template <int D>
-AutoChoice measure_auto(const Workbench<D>& bench, double seconds) {
+AutoChoice measure_auto(const Workbench<D>& bench, double seconds, const std::optional<Budget>& budget) {
     std::vector<Offer> offers;
     const Stopwatch clock;
     std::optional<std::size_t> of_view;
@@ -236,7 +245,7 @@ AutoChoice measure_auto(const Workbench<D>& bench, double seconds) {
     bool timed_drawing = false;
     for (const Tessellation tessellation : {Tessellation::delaunay, Tessellation::tree}) {
         const bool first = tessellation == Tessellation::delaunay;
-        TradeOffStudy<D> study(task_of(bench, tessellation, !first));
+        TradeOffStudy<D> study(task_of(bench, tessellation, !first, budget));
         const double until = 1000 * seconds * (first ? 0.7 : 1);
         while (clock.milliseconds() < until && study.advance())
             report(bench.graphics.progress, "measuring methods",
@@ -259,7 +268,7 @@ AutoChoice measure_auto(const Workbench<D>& bench, double seconds) {
     };
     return {offer.variant,
             std::string(word(offer.tessellation)),
-            budget_text(offer.budget),
+            budget_text(budget.value_or(offer.budget)),
             offer.ms,
             offer.wrong,
             static_cast<std::uint32_t>(frames[offer.tessellation == Tessellation::delaunay ? 0 : 1]),
@@ -270,8 +279,8 @@ AutoChoice measure_auto(const Workbench<D>& bench, double seconds) {
 }
 
 template <int D>
-void choose_auto(Workbench<D>& bench, bool again, const Settings& wanted) {
-    const std::string key = auto_key(bench);
+void choose_auto(Workbench<D>& bench, bool again, const Settings& wanted, const std::optional<Budget>& budget) {
+    const std::string key = auto_key(bench) + (budget ? ", budget " + budget_text(*budget) : "");
     std::optional<AutoChoice> choice = again ? std::nullopt : recall_auto(bench.auto_file, key);
     if (choice) try {
             make_variant<D>(bench.methods, choice->method);
@@ -279,7 +288,7 @@ void choose_auto(Workbench<D>& bench, bool again, const Settings& wanted) {
             choice.reset();  // of another program
         }
     if (!choice) {
-        choice = measure_auto(bench);
+        choice = measure_auto(bench, 20, budget);
         try {
             keep_auto(bench.auto_file, key, *choice);
         } catch (const WorkError& error) {
@@ -302,11 +311,11 @@ void change_by_hand(Workbench<D>& bench, const Settings& settings) {
     change_settings(bench, settings);
 }
 
-#define SIGHTLINE_INSTANTIATE(D)                                                 \
-    template std::string auto_key<D>(const Workbench<D>&);                       \
-    template std::vector<Variant<D>> auto_methods<D>(const Workbench<D>&, bool); \
-    template AutoChoice measure_auto<D>(const Workbench<D>&, double);            \
-    template void choose_auto<D>(Workbench<D>&, bool, const Settings&);          \
+#define SIGHTLINE_INSTANTIATE(D)                                                                      \
+    template std::string auto_key<D>(const Workbench<D>&);                                            \
+    template std::vector<Variant<D>> auto_methods<D>(const Workbench<D>&, bool);                      \
+    template AutoChoice measure_auto<D>(const Workbench<D>&, double, const std::optional<Budget>&);   \
+    template void choose_auto<D>(Workbench<D>&, bool, const Settings&, const std::optional<Budget>&); \
     template void change_by_hand<D>(Workbench<D>&, const Settings&);
 SIGHTLINE_INSTANTIATE(2)
 SIGHTLINE_INSTANTIATE(3)

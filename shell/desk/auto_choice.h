@@ -52,14 +52,15 @@ std::vector<Variant<D>> auto_methods(const Workbench<D>& bench, bool cells_only)
 /// that look at the frame before see that of the path, or the same view. A frame's time is that of traversal, upload
 /// and drawing; where nothing is drawn that can be timed, a millisecond for 1000 primitives. Throws WorkError where
 /// nothing could be measured.
+/// `budget`, which is not in milliseconds: the choice has this one, which cuts no method short that has no use for one.
 template <int D>
-AutoChoice measure_auto(const Workbench<D>& bench, double seconds = 20);
+AutoChoice measure_auto(const Workbench<D>& bench, double seconds = 20, const std::optional<Budget>& budget = {});
 
 /// `wanted`, with the recommended method, cells and budget in place of its own, and `auto` on, in one change, which is
 /// said. Takes what is remembered, or measures it (`again`: in any case) and remembers it; where that fails, a warning
 /// says so. Throws as measure_auto.
 template <int D>
-void choose_auto(Workbench<D>& bench, bool again, const Settings& wanted);
+void choose_auto(Workbench<D>& bench, bool again, const Settings& wanted, const std::optional<Budget>& budget = {});
 
 /// change_settings(), or choose_auto() where that switches `auto` on.
 template <int D>

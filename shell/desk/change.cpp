@@ -11,13 +11,14 @@ namespace sightline {
 
 namespace {
 
-/// "step 37 of 212; order differs from step 12"
+/// "step 37 of 212; order differs from step 12"; empty where nothing was recorded.
 template <int D>
 std::string what_became(const Workbench<D>& bench, const std::vector<Step>& before, Invalidates what) {
     const auto& now = bench.session.timeline().steps;
     const std::size_t common = std::min(before.size(), now.size());
     std::size_t same = 0;
     while (same < common && before[same].item == now[same].item) ++same;
+    if (before.empty() && now.empty() && what < Invalidates::tessellation) return {};
     std::string line = "step " + std::to_string(bench.session.position()) + " of " + std::to_string(now.size()) + "; ";
     if (what >= Invalidates::tessellation)
         line += "new cells: " + std::to_string(bench.session.cells().cell_count());
@@ -86,7 +87,10 @@ void change_settings(Workbench<D>& bench, const Settings& wanted, const std::str
         if (!left.empty()) bench.say(left);
         return;
     }
-    if (by == SetBy::hand) bench.say(what_became(bench, before, what) + (left.empty() ? "" : "; " + left));
+    if (by == SetBy::recommendation) return;
+    const std::string became = what_became(bench, before, what);
+    const std::string line = became + (became.empty() || left.empty() ? "" : "; ") + left;
+    if (!line.empty()) bench.say(line);
 }
 
 template <int D>

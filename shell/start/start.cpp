@@ -62,6 +62,16 @@ ViewSpec<D> apply_options(ViewSpec<D> view, const Options& o, const Scene<D>& sc
 
 void warn(const std::string& line) { std::cerr << "warning: " << line << "\n"; }
 
+/// What --budget, a settings file or --set says; nothing for one in milliseconds, which no measurement has.
+std::optional<Budget> asked_budget(const Options& o) {
+    const Budget nobody_asks{Budget::Kind::primitives, -1};
+    Settings asked;
+    asked.budget = nobody_asks;
+    apply_options(asked, o);
+    if (asked.budget == nobody_asks || asked.budget.kind == Budget::Kind::milliseconds) return std::nullopt;
+    return asked.budget;
+}
+
 /// Where `auto` is asked for, or on in the state of another scene; what else is asked for stands over what is
 /// recommended.
 template <int D>
@@ -70,10 +80,13 @@ void follow_recommendation(Workbench<D>& bench, const Options& o, bool state_of_
     if (state_of_another_scene) asked.automatic = bench.session.settings().automatic;
     apply_options(asked, o);
     if (asked.automatic == Switch::off) return;
-    choose_auto(bench, false, bench.session.settings());
+    const std::optional<Budget> budget = asked_budget(o);
+    choose_auto(bench, false, bench.session.settings(), budget);
     Settings settings = bench.session.settings();
     apply_options(settings, o);
+    if (budget) settings.automatic = Switch::off;
     change_settings(bench, settings);
+    if (budget) bench.say("auto is off: the budget was set by hand");
 }
 
 /// What the file says that --state names: perhaps a figure, which people have and look at.

@@ -127,6 +127,25 @@ TEST_F(AutoChoiceTest, IsTaken) {
     EXPECT_NE(recall_auto(file(), auto_key(bench))->method, "magic");
 }
 
+TEST_F(AutoChoiceTest, KeepsABudgetThatIsAskedForAndCutsNothingShort) {
+    for (const char* scene : {"rooms", "streets"})
+        for (const char* text : {"1%", "40", "unlimited"}) {
+            Workbench<2> bench = bench_on(scene);
+            bench.auto_file = file();
+            bench.say = [](const std::string&) {};
+            const Budget budget = parse_budget(text);
+            choose_auto(bench, false, bench.session.settings(), budget);
+            EXPECT_EQ(bench.session.settings().budget, budget);
+            EXPECT_EQ(recall_auto(file(), auto_key(bench)), std::nullopt) << "for this budget only";
+            bench.session.run();
+            const std::uint32_t most = budget.primitives(bench.session.scene().primitives.size());
+            EXPECT_TRUE(bench.session.method().budgeted || bench.session.counters().drawn() <= most) << text;
+            EXPECT_TRUE(bench.session.method().budgeted ||
+                        bench.session.guarantee().find("cut short") == std::string::npos)
+                << scene << " " << text << " " << bench.session.method().id;
+        }
+}
+
 TEST_F(AutoChoiceTest, IsTakenWhereItCannotBeRemembered) {
     Workbench<2> bench = bench_on("bottleneck");
     std::filesystem::create_directories(folder_);
@@ -170,7 +189,7 @@ TEST_F(AutoChoiceTest, IsASettingThatGoesOffByHand) {
         EXPECT_TRUE(by_hand("reference_size=512"));
         EXPECT_TRUE(by_hand("reference_size=auto"));
         EXPECT_FALSE(by_hand(assignment)) << assignment;
-        EXPECT_TRUE(said.back().ends_with("; auto is off: " + std::string(what) + " set by hand")) << said.back();
+        EXPECT_TRUE(said.back().ends_with("auto is off: " + std::string(what) + " set by hand")) << said.back();
         EXPECT_EQ(setting_row(std::string(assignment).substr(0, std::string(assignment).find('=')))
                       .get(bench.session.settings()),
                   std::string(assignment).substr(std::string(assignment).find('=') + 1));
@@ -198,7 +217,7 @@ TEST_F(AutoChoiceTest, GivesWayToThePresetOfAMethod) {
         ASSERT_EQ(bench.session.settings().method, "tri-z");
         run_commands(bench, "preset " + std::string(preset.id));
         EXPECT_EQ(bench.session.settings().method, preset.method.empty() ? "tri-z" : preset.method) << preset.id;
-        EXPECT_EQ(said.back().ends_with("; auto is off: the method was set by hand"), !preset.method.empty());
+        EXPECT_EQ(said.back().ends_with("auto is off: the method was set by hand"), !preset.method.empty());
     }
     run_commands(bench, "method layers; preset paper-3d");
     EXPECT_EQ(bench.session.settings().method, "layers") << "chosen by hand";
