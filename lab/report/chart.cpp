@@ -15,6 +15,7 @@
 #include "core/base/quote.h"
 #include "core/base/text.h"
 #include "core/process/run_program.h"
+#include "lab/report/chart_key.h"
 #include "lab/report/chart_labels.h"
 #include "lab/report/chart_layout.h"
 
@@ -27,29 +28,14 @@ namespace fs = std::filesystem;
 constexpr double mm = 96 / 25.4;  ///< in 1/96 inch
 constexpr double pt = 96 / 72.0;
 
-/// gnuplot's number of a marker: open ones are even, the filled one of the same shape is the next.
-int number_of(const VariantLook& look) {
-    static constexpr std::array<int, marker_count> open{6, 4, 8, 12, 10, 14};
-    return open[static_cast<std::size_t>(look.marker)] + (look.filled ? 1 : 0);
-}
-
-bool has_line(const Series& s) { return s.shown != Series::Shown::markers; }
-bool has_markers(const Series& s) { return s.shown != Series::Shown::line; }
-
 std::string style_of(const Series& s) {
     std::string text = std::string("with ") + (!has_markers(s) ? "lines" : has_line(s) ? "linespoints" : "points");
     const bool many = s.points.size() > 24;
     // A curve of many points that follow one another has a marker here and there.
     if (has_markers(s))
-        text += " pt " + std::to_string(number_of(s.look)) + " ps " + (many && s.sampled ? "0.5" : "0.8") +
+        text += " pt " + std::to_string(marker_number(s.look)) + " ps " + (many && s.sampled ? "0.5" : "0.8") +
                 (has_line(s) && many && !s.sampled ? " pi " + std::to_string(s.points.size() / 12) : "");
-    if (has_line(s)) {
-        constexpr double gnuplots_unit = 0.5;  // of a dash, in widths of the line
-        std::string lengths;
-        for (const float length : s.look.dash)
-            lengths += (lengths.empty() ? "" : ",") + short_number(length / gnuplots_unit);
-        text += " dt " + (lengths.empty() ? "1" : "(" + lengths + ")");
-    }
+    if (has_line(s)) text += " dt " + dash_text(s.look);
     return text + " lc rgb " + gnuplot_quoted(hex_colour(s.look.colour)) + " lw " + short_number(s.width);
 }
 
@@ -77,13 +63,6 @@ AxisRange range_of(const Chart& chart, int axis) {
 double along(double value, const AxisRange& range, bool log) {
     return log ? std::log(value / range.from) / std::log(range.to / range.from)
                : (value - range.from) / (range.to - range.from);
-}
-
-/// Of several lines.
-std::string lines_quoted(const std::vector<std::string>& lines) {
-    std::string text;
-    for (const std::string& line : lines) text += (text.empty() ? "" : ".\"\\n\".") + gnuplot_quoted(line);
-    return text.empty() ? "''" : text;
 }
 
 /// 1, 2 and 5 of each power of ten, where gnuplot would name hardly any.
@@ -229,12 +208,24 @@ std::vector<Series> told_apart_in_grey(std::vector<Series> series) {
     return series;
 }
 
+namespace {
+
+/// What has no point to show has no name in the key.
+Chart with_names_of_what_is_shown(Chart chart) {
+    for (Series& s : chart.series)
+        if (std::none_of(s.points.begin(), s.points.end(), [&](const auto& point) { return fits(chart, point); }))
+            s.name.clear();
+    return chart;
+}
+
+}  // namespace
+
 double chart_height(const Chart& chart, const ChartFormat& format) {
-    return layout_of(chart, format, range_of(chart, 1)).height;
+    return layout_of(with_names_of_what_is_shown(chart), format, range_of(chart, 1)).height;
 }
 
 std::string gnuplot_script(const Chart& asked, const ChartFormat& format) {
-    Chart chart = asked;
+    Chart chart = with_names_of_what_is_shown(asked);
     chart.series = told_apart_in_grey(std::move(chart.series));
     const AxisRange x_range = range_of(chart, 0), y_range = range_of(chart, 1);
     const ChartLayout at = layout_of(chart, format, y_range);
@@ -245,10 +236,7 @@ std::string gnuplot_script(const Chart& asked, const ChartFormat& format) {
     text += "set xlabel " + lines_quoted(at.x) + " noenhanced\nset ylabel " + lines_quoted(at.y) + " noenhanced\n" +
             "set lmargin at screen " + x(at.left) + "\nset rmargin at screen " + x(format.width - at.right) +
             "\nset tmargin at screen " + y(at.height - at.top) + "\nset bmargin at screen " + y(at.bottom) +
-            "\nset key at screen " +
-            (at.key_below ? "0.5," + y(at.key_top) + " center top horizontal maxcols " + std::to_string(at.key_columns)
-                          : x(format.width - at.right + format.font) + "," + y(at.height - at.top) + " left top") +
-            " Left reverse noenhanced spacing 1.15 samplen 3\n"
+            "\nunset key\n" + key_commands(chart, format, at) +
             "set grid lc rgb \"#dddddd\" lt 1 lw 0.5\nset border 3 lc rgb \"#444444\"\nset tics nomirror\n"
             "set bars 0.6\n";
     if (chart.log_x) text += "set logscale x\n" + log_tics(x_range, "x");
@@ -285,8 +273,7 @@ std::string gnuplot_script(const Chart& asked, const ChartFormat& format) {
                      : in_x       ? "1:2:3 with xerrorbars"
                                   : "1:2:4 with yerrorbars") +
                     " pt 0 lw 0.7 lc rgb " + gnuplot_quoted(hex_colour(s.look.colour)) + " notitle";
-        plots += (plots.empty() ? "" : next) + name + " using 1:2 " + style_of(s) +
-                 (s.name.empty() ? " notitle" : " title " + gnuplot_quoted(s.name));
+        plots += (plots.empty() ? "" : next) + name + " using 1:2 " + style_of(s) + " notitle";
     }
     if (!bars.empty()) plots = bars + ", \\\n     " + plots;  // under the lines and their markers
     // gnuplot draws no empty chart: one with axes says that there is nothing.

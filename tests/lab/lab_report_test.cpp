@@ -15,6 +15,7 @@
 #include "core/process/run_program.h"
 #include "lab/measure/run_study.h"
 #include "lab/report/chart_labels.h"
+#include "lab/report/chart_layout.h"
 #include "lab/report/claims.h"
 #include "lab/report/markdown.h"
 #include "lab/report/time_table.h"
@@ -223,6 +224,34 @@ TEST_F(LabFiles, ChartsHaveTheSizeThatIsAskedFor) {
     setenv("TMPDIR", before.c_str(), 1);
     EXPECT_TRUE(fs::exists(folder_ / "odd.pdf"));
     EXPECT_TRUE(fs::is_empty(odd));
+}
+
+TEST_F(LabFiles, KeysNameEverySeries) {
+    for (const auto& [count, letters] : {std::pair{6, 40}, {21, 44}, {50, 4}, {40, 110}, {12, 20}, {1, 300}}) {
+        Chart chart;
+        for (int i = 0; i < count; ++i) {
+            std::string name = "s" + std::to_string(i) + "e";
+            if (i == count / 2)  // words of eight letters
+                for (int k = 0; k < letters; k += 8) name += " abcdefg";
+            chart.series.push_back({name, {}, {}, 2, {{1, 2}, {2, 3.0 + i}}, {}});
+        }
+        write_chart(chart, folder_ / "chart");
+        const std::string svg = read_file(folder_ / "chart.svg");
+        for (int i = 0; i < count; ++i)
+            EXPECT_NE(svg.find(">s" + std::to_string(i) + "e"), std::string::npos) << i << " of " << count;
+        const ChartFormat format;
+        const ChartLayout layout = layout_of(chart, format, {0, 1});
+        ASSERT_EQ(layout.key.size(), chart.series.size());
+        for (const KeyEntry& entry : layout.key) {
+            EXPECT_GE(entry.x, 0);
+            EXPECT_GE(entry.y - 0.6 * format.font * static_cast<double>(entry.lines.size()), 0) << count;
+            EXPECT_LT(entry.y, layout.height);
+            for (const std::string& line : entry.lines)
+                EXPECT_LT(entry.x + 3.8 * format.font + 0.55 * format.font * static_cast<double>(line.size()),
+                          format.width)
+                    << line;
+        }
+    }
 }
 
 TEST(LabCharts, AxesFitWhatTheyShow) {
