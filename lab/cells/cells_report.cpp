@@ -14,7 +14,30 @@ namespace sightline::lab {
 
 namespace {
 
-/// Curves of one scene and path over the number of cells.
+/// "tree, split_for=opacity"
+std::string kind_of(const CellsCurve& curve) {
+    return std::string(word(curve.method.tessellation)) + (curve.also.empty() ? "" : ", " + curve.also);
+}
+
+/// How kinds of cells look where they are what differs: a colour for each, as methods have.
+std::vector<VariantLook> kind_looks(const std::vector<const CellsCurve*>& curves) {
+    std::vector<std::string> texts;
+    for (const CellsCurve* curve : curves) {
+        std::string text = kind_of(*curve);
+        std::replace(text.begin(), text.end(), ' ', '+');
+        texts.push_back(text);
+    }
+    return variant_looks(texts);
+}
+
+bool of_one_method(const std::vector<const CellsCurve*>& curves) {
+    return std::all_of(curves.begin(), curves.end(), [&](const CellsCurve* curve) {
+        return curve->method.variant == curves.front()->method.variant;
+    });
+}
+
+/// Curves of one scene and path over the number of cells: of several methods, each by its look, or of one by kinds of
+/// cells.
 Chart chart_of(const std::vector<const CellsCurve*>& curves, Measure measure, double within, bool knees) {
     const bool share = measure_row(measure).unit == "share";
     Chart chart;
@@ -24,12 +47,15 @@ Chart chart_of(const std::vector<const CellsCurve*>& curves, Measure measure, do
     chart.log_x = true;
     Series marks{"knee", {{}, {}, ChartMarker::square}, Series::Shown::markers, 2, {}, {}};
     const MethodLooks looks = MethodLooks::of(curves);
-    for (const CellsCurve* at : curves) {
-        const CellsCurve& curve = *at;
+    const bool by_kind = curves.size() > 1 && of_one_method(curves);
+    const std::vector<VariantLook> kinds = kind_looks(curves);
+    if (by_kind) chart.title += ", " + curves.front()->method.variant;
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+        const CellsCurve& curve = *curves[i];
         Series s = looks.series(curve.method);
-        if (!curve.also.empty()) {
-            s.name += " " + curve.also;
-            s.look.marker = static_cast<ChartMarker>(chart.series.size() % marker_count);
+        if (by_kind) {
+            s.name = kind_of(curve);
+            s.look = kinds[i];
         }
         for (const CellsPoint& point : curve.points)
             s.points.push_back({static_cast<double>(point.row.cells), summary(point.row, measure) * (share ? 100 : 1)});
@@ -68,20 +94,19 @@ Chart density_chart(const std::vector<const CellsCurve*>& curves, Measure measur
     chart.x = "|c|, from this to twice as many";
     chart.y = "cells, % of those that hold any";
     chart.log_x = true;
-    const MethodLooks looks = MethodLooks::of(curves);
-    std::vector<std::pair<Tessellation, std::string>> done;
-    for (const CellsCurve* curve : curves) {
-        const Tessellation kind = curve->method.tessellation;
-        const std::pair of{kind, curve->also};
-        if (std::find(done.begin(), done.end(), of) != done.end()) continue;
-        done.push_back(of);
+    const std::vector<VariantLook> kinds = kind_looks(curves);
+    std::vector<std::string> done;
+    for (std::size_t c = 0; c < curves.size(); ++c) {
+        const CellsCurve* const curve = curves[c];
+        if (std::find(done.begin(), done.end(), kind_of(*curve)) != done.end()) continue;
+        done.push_back(kind_of(*curve));
         const Row& row = curve->points[knee(*curve, measure, within)].row;
         const std::vector<std::uint32_t>& histogram = row.tessellation.density.histogram;
         double all = 0;
         for (std::size_t i = 1; i < histogram.size(); ++i) all += histogram[i];
-        Series s = looks.series(curve->method);
-        s.name = std::string(word(kind)) + (curve->also.empty() ? "" : ", " + curve->also) + ", " +
-                 std::to_string(row.cells) + " cells";
+        Series s;
+        s.name = kind_of(*curve) + ", " + std::to_string(row.cells) + " cells";
+        s.look = kinds[c];
         for (std::size_t i = 1; i < histogram.size(); ++i)
             s.points.push_back({std::ldexp(1.0, static_cast<int>(i) - 1), 100 * histogram[i] / all});
         chart.series.push_back(std::move(s));
@@ -101,6 +126,18 @@ std::vector<std::vector<const CellsCurve*>> grouped(const std::vector<CellsCurve
         at == groups.end() ? groups.push_back({&curve}) : at->push_back(&curve);
     }
     return groups;
+}
+
+/// For a chart each: all together where each method is on cells of one kind, else method by method.
+std::vector<std::vector<const CellsCurve*>> charted(const std::vector<const CellsCurve*>& group) {
+    std::vector<std::vector<const CellsCurve*>> by_method;
+    for (const CellsCurve* curve : group) {
+        const auto same = [&](const auto& some) { return some.front()->method.variant == curve->method.variant; };
+        const auto at = std::find_if(by_method.begin(), by_method.end(), same);
+        at == by_method.end() ? by_method.push_back({curve}) : at->push_back(curve);
+    }
+    if (by_method.size() == group.size()) return {group};
+    return by_method;
 }
 
 }  // namespace
@@ -123,11 +160,16 @@ void write_cells_report(const std::vector<CellsCurve>& curves, Measure measure, 
         const CellsCurve& first = *group.front();
         html += "<h2>" + escaped(first.scene + ", path " + first.path + ", budget " + first.budget) + "</h2>";
         for (const Measure m : shown) {
-            const std::filesystem::path stem = folder / "charts" /
-                                               file_stem("cells-" + first.scene + "-" + first.path + "-" +
-                                                         first.budget + "-" + std::string(measure_row(m).id));
-            write_chart(chart_of(group, m, within, m == measure), stem, format);
-            html += picture(stem.string() + ".svg", "");
+            const auto charts = charted(group);
+            for (const auto& curves_of_chart : charts) {
+                const std::string of =
+                    charts.size() > 1 ? "-" + curves_of_chart.front()->method.variant : std::string();
+                const std::filesystem::path stem = folder / "charts" /
+                                                   file_stem("cells-" + first.scene + "-" + first.path + "-" +
+                                                             first.budget + of + "-" + std::string(measure_row(m).id));
+                write_chart(chart_of(curves_of_chart, m, within, m == measure), stem, format);
+                html += picture(stem.string() + ".svg", "");
+            }
         }
         const std::filesystem::path stem =
             folder / "charts" / file_stem("cells-" + first.scene + "-" + first.path + "-" + first.budget + "-density");
