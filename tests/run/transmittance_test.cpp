@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -340,6 +341,40 @@ void expect_feedback(const char* parameters) {
     }
     EXPECT_GT(complete, 10);
 }
+/// Also from so far that the picture shows nothing of the scene: in the end it has rendered what view culling renders.
+template <int D>
+void expect_feedback_has_all_in_view() {
+    Random random(150 + D);
+    std::size_t rendered = 0;
+    int far_away = 0;
+    for (int round = 0; round < test::soak_count(60); ++round) {
+        Lit<D> lit(random, "tri-z");
+        lit.settings.reference_size = D == 2 ? ImageSize{256, 0} : ImageSize{96, 72};
+        apply_setting(lit.settings, "detail=" + number_text(random.below(4) == 0 ? 1 : random.uniform(0.05, 1)));
+        apply_setting(lit.settings, random.below(2) ? "maximise=pixels" : "maximise=count");
+        ViewSpec<D> spec{{}, Vec<D>(0.5), random.uniform(20, 120)};
+        const double reach = std::pow(10, random.uniform(0, 6));
+        for (int i = 0; i < D; ++i) spec.eye[i] = 0.5 + reach * random.uniform(-1, 1);
+        if (D == 2 && random.below(3) == 0) spec.fov = 360;
+        lit.view = scene_view(spec, lit.scene, lit.settings.reference_size);
+        Problem<D> problem = lit.problem();
+        problem.services.image = lit.settings.reference_size;
+        const auto run = lit.method().start(problem), all = find_method<D>(method_table<D>(), "view").start(problem);
+        run->run(none);
+        all->run(none);
+        EXPECT_TRUE(run->finished());
+        EXPECT_EQ(run->misses(), Misses::none);
+        const std::size_t count = lit.scene.primitives.size();
+        EXPECT_EQ(rendered_mask(run->met(), count), rendered_mask(all->met(), count)) << "round " << round;
+        rendered += all->counters().rendered_count;
+        far_away += reach > 1000 && all->counters().rendered_count > 0;
+    }
+    EXPECT_GT(rendered, 500u);
+    EXPECT_GT(far_away, 10);
+}
+TEST(Transmittance, FeedbackRendersAllThatIsInViewInTheEnd2d) { expect_feedback_has_all_in_view<2>(); }
+TEST(Transmittance, FeedbackRendersAllThatIsInViewInTheEnd3d) { expect_feedback_has_all_in_view<3>(); }
+
 TEST(Transmittance, FeedbackAsFineAsTheReferenceMissesNothing2d) { expect_feedback<2>("maximise=count"); }
 TEST(Transmittance, FeedbackAsFineAsTheReferenceMissesNothing3d) { expect_feedback<3>("maximise=count"); }
 TEST(Transmittance, FeedbackByPixelsMissesNothingEither2d) { expect_feedback<2>("maximise=pixels"); }

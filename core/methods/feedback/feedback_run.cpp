@@ -94,9 +94,9 @@ void FeedbackRun<D>::begin_boxes() {
     marks_.begin(tree_->nodes.size());
     front_.clear();
     tests_ = 0;
-    for (auto* const list : {&ready_, &small_, &lost_, &late_, &covered_}) list->clear();
-    ready_next_ = covered_next_ = 0;
-    is_late_ = any_covered_ = false;
+    for (auto* const list : {&ready_, &small_, &lost_, &late_, &thin_, &covered_}) list->clear();
+    ready_next_ = thin_next_ = covered_next_ = 0;
+    is_late_ = false;
     screen_.forget();
     shown_.clear();
     shown_refreshed_ = 0;
@@ -122,8 +122,8 @@ void FeedbackRun<D>::enqueue(std::uint32_t node, Recorder* recorder) {
 
 template <int D>
 bool FeedbackRun<D>::late_left() const {
-    if (is_late_) return this->counters_.offset < late_.size() || covered_next_ < covered_.size();
-    return !small_.empty() || !lost_.empty() || any_covered_;
+    if (thin_next_ < thin_.size() || covered_next_ < covered_.size()) return true;
+    return is_late_ ? this->counters_.offset < late_.size() : !small_.empty() || !lost_.empty();
 }
 
 template <int D>
@@ -178,23 +178,32 @@ void FeedbackRun<D>::pop(const Front::Entry& entry, Recorder* recorder) {
     ++tests_;
     const BoxSight sight = screen_.look(at.box);
     const bool leaf = at.first_child == none;
-    const FeedbackRule rule = sight == BoxSight::outside  ? FeedbackRule::outside
+    const FeedbackRule rule = sight == BoxSight::outside  ? rule_without_pixels(node)
                               : sight == BoxSight::hidden ? FeedbackRule::covered
                               : leaf                      ? FeedbackRule::drawn
                                                           : FeedbackRule::opened;
     const Mark before{entry.key, entry.stamp, CellState::enqueued};
     Mark after = before;
-    after.state = sight == BoxSight::outside  ? CellState::unseen
-                  : sight == BoxSight::hidden ? CellState::hidden
-                                              : CellState::projected;
+    after.state = rule == FeedbackRule::outside                                     ? CellState::unseen
+                  : rule == FeedbackRule::covered || rule == FeedbackRule::too_thin ? CellState::hidden
+                                                                                    : CellState::projected;
     marks_.set(node, after);
     if (recorder) recorder->changed({node, Kind::node}, before, static_cast<std::uint8_t>(rule));
-    any_covered_ |= rule == FeedbackRule::covered;
+    if (rule == FeedbackRule::covered) covered_.push_back(node);
+    if (rule == FeedbackRule::too_thin) thin_.push_back(node);
     if (rule == FeedbackRule::opened) {
         enqueue(at.first_child, recorder);
         enqueue(at.first_child + 1, recorder);
     }
     if (rule == FeedbackRule::drawn) draw(node, recorder);
+}
+
+/// It may lie in view all the same, between the centres of pixels, or where rounding hides it.
+template <int D>
+FeedbackRule FeedbackRun<D>::rule_without_pixels(std::uint32_t node) const {
+    const auto corners = tree_->nodes[node].box.corners();
+    return in_view(this->problem_.view, std::span<const Vec<D>>(corners)) ? FeedbackRule::too_thin
+                                                                          : FeedbackRule::outside;
 }
 
 template <int D>
@@ -273,27 +282,30 @@ void FeedbackRun<D>::begin_late() {
     }
     late_ = small_;
     late_.insert(late_.end(), lost_.begin(), lost_.end());
-    for (std::uint32_t node = 0; node < marks_.size(); ++node)
-        if (marks_[node].state == CellState::hidden) covered_.push_back(node);
-    std::sort(covered_.begin(), covered_.end(),
-              [&](std::uint32_t a, std::uint32_t b) { return comes_before(marks_[a], marks_[b]); });
 }
 
 template <int D>
 Stop FeedbackRun<D>::render_late(Recorder* recorder) {
     Counters& counters = this->counters_;
     if (!is_late_) begin_late();
+    const bool few_left = counters.offset < small_.size();
+    if (!few_left && thin_next_ < thin_.size()) return render_box(thin_[thin_next_++], recorder);
     if (counters.offset < late_.size()) {
         ++this->steps_;
         if (recorder) recorder->popped({}, {});
-        const std::size_t end = std::min<std::size_t>(late_.size(), counters.offset + batch);
+        const std::size_t last = few_left && !thin_.empty() ? small_.size() : late_.size();
+        const std::size_t end = std::min<std::size_t>(last, counters.offset + batch);
         ready_.assign(late_.begin() + counters.offset, late_.begin() + static_cast<std::ptrdiff_t>(end));
         counters.offset = static_cast<std::uint32_t>(end);
         render_ready();
         return Stop::none;
     }
     if (covered_next_ == covered_.size()) return Stop::front_empty;
-    const std::uint32_t node = covered_[covered_next_++];
+    return render_box(covered_[covered_next_++], recorder);
+}
+
+template <int D>
+Stop FeedbackRun<D>::render_box(std::uint32_t node, Recorder* recorder) {
     ++this->steps_;
     Mark mark = marks_[node];
     if (recorder) {
@@ -311,7 +323,7 @@ Stop FeedbackRun<D>::render_late(Recorder* recorder) {
 template <int D>
 std::size_t FeedbackRun<D>::memory_bytes() const {
     const std::size_t lists = ready_.capacity() + small_.capacity() + lost_.capacity() + late_.capacity() +
-                              covered_.capacity() + shown_.capacity();
+                              thin_.capacity() + covered_.capacity() + shown_.capacity();
     return marks_.memory_bytes() + this->drawn_.memory_bytes() + lists * sizeof(std::uint32_t);
 }
 

@@ -16,22 +16,24 @@ const ParameterRow& detail_row();
 /// Change::rule.
 enum class FeedbackRule : std::uint8_t {
     enqueued,   ///< a half of the popped box: now in the front
-    outside,    ///< the popped box: covers no pixel of the view
+    outside,    ///< the popped box: lies outside the view
     covered,    ///< the popped box: nothing in it lies before what is drawn; postponed
     opened,     ///< the popped box: its halves come into the front
     drawn,      ///< the popped box: its primitives are drawn into the picture, and those that show are rendered
     postponed,  ///< a primitive that shows at few pixels, with maximise=pixels: it waits until the front is empty
-    late,       ///< the box was covered; the front is empty: its primitives in view are rendered
+    late,       ///< the box was postponed; the front is empty: its primitives in view are rendered
+    too_thin,   ///< the popped box: in view, but covers no pixel of the picture; postponed
 };
-inline constexpr auto feedback_rule_words =
-    std::to_array<std::string_view>({"enqueued", "outside the view", "covered: postponed", "may be seen: opened",
-                                     "may be seen: drawn", "postponed: few pixels", "rendered late"});
+inline constexpr auto feedback_rule_words = std::to_array<std::string_view>(
+    {"enqueued", "outside the view", "covered: postponed", "may be seen: opened", "may be seen: drawn",
+     "postponed: few pixels", "rendered late", "no pixel in the small picture: postponed"});
 
 /// `tri-z`. Items are boxes of the tree, nearest first; with maximise=pixels, squared distance over the square root of
 /// the largest size in the box. A box that may be seen is opened, or drawn: its primitives that win a pixel of the
 /// picture are rendered, and those that are too small to win one where nothing covers them. When the front is empty
-/// there follow, batch by batch, what was postponed for its few pixels, the most pixels first, what was drawn and won
-/// none, and box by box, nearest first, what was covered. So the order has all that is in view.
+/// there follow, batch by batch, what was postponed for its few pixels, the most pixels first; boxes that cover no
+/// pixel of the picture; batch by batch what was drawn and won none; and boxes that were covered. Boxes come nearest
+/// first. So the order has all that is in view.
 template <int D>
 class FeedbackRun final : public Run<D> {
 public:
@@ -71,6 +73,8 @@ private:
     Stop step(Recorder*);
     void pop(const Front::Entry& entry, Recorder*);
     void draw(std::uint32_t node, Recorder*);
+    FeedbackRule rule_without_pixels(std::uint32_t node) const;
+    Stop render_box(std::uint32_t node, Recorder*);
     /// Renders what is ready; false where the budget ends it.
     bool render_ready();
     /// The front is empty: what was postponed, in batches.
@@ -80,6 +84,7 @@ private:
     bool is_small(std::uint32_t primitive) const;
     bool is_bare(std::uint32_t primitive) const;
     void sync();
+    bool is_thin(std::uint32_t node) const;
 
     const BoxTree<D>* tree_ = nullptr;
     bool pixels_ = false;     ///< maximise=pixels
@@ -93,11 +98,12 @@ private:
     std::vector<std::uint32_t> ready_;  ///< to be rendered at once; [ready_next_, end) are left
     std::size_t ready_next_ = 0;
     std::vector<std::uint32_t> small_, lost_;  ///< postponed; drawn without winning a pixel
-    bool any_covered_ = false;
     bool is_late_ = false;
-    std::vector<std::uint32_t> late_;     ///< small_ and lost_ in the order in which they are rendered
-    std::vector<std::uint32_t> covered_;  ///< boxes that were covered, nearest first; [covered_next_, end) are left
-    std::size_t covered_next_ = 0;
+    std::vector<std::uint32_t> late_;  ///< small_ and lost_ in the order in which they are rendered
+    /// Boxes that cover no pixel, and boxes that were covered, as they left the front: nearest first. From `next` on
+    /// they are left.
+    std::vector<std::uint32_t> thin_, covered_;
+    std::size_t thin_next_ = 0, covered_next_ = 0;
 
     Screen<D> screen_;
     std::vector<Met> shown_;             ///< what the picture shows, in order

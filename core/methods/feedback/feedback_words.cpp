@@ -1,5 +1,7 @@
 // What a walk over boxes with feedback says of itself.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
 #include "core/base/text.h"
 #include "core/methods/feedback/feedback_run.h"
 #include "core/run/opened_to.h"
@@ -16,8 +18,9 @@ Verdict FeedbackRun<D>::why_not(const Item& item) const {
     if (item.kind == Kind::cell) return {"no-cells", "the method walks a tree of boxes, not cells"};
     if (item.kind != Kind::node) return {};
     const CellState state = marks_[item.id].state;
-    if (state == CellState::unseen) return {"outside-view", "it covers no pixel of the view"};
+    if (state == CellState::unseen) return {"outside-view", "it lies outside the view"};
     if (state == CellState::hidden) {
+        if (is_thin(item.id)) return {"no-pixel", "it covers no pixel of the small picture, and so was postponed"};
         Screen<D> screen;
         screen.show(this->problem_, shown_, shown_refreshed_);
         const SeenPart seen = screen.part_of(this->problem_, tree_->nodes[item.id].box);
@@ -30,12 +33,25 @@ Verdict FeedbackRun<D>::why_not(const Item& item) const {
     const Item box{above, Kind::node};
     switch (marks_[above].state) {
         case CellState::unseen:
-            return {"outside-view", "it lies in " + item_name(box) + ", which covers no pixel of the view", box};
+            return {"outside-view", "it lies in " + item_name(box) + ", which lies outside the view", box};
         case CellState::hidden:
+            if (is_thin(above))
+                return {"no-pixel",
+                        "it lies in " + item_name(box) +
+                            ", which covers no pixel of the small picture, and so was postponed",
+                        box};
             return {"covered", "it lies in " + item_name(box) + ", which was covered, and so postponed", box};
+        case CellState::projected:
+            return {"drawn-whole", "it lies in " + item_name(box) + ", which was postponed and rendered as a whole",
+                    box};
         default:
             return {"waits", "it lies in " + item_name(box) + ", which waits", box};
     }
+}
+
+template <int D>
+bool FeedbackRun<D>::is_thin(std::uint32_t node) const {
+    return std::find(thin_.begin(), thin_.end(), node) != thin_.end();
 }
 
 template <int D>
@@ -56,6 +72,7 @@ std::vector<CodeLine> FeedbackRun<D>::code(const CodePlace& at) const {
         counters.front_size == 1 ? "1 box waits" : std::to_string(counters.front_size) + " boxes wait");
     add(pixels_ ? "take the one with the lowest distance² / √(largest size in it)" : "take the nearest one", 1, false);
     add("outside the view: drop it", 1, in_step && rule == FeedbackRule::outside, popped);
+    add("it covers no pixel of the small picture: postpone it", 1, in_step && rule == FeedbackRule::too_thin, popped);
     add("its rectangle lies behind what the small picture shows: postpone it", 1,
         in_step && rule == FeedbackRule::covered, popped);
     add("it has halves: put them into the front", 1, in_step && rule == FeedbackRule::opened, popped);
@@ -66,7 +83,7 @@ std::vector<CodeLine> FeedbackRun<D>::code(const CodePlace& at) const {
     lines.push_back(budget_line(*this, 1, "", false, in_step));
     lines.back().source.clear();
     add("then what was postponed: " + std::string(pixels_ ? "what shows at few pixels, " : "") +
-            "what won no pixel, covered boxes",
+            "boxes without a pixel, what won none, covered boxes",
         0, late || (between && counters.front_size == 0), counted(at.rendered, "primitive"));
     return lines;
 }
@@ -74,6 +91,7 @@ std::vector<CodeLine> FeedbackRun<D>::code(const CodePlace& at) const {
 #define SIGHTLINE_INSTANTIATE(D)                                          \
     template std::string FeedbackRun<D>::popped_words(const Step&) const; \
     template Verdict FeedbackRun<D>::why_not(const Item&) const;          \
+    template bool FeedbackRun<D>::is_thin(std::uint32_t) const;           \
     template std::vector<CodeLine> FeedbackRun<D>::code(const CodePlace&) const;
 SIGHTLINE_INSTANTIATE(2)
 SIGHTLINE_INSTANTIATE(3)
