@@ -77,7 +77,7 @@ std::size_t show_tiles(std::span<const ReadTile> tiles, Pixels& pixels) {
 DepthPicture depth_picture(const Session<3>& session, bool blocks) {
     const Run<3>& run = session.traversal().worker();
     const bool small = run.postpones();
-    DepthImage image(image_size<3>(small ? run.problem().services.image : session.settings().reference_size));
+    DepthImage image(image_size<3>(small ? run.deciding_size() : session.settings().reference_size));
     std::vector<std::uint32_t> ids;
     drawn_ids(session.traversal(), ids);
     const auto ahead = run.drawn_ahead();

@@ -160,7 +160,7 @@ PixelLine line_so_far(const Session<2>& session) { return drawn_line(session, wi
 
 PixelLine line_that_decides(const Session<2>& session) {
     const Run<2>& run = session.traversal().worker();
-    const int width = run.postpones() ? image_size<2>(run.problem().services.image).width : width_of_reference(session);
+    const int width = run.postpones() ? image_size<2>(run.deciding_size()).width : width_of_reference(session);
     return drawn_line(session, width, run.drawn_ahead());
 }
 

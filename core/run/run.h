@@ -79,8 +79,9 @@ public:
     Mark mark(std::uint32_t cell) const { return mark(cell_item(cell)); }
     /// Whether what it found hidden (CellState::hidden) waits until the front is empty; false: it is dropped.
     virtual bool postpones() const { return false; }
-    /// Primitives that the image it decides by shows, though they may not be rendered yet; the image has the size that
-    /// problem().services says.
+    /// The size of the image that it decides by.
+    virtual ImageSize deciding_size() const { return problem_.services.image; }
+    /// Primitives that this image shows, though they may not be rendered yet.
     virtual std::span<const std::uint32_t> drawn_ahead() const { return {}; }
     /// The items that wait, first to last.
     virtual std::vector<std::pair<Item, Mark>> front() const { return {}; }
@@ -192,7 +193,7 @@ protected:
         return sightline::meet(problem_, culled_costs_, primitive, culls, drawn_, counters_);
     }
 
-    Problem<D> problem_;
+    Problem<D> problem_;  ///< as it was given; only the budget changes
     bool culled_costs_;
     Drawn drawn_;
     Counters counters_;

@@ -155,6 +155,13 @@ void test_method(std::string_view text, std::uint64_t seed) {
         ASSERT_EQ(recorded.run->hash(), reused->hash())
             << method.id << ": recording, or memory of another run, matters";
 
+        // What it was given serves another run as well: nothing of the method's own is in it.
+        const Problem<D>& given = recorded.run->problem();
+        ASSERT_EQ(given.services.image, problem.services.image) << method.id;
+        const std::unique_ptr<Run<D>> again = method.start(given);
+        again->run(none);
+        ASSERT_EQ(recorded.run->hash(), again->hash()) << method.id;
+
         // A budget selects a prefix of the same order, and a larger one goes on where it ended.
         Problem<D> unlimited = problem;
         unlimited.budget = none;

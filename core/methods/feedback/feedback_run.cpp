@@ -80,13 +80,14 @@ bool FeedbackRun<D>::restart(const Problem<D>& problem) {
 
 template <int D>
 void FeedbackRun<D>::begin_boxes() {
-    Problem<D>& problem = this->problem_;
+    const Problem<D>& problem = this->problem_;
     pixels_ = problem.parameters.template choice<Maximise>(maximise_row()) == Maximise::pixels;
     const double detail = problem.parameters.number(detail_row());
     const ImageSize reference = image_size<D>(problem.services.image);
     reduced_ = detail < 1;
     pixel_angle_ = angle_of_pixel(problem.view, reference);
-    problem.services.image = reduced(reference, detail);
+    small_problem_ = problem;
+    small_problem_.services.image = reduced(reference, detail);
     tree_ = &problem.boxes();
     if (pixels_)
         largest_ = problem.cells->made->template of<std::vector<float>>(
@@ -167,7 +168,7 @@ Stop FeedbackRun<D>::step(Recorder* recorder) {
 
 template <int D>
 void FeedbackRun<D>::sync() {
-    screen_.show(this->problem_, shown_, shown_refreshed_);
+    screen_.show(small_problem_, shown_, shown_refreshed_);
 }
 
 template <int D>

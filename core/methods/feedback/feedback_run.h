@@ -51,6 +51,7 @@ public:
     std::vector<std::pair<Item, Mark>> front() const override { return waiting_items(marks_, Kind::node); }
     Misses misses() const override;
     bool postpones() const override { return true; }
+    ImageSize deciding_size() const override { return small_problem_.services.image; }
     std::span<const std::uint32_t> drawn_ahead() const override { return small_; }
     const BoxTree<D>* boxes() const override { return tree_; }
     std::uint64_t tests() const override { return tests_; }
@@ -87,9 +88,10 @@ private:
     bool is_thin(std::uint32_t node) const;
 
     const BoxTree<D>* tree_ = nullptr;
-    bool pixels_ = false;     ///< maximise=pixels
-    bool reduced_ = false;    ///< the picture has fewer pixels than the reference
-    double pixel_angle_ = 0;  ///< of the middle pixel of the reference: radians, 3D: steradians
+    Problem<D> small_problem_;  ///< with the size of the picture
+    bool pixels_ = false;       ///< maximise=pixels
+    bool reduced_ = false;      ///< the picture has fewer pixels than the reference
+    double pixel_angle_ = 0;    ///< of the middle pixel of the reference: radians, 3D: steradians
     std::shared_ptr<const std::vector<float>> largest_;  ///< per node, for maximise=pixels
 
     Marks marks_;

@@ -22,8 +22,8 @@ Verdict FeedbackRun<D>::why_not(const Item& item) const {
     if (state == CellState::hidden) {
         if (is_thin(item.id)) return {"no-pixel", "it covers no pixel of the small picture, and so was postponed"};
         Screen<D> screen;
-        screen.show(this->problem_, shown_, shown_refreshed_);
-        const SeenPart seen = screen.part_of(this->problem_, tree_->nodes[item.id].box);
+        screen.show(small_problem_, shown_, shown_refreshed_);
+        const SeenPart seen = screen.part_of(small_problem_, tree_->nodes[item.id].box);
         return {"covered", "it was covered, and so postponed: " + counted(seen.pixels, "pixel") +
                                " of it in the small picture, behind " +
                                some_of(D == 2 ? "segment" : "triangle", seen.hidden_by, most_hiders)};
