@@ -48,6 +48,10 @@ struct Method {
     bool draws_levels = false;  ///< its runs may have stand_ins()
     std::vector<const ParameterRow*> parameters{};
     std::vector<std::string_view> aliases{};
+    /// Of a method that lets primitives of a projected cell, which has that key, wait for their turn: about the key
+    /// that a primitive waits with; nothing: the cell does not let it wait.
+    std::function<std::optional<double>(const Problem<D>&, std::uint32_t cell, double key, std::uint32_t primitive)>
+        waiting_key{};
 
     Misses promise_with(const Parameters& parameters) const {
         return takes_back && takes_back(parameters) ? Misses::may : promise;

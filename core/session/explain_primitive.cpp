@@ -111,14 +111,36 @@ std::string met_sentence(const PrimitiveExplanation& e, std::uint32_t position) 
     return step + (done ? " rendered it." : " will render it.");
 }
 
+namespace {
+
+/// Of a primitive of a projected cell.
+template <int D>
+std::string left_words(const Session<D>& session, std::uint32_t primitive, std::uint32_t cell) {
+    const auto& waiting_key = session.method().waiting_key;
+    const auto key = waiting_key && session.counters().partial_cell != cell
+                         ? waiting_key(session.problem(), cell, session.mark(cell).key, primitive)
+                         : std::nullopt;
+    if (!key) return "; the budget ended in it";
+    const bool ended = session.finished() && session.counters().spent >= session.problem().budget;
+    return "; it waits since then, with a key of about " + short_number(*key) +
+           (ended ? ", and the budget ended before its turn" : "");
+}
+
+}  // namespace
+
 template <int D>
 std::string put_off_sentence(const Session<D>& session, const PrimitiveExplanation& e) {
-    if (e.met_at > 0 || e.cells.empty() || !session.method().orders_cells()) return "";
+    if (e.met_at > 0) return "";
+    if (session.traversal().postpones())
+        if (const Verdict waits = session.traversal().why_not(primitive_item(e.primitive)))
+            return "By itself " + waits.sentence + ".";
+    if (e.cells.empty() || !session.method().orders_cells()) return "";
     const CellExplanation cell = explain_cell(session, e.cells.front());
     std::string text = "Cell " + std::to_string(cell.cell);
     if (e.cells.size() > 1) text += ", the first of the " + std::to_string(e.cells.size()) + " cells that hold it,";
     if (cell.projected_at > 0)
-        return text + " is projected in step " + std::to_string(cell.projected_at) + "; the budget ended in it.";
+        return text + " is projected in step " + std::to_string(cell.projected_at) +
+               left_words(session, e.primitive, cell.cell) + ".";
     if (!cell.verdict) return "";
     text += cell.rank > 0 ? " is number " + std::to_string(cell.rank) + " in the front, held back by: "
                           : " is not in the front: ";

@@ -212,6 +212,7 @@ void write_primitive(Writer& to, const Session<D>& s, const PrimitiveExplanation
     if (const std::uint32_t box = box_around(s, e.primitive); box != none) {
         if (box != box_at_hand(s))
             to.add("in " + box_sentence(s, box), 1).command = "select node:" + std::to_string(box);
+        if (const std::string why = put_off_sentence(s, e); !why.empty()) to.add(why, 1, Tone::lit);
         return;
     }
     if (const std::string why = put_off_sentence(s, e); !why.empty()) to.cell(why, e.cells.front(), 0, Tone::lit);

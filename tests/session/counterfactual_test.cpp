@@ -64,5 +64,49 @@ TEST(Counterfactual, NowIsWhatTheRunDoes3d) {
     check_all_methods<3>([](Random& random) { return test::random_start_3d(random, 400); });
 }
 
+/// Those that wait with lower keys come sooner.
+TEST(Counterfactual, AWaitingPrimitiveSaysWithWhichKeyItWaits) {
+    Random random(170);
+    int compared = 0;
+    for (int i = 0; i < test::soak_count(250); ++i) {
+        test::Start start = test::random_start(random, 200);
+        start.settings.method = "tri";
+        start.settings.budget = {Budget::Kind::primitives, static_cast<double>(1 + random.below(60))};
+        Session<2> session = start.session();
+        session.run();
+        std::vector<std::pair<double, std::uint32_t>> told;  // key, step of a run without a budget
+        for (std::uint32_t p = 0; p < session.scene().primitives.size(); ++p) {
+            const PrimitiveExplanation e = explain_primitive(session, p);
+            if (e.met_at > 0 || e.cells.empty()) continue;
+            const std::uint32_t cell = e.cells.front();
+            if (session.mark(cell).state != CellState::projected) continue;
+            const std::string text = put_off_sentence(session, e);
+            if (session.counters().partial_cell == cell) {
+                EXPECT_NE(text.find("the budget ended in it"), std::string::npos) << text;
+                continue;
+            }
+            const std::string words = "; it waits since then, with a key of about ";
+            const std::size_t at = text.find(words);
+            ASSERT_NE(at, std::string::npos) << text;
+            EXPECT_NE(text.find("and the budget ended before its turn"), std::string::npos) << text;
+            if (e.cells.size() > 1) continue;  // another may bring it sooner
+            Session<2> whole = session;
+            Settings settings = whole.settings();
+            settings.budget = {};
+            whole.change(settings);
+            whole.run();
+            told.emplace_back(std::stod(text.substr(at + words.size())), explain_primitive(whole, p).met_at);
+            ASSERT_GT(told.back().second, 0u);
+        }
+        for (const auto& [key, step] : told)
+            for (const auto& [other_key, other_step] : told) {
+                if (!(key < 0.95 * other_key)) continue;
+                EXPECT_LE(step, other_step) << key << " and " << other_key;
+                ++compared;
+            }
+    }
+    EXPECT_GT(compared, 20);
+}
+
 }  // namespace
 }  // namespace sightline

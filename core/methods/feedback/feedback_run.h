@@ -86,6 +86,7 @@ private:
     bool is_bare(std::uint32_t primitive) const;
     void sync();
     bool is_thin(std::uint32_t node) const;
+    Verdict why_postponed(std::uint32_t primitive) const;
 
     const BoxTree<D>* tree_ = nullptr;
     Problem<D> small_problem_;  ///< with the size of the picture

@@ -16,6 +16,7 @@ std::string FeedbackRun<D>::popped_words(const Step& step) const {
 template <int D>
 Verdict FeedbackRun<D>::why_not(const Item& item) const {
     if (item.kind == Kind::cell) return {"no-cells", "the method walks a tree of boxes, not cells"};
+    if (item.kind == Kind::primitive) return why_postponed(item.id);
     if (item.kind != Kind::node) return {};
     const CellState state = marks_[item.id].state;
     if (state == CellState::unseen) return {"outside-view", "it lies outside the view"};
@@ -52,6 +53,24 @@ Verdict FeedbackRun<D>::why_not(const Item& item) const {
 template <int D>
 bool FeedbackRun<D>::is_thin(std::uint32_t node) const {
     return std::find(thin_.begin(), thin_.end(), node) != thin_.end();
+}
+
+/// Of a primitive that is drawn into the picture and not rendered.
+template <int D>
+Verdict FeedbackRun<D>::why_postponed(std::uint32_t primitive) const {
+    if (this->drawn_.has(primitive)) return {};
+    const auto has = [&](const std::vector<std::uint32_t>& list) {
+        return std::find(list.begin(), list.end(), primitive) != list.end();
+    };
+    const bool few = has(small_);
+    if (!few && !has(lost_)) return {};
+    std::string text =
+        few ? "it waits, since it fills few pixels" : "it waits, since it won no pixel of the small picture";
+    if (!is_late_) return {"waits", text + ", until no box is left"};
+    const std::size_t place =
+        static_cast<std::size_t>(std::find(late_.begin(), late_.end(), primitive) - late_.begin());
+    return {"waits", text + ": number " + std::to_string(place + 1) + " of the " + std::to_string(late_.size()) +
+                         " that were postponed one by one"};
 }
 
 template <int D>
@@ -92,6 +111,7 @@ std::vector<CodeLine> FeedbackRun<D>::code(const CodePlace& at) const {
     template std::string FeedbackRun<D>::popped_words(const Step&) const; \
     template Verdict FeedbackRun<D>::why_not(const Item&) const;          \
     template bool FeedbackRun<D>::is_thin(std::uint32_t) const;           \
+    template Verdict FeedbackRun<D>::why_postponed(std::uint32_t) const;  \
     template std::vector<CodeLine> FeedbackRun<D>::code(const CodePlace&) const;
 SIGHTLINE_INSTANTIATE(2)
 SIGHTLINE_INSTANTIATE(3)

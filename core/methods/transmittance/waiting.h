@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/base/index.h"
@@ -63,6 +64,13 @@ public:
         return found;
     }
     void drop_first() { classes_[lowest_].references.pop_back(); }
+    /// The lowest key of the class that the reference to this place is in; nothing: there is none.
+    std::optional<double> key_of(std::uint32_t place) const {
+        for (std::uint32_t at = 0; at < classes_.size(); ++at)
+            for (const std::uint32_t bits : classes_[at].references)
+                if (bits >> 1 == place) return std::bit_cast<float>((first_bits + at) << 19);
+        return std::nullopt;
+    }
 
 private:
     struct Class {
