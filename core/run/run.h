@@ -99,8 +99,7 @@ public:
     // What it says of itself.
     virtual std::string_view rule_words(std::uint8_t /*rule*/) const { return {}; }
     /// All that a step looked at, in order, of a run that stands at that step or later.
-    virtual std::vector<Considered> considered(const Step& step, std::span<const Change> changes,
-                                               int /*digits*/) const {
+    virtual std::vector<Considered> considered(const Step& step, std::span<const Change> changes, int digits) const {
         std::vector<Considered> all;
         for (const Change& change : changes) {
             Considered& c = all.emplace_back();
@@ -110,9 +109,12 @@ public:
             c.words = rule_words(change.rule);
             c.effect = Effect::changed;
             c.before = change.mark();
+            if (c.before.state == CellState::clean) c.key = key_terms(c.item, digits);
         }
         return all;
     }
+    /// The key that an item has, where it comes from the item alone; nothing: it does not, or the item has none.
+    virtual std::optional<KeyExplanation> key_terms(const Item&, int /*digits*/) const { return std::nullopt; }
     /// How a step speaks of what it popped; only for methods that pop other things than cells.
     virtual std::string popped_words(const Step& step) const {
         return step.item ? item_name(step.item) : "a batch of primitives in the method's order";

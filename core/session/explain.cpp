@@ -121,6 +121,7 @@ StepExplanation explain_step(const Session<D>& session, std::uint32_t step) {
     e.cell = id_of(record.item, Kind::cell);
     e.words = session.traversal().popped_words(record);
     e.key = record.key;
+    if (const auto key = session.traversal().key_terms(record.item, digits_of(record))) e.formula = key->formula();
     e.stamp = record.stamp;
     e.runner_up = id_of(record.runner_up, Kind::cell);
     e.runner_up_key = record.runner_up_key;
@@ -159,7 +160,7 @@ std::string share_words(double visible_share, std::uint32_t visible) {
 std::string sentence(const StepExplanation& step) {
     std::string text = "Step " + std::to_string(step.step) + ": ";
     if (step.cell == none) {
-        text += step.words;
+        text += step.words + (step.formula.empty() ? "" : ", " + step.formula);
     } else {
         text += cell_name(step.cell) + " has the lowest key, " + short_number(step.key, step.digits);
         if (step.runner_up == none)

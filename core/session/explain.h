@@ -16,6 +16,7 @@ struct StepExplanation {
     std::string words;          ///< what was popped, where it is no cell: "node 12"
     std::uint32_t cell = none;  ///< the item, where it is one
     double key = 0;
+    std::string formula;  ///< of the key, where it comes from the item alone
     std::uint32_t stamp = 0;
     std::uint32_t runner_up = none;
     double runner_up_key = 0;

@@ -24,6 +24,26 @@ std::uint32_t box_around(const Session<D>& session, std::uint32_t primitive) {
     return found;
 }
 
+namespace {
+
+/// What became of it.
+template <int D>
+std::string fate_words(const Session<D>& session, const Item& item, const std::vector<std::uint32_t>& primitives) {
+    if (const Verdict verdict = session.traversal().why_not(item)) return verdict.sentence;
+    if (session.traversal().mark(item).state == CellState::enqueued) return "it waits in the front";
+    const Drawn& drawn = session.traversal().drawn();
+    const auto rendered =
+        std::count_if(primitives.begin(), primitives.end(), [&](std::uint32_t p) { return drawn.has(p); });
+    const std::string what = primitives.size() == 1 ? std::string(rendered == 1 ? "the one is" : "the one is not")
+                             : rendered == 1        ? "1 of them is"
+                                                    : std::to_string(rendered) + " of them are";
+    if (const Verdict verdict = session.traversal().why_drawn(item))
+        return verdict.sentence + "; " + what + " rendered";
+    return "it may be seen, and " + what + " rendered";
+}
+
+}  // namespace
+
 template <int D>
 std::string box_sentence(const Session<D>& session, std::uint32_t node) {
     const Item item{node, Kind::node};
@@ -32,18 +52,11 @@ std::string box_sentence(const Session<D>& session, std::uint32_t node) {
     std::sort(primitives.begin(), primitives.end());
     primitives.erase(std::unique(primitives.begin(), primitives.end()), primitives.end());
     std::string text = item_name(item) + ", " + counted(primitives.size(), D == 2 ? "segment" : "triangle") + ": ";
+    text += fate_words(session, item, primitives);
     const Mark mark = session.traversal().mark(item);
-    if (const Verdict verdict = session.traversal().why_not(item)) return text + verdict.sentence;
-    if (mark.state == CellState::enqueued) return text + "it waits in the front, key " + short_number(mark.key);
-    const Drawn& drawn = session.traversal().drawn();
-    const auto rendered =
-        std::count_if(primitives.begin(), primitives.end(), [&](std::uint32_t p) { return drawn.has(p); });
-    const std::string what = primitives.size() == 1 ? std::string(rendered == 1 ? "the one is" : "the one is not")
-                             : rendered == 1        ? "1 of them is"
-                                                    : std::to_string(rendered) + " of them are";
-    if (const Verdict verdict = session.traversal().why_drawn(item))
-        return text + verdict.sentence + "; " + what + " rendered";
-    return text + "it may be seen, and " + what + " rendered";
+    if (mark.state == CellState::clean) return text;
+    if (const auto key = session.traversal().key_terms(item, 3)) return text + "; " + key->sum();
+    return mark.state == CellState::enqueued ? text + ", key " + short_number(mark.key) : text;
 }
 
 #define SIGHTLINE_INSTANTIATE(D)                                                      \

@@ -101,10 +101,12 @@ void write_step(Writer& to, const StepExplanation& step, const std::optional<Cha
     std::string title = "Step " + std::to_string(step.step);
     if (step.cell != none) title += " took " + name(step.cell);
     to.heading(title + (partly ? " (so far)" : ""));
-    if (step.cell == none)
+    if (step.cell == none) {
         to.add(step.words);
-    else
+        if (!step.formula.empty()) to.add(step.formula, 1, Tone::faint);
+    } else {
         write_choice(to, step, source);
+    }
     std::string rendered = counted(step.rendered, "primitive") + " drawn";
     const bool judged = step.rendered > 0 && to.truth;
     if (judged) rendered += ", " + (step.visible > 0 ? std::to_string(step.visible) : "none") + " visible";

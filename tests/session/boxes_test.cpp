@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include "core/base/number.h"
 #include "core/draw/shown_boxes.h"
+#include "core/session/explain.h"
 #include "core/session/explain_box.h"
 #include "core/session/explain_primitive.h"
 #include "core/space/box_tree.h"
@@ -47,6 +49,42 @@ TEST(Boxes, APictureShowsEachPrimitiveInOneBoxWhateverTheStep) {
     EXPECT_EQ(seen[static_cast<std::size_t>(CellState::clean)], 0u);
     for (const CellState state : {CellState::enqueued, CellState::projected, CellState::unseen, CellState::hidden})
         EXPECT_GT(seen[static_cast<std::size_t>(state)], 50u) << cell_state_words[static_cast<std::size_t>(state)];
+}
+
+TEST(Boxes, OfEachIsSaidWhatItsKeyIsMadeOf) {
+    Random random(43);
+    int told = 0, considered = 0;
+    for (int i = 0; i < test::soak_count(20); ++i) {
+        test::Start start = test::random_start(random, 1500);
+        for (const char* const method : {"tri-z", "tri-z maximise=pixels", "boxes", "hzb", "view"}) {
+            start.settings.method = method;
+            apply_setting(start.settings, "reference_size=512");
+            Session<2> session = start.session();
+            session.seek(static_cast<std::uint32_t>(random.below(60)));
+            for (const auto& [item, mark] : session.traversal().front()) {
+                const auto key = session.traversal().key_terms(item, 3);
+                ASSERT_TRUE(key) << method;
+                ASSERT_EQ(key->key, mark.key) << method;
+                ASSERT_EQ(key->terms.back().value, mark.key);
+                const std::string text = box_sentence(session, item.id);
+                ASSERT_TRUE(text.ends_with("it waits in the front; " + key->formula())) << text;
+                ASSERT_TRUE(text.ends_with(" = " + short_number(mark.key))) << text;
+                ++told;
+            }
+            for (std::uint32_t step = 1; step <= session.position(); ++step) {
+                const StepExplanation e = explain_step(session, step);
+                if (e.item.kind == Kind::node) {
+                    ASSERT_NE(sentence(e).find(", " + e.formula + "; "), std::string::npos) << sentence(e);
+                }
+                for (const Considered& c : e.looked_at) {
+                    ASSERT_EQ(c.key.has_value(), c.item.kind == Kind::node && c.item != e.item);
+                    considered += c.key.has_value();
+                }
+            }
+        }
+    }
+    EXPECT_GT(told, 300);
+    EXPECT_GT(considered, 1000);
 }
 
 TEST(Boxes, OfEachIsSaidWhatBecameOfIt) {

@@ -45,6 +45,9 @@ public:
     std::vector<Considered> considered(const Step&, std::span<const Change>, int digits) const override;
     std::string popped_words(const Step&) const override;
     Verdict why_not(const Item& item) const override { return inner().why_not(item); }
+    std::optional<KeyExplanation> key_terms(const Item& item, int digits) const override {
+        return inner().key_terms(item, digits);
+    }
     Verdict why_drawn(const Item& item) const override { return inner().why_drawn(item); }
     Verdict why_waiting(const Item& item) const override { return inner().why_waiting(item); }
     std::vector<CodeLine> code(const CodePlace&) const override;

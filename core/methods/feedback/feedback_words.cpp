@@ -4,6 +4,7 @@
 
 #include "core/base/text.h"
 #include "core/methods/feedback/feedback_run.h"
+#include "core/run/box_key.h"
 #include "core/run/opened_to.h"
 
 namespace sightline {
@@ -74,6 +75,13 @@ Verdict FeedbackRun<D>::why_postponed(std::uint32_t primitive) const {
 }
 
 template <int D>
+std::optional<KeyExplanation> FeedbackRun<D>::key_terms(const Item& item, int digits) const {
+    if (item.kind != Kind::node) return std::nullopt;
+    return explain_box_key(squared_distance(tree_->nodes[item.id].box, this->problem_.view.eye),
+                           pixels_ ? std::optional<double>((*largest_)[item.id]) : std::nullopt, digits);
+}
+
+template <int D>
 std::vector<CodeLine> FeedbackRun<D>::code(const CodePlace& at) const {
     const Counters& counters = this->counters_;
     const bool in_step = at.in_step(), pops = at.step && at.step->item.kind == Kind::node;
@@ -90,6 +98,7 @@ std::vector<CodeLine> FeedbackRun<D>::code(const CodePlace& at) const {
     add("while a box waits:", 0, between && counters.front_size > 0,
         counters.front_size == 1 ? "1 box waits" : std::to_string(counters.front_size) + " boxes wait");
     add(pixels_ ? "take the one with the lowest distance² / √(largest size in it)" : "take the nearest one", 1, false);
+    if (in_step && pops) lines.back().values = popped + ", " + key_terms(at.step->item, digits_of(*at.step))->sum();
     add("outside the view: drop it", 1, in_step && rule == FeedbackRule::outside, popped);
     add("it covers no pixel of the small picture: postpone it", 1, in_step && rule == FeedbackRule::too_thin, popped);
     add("its rectangle lies behind what the small picture shows: postpone it", 1,
@@ -107,11 +116,12 @@ std::vector<CodeLine> FeedbackRun<D>::code(const CodePlace& at) const {
     return lines;
 }
 
-#define SIGHTLINE_INSTANTIATE(D)                                          \
-    template std::string FeedbackRun<D>::popped_words(const Step&) const; \
-    template Verdict FeedbackRun<D>::why_not(const Item&) const;          \
-    template bool FeedbackRun<D>::is_thin(std::uint32_t) const;           \
-    template Verdict FeedbackRun<D>::why_postponed(std::uint32_t) const;  \
+#define SIGHTLINE_INSTANTIATE(D)                                                              \
+    template std::string FeedbackRun<D>::popped_words(const Step&) const;                     \
+    template Verdict FeedbackRun<D>::why_not(const Item&) const;                              \
+    template bool FeedbackRun<D>::is_thin(std::uint32_t) const;                               \
+    template Verdict FeedbackRun<D>::why_postponed(std::uint32_t) const;                      \
+    template std::optional<KeyExplanation> FeedbackRun<D>::key_terms(const Item&, int) const; \
     template std::vector<CodeLine> FeedbackRun<D>::code(const CodePlace&) const;
 SIGHTLINE_INSTANTIATE(2)
 SIGHTLINE_INSTANTIATE(3)

@@ -72,6 +72,7 @@ public:
     std::string_view rule_words(std::uint8_t rule) const override { return box_rule_words[rule]; }
     std::string popped_words(const Step&) const override;
     Verdict why_not(const Item&) const override;
+    std::optional<KeyExplanation> key_terms(const Item&, int digits) const override;
     std::vector<CodeLine> code(const CodePlace&) const override;
 
 private:

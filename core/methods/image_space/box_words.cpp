@@ -3,6 +3,7 @@
 #include "core/methods/image_space/box_run.h"
 
 #include "core/base/text.h"
+#include "core/run/box_key.h"
 #include "core/run/opened_to.h"
 
 namespace sightline {
@@ -47,6 +48,20 @@ Verdict BoxRun<D>::why_not(const Item& item) const {
 }
 
 template <int D>
+std::optional<KeyExplanation> BoxRun<D>::key_terms(const Item& item, int digits) const {
+    if (item.kind != Kind::node) return std::nullopt;
+    const typename BoxTree<D>::Node& at = tree_->nodes[item.id];
+    if (tests_depth()) return explain_box_key(squared_distance(at.box, this->problem_.view.eye), std::nullopt, digits);
+    KeyExplanation e;
+    e.key = at.begin;
+    e.parts = {{"key = place in the tree = " + std::to_string(at.begin)}};
+    e.tip = "boxes come as the tree holds them";
+    e.weightiest = "its place in the tree";
+    e.terms = {{"key", e.key, {}}};
+    return e;
+}
+
+template <int D>
 std::vector<CodeLine> BoxRun<D>::code(const CodePlace& at) const {
     const Counters& counters = this->counters_;
     const bool in_step = at.in_step(), testing = in_step && *at.substep == 0;
@@ -69,6 +84,7 @@ std::vector<CodeLine> BoxRun<D>::code(const CodePlace& at) const {
         counters.front_size == 1 ? "1 box waits" : std::to_string(counters.front_size) + " boxes wait");
     add(tests_depth() ? "take the nearest one" : "take the next one", 1, testing, popped,
         method_.test == BoxMethod::Test::pixels ? "Greene et al. 1993, section 3.1" : "");
+    if (in_step && pops) lines.back().values = popped + ", " + key_terms(at.step->item, digits_of(*at.step))->sum();
     add("outside the view: drop it", 1, in_step && !testing && rule == BoxRule::outside, popped);
     if (tests_depth())
         add(method_.test == BoxMethod::Test::pixels ? "no pixel of it lies before what is drawn: drop it"
@@ -85,9 +101,10 @@ std::vector<CodeLine> BoxRun<D>::code(const CodePlace& at) const {
     return lines;
 }
 
-#define SIGHTLINE_INSTANTIATE(D)                                                 \
-    template std::string BoxRun<D>::popped_words(const Step&) const;             \
-    template Verdict BoxRun<D>::why_not(const Item&) const;                      \
+#define SIGHTLINE_INSTANTIATE(D)                                                         \
+    template std::string BoxRun<D>::popped_words(const Step&) const;                     \
+    template Verdict BoxRun<D>::why_not(const Item&) const;                              \
+    template std::optional<KeyExplanation> BoxRun<D>::key_terms(const Item&, int) const; \
     template std::vector<CodeLine> BoxRun<D>::code(const CodePlace&) const;
 SIGHTLINE_INSTANTIATE(2)
 SIGHTLINE_INSTANTIATE(3)
