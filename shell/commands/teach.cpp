@@ -23,6 +23,32 @@ Teaching& lesson_of(Workbench<D>& bench) {
     return *bench.teaching;
 }
 
+/// What the commands say of a step that later ones among them leave is not said.
+template <int D>
+void run_act(Workbench<D>& bench, const std::string& commands) {
+    struct Said {
+        std::string text;
+        std::uint64_t run;
+        std::uint32_t position;
+    };
+    std::vector<Said> all;
+    const auto say = std::exchange(bench.say, [&](const std::string& text) {
+        all.push_back({text, bench.run, bench.session.position()});
+    });
+    const auto tell = [&] {
+        bench.say = say;
+        for (const Said& said : all)
+            if (said.run == bench.run && said.position == bench.session.position()) say(said.text);
+    };
+    try {
+        run_commands(bench, commands);
+    } catch (...) {
+        tell();
+        throw;
+    }
+    tell();
+}
+
 template <int D>
 void open_part(Workbench<D>& bench, std::size_t part) {
     Teaching& teaching = *bench.teaching;
@@ -33,7 +59,7 @@ void open_part(Workbench<D>& bench, std::size_t part) {
     teaching.presses = 0;
     teaching.guessed.clear();
     teaching.answer.reset();
-    run_commands(bench, opened.act);
+    run_act(bench, opened.act);
     if (opened.concealed) tell_truth(bench, false);
     bench.session.selected_cell = bench.session.selected_primitive = none;
     bench.session.selected_node = bench.session.selected_plane = none;
@@ -46,7 +72,7 @@ void open_part(Workbench<D>& bench, std::size_t part) {
 template <int D>
 void play_beat(Workbench<D>& bench) {
     const Beat beat = bench.teaching->now().beats[bench.teaching->presses];
-    run_commands(bench, beat.act);
+    run_act(bench, beat.act);
     if (beat.reveal) tell_truth(bench, true);
     ++bench.teaching->presses;
 }

@@ -40,6 +40,30 @@ TEST_F(EachCommand, next) {
     EXPECT_EQ(bench->teaching->presses, 2u);
 }
 
+/// At step 10 of a run, as EachCommand.
+class LessonCommands : public test::Commands {};
+
+TEST_F(LessonCommands, NextSaysNoStepThatIsLeft) {
+    int beats = 0;
+    for (const Lesson& lesson : read_lessons(lessons_of_the_project())) {
+        if (lesson.dimension != 2) continue;
+        const auto check = [&](const std::string& command) {
+            run(command);
+            ++beats;
+            for (const std::string& line : said)
+                if (line.starts_with("step ")) {
+                    EXPECT_TRUE(line.starts_with("step " + std::to_string(session().position()) + " of "))
+                        << lesson.id << " at step " << session().position() << ": " << line;
+                }
+        };
+        check("lesson " + lesson.id);
+        for (const LessonPart& part : lesson.parts)
+            for (std::size_t i = 0; i < part.beats.size() + 1; ++i) check("next");
+    }
+    EXPECT_GT(beats, 60);
+    run("lesson end");
+}
+
 TEST_F(EachCommand, previous) {
     run("previous");
     EXPECT_EQ(session().position(), 9u);
