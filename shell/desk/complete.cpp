@@ -32,7 +32,7 @@ void begin_completing(Workbench<D>& bench, const std::string& gesture = "") {
     settings.parameters.set(cplp_first_row(), variant_of(method, settings.parameters).text);
     settings.method = "cplp";
     settings.budget = budget_up_to_here(session);
-    const Completing completing{session.settings().budget, settings.budget};
+    const Completing completing{session.settings().budget, settings.budget, session.position(), none};
     change_settings(bench, settings, gesture);
     bench.completing = completing;
 }
@@ -79,10 +79,14 @@ void complete(Workbench<D>& bench) {
     const bool back = bench.session.method().id == "cplp";
     if (back) {
         leave_rounds(bench.session);
+        const auto begun = bench.completing;
+        const std::uint32_t step = bench.session.position();
         end_completing(bench);
+        if (begun && step == begun->rounds_from) bench.session.seek(begun->asked_at);
     } else {
         begin_completing(bench);
         leave_rounds(bench.session);  // steps without a new primitive are not in its budget
+        bench.completing->rounds_from = bench.session.position();
     }
     if (!bench.session.flying()) moved(bench);
     bench.say(back ? bench.session.settings().method + " alone"

@@ -56,9 +56,11 @@ struct Faults {
     std::optional<std::vector<ObjectReport>> objects{};  ///< those that matter most first
 };
 
-/// The budget that `complete` has set, and the one before.
+/// The budget that `complete` has set, and the one before; the step at which it was asked for, and that at which the
+/// rounds begin: the steps between them rendered nothing new.
 struct Completing {
     Budget before, now;
+    std::uint32_t asked_at = 0, rounds_from = 0;
 };
 
 template <int D>

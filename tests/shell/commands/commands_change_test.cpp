@@ -89,6 +89,21 @@ TEST_F(EachCommand, complete) {
                                      "cells: published, layers, formula, flux");
         EXPECT_EQ(session().method().id, method);
     }
+    // Also behind steps that rendered nothing new, which the rounds do not wait for.
+    run("method flux; budget unlimited; run");
+    int behind = 0;
+    for (std::uint32_t step = session().recorded(); step > 0; --step) {
+        run("seek " + std::to_string(step));
+        const std::uint64_t here = session().hash();
+        run("complete");
+        behind += session().position() < step;
+        run("complete");
+        ASSERT_EQ(session().position(), step);
+        ASSERT_EQ(session().hash(), here);
+    }
+    EXPECT_GT(behind, 0);
+    run("seek 12; complete; back 4; complete");
+    EXPECT_LT(session().position(), 12u) << "it was left by hand";
 }
 
 TEST_F(EachCommand, method) {
