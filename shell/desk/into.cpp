@@ -28,12 +28,13 @@ void step_into(Workbench<D>& bench) {
 template <int D>
 void step_out(Workbench<D>& bench) {
     pause(bench);
-    if (bench.substep && *bench.substep > 0)
-        --*bench.substep;
-    else if (bench.substep)
+    const std::uint32_t step = bench.session.position();
+    if (step == 0) return;
+    const std::uint32_t here = bench.substep ? *bench.substep : substep_count(bench.session, step) - 1;
+    if (here > 0)
+        bench.substep = here - 1;
+    else
         step_back(bench, 1);
-    else if (bench.session.position() > 0)
-        bench.substep = substep_count(bench.session, bench.session.position()) - 1;
 }
 
 template void step_into<2>(Workbench<2>&);

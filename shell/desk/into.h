@@ -12,8 +12,8 @@ namespace sightline {
 template <int D>
 void step_into(Workbench<D>& bench);
 
-/// One substep back; before substep 0 the step is undone, and from between two steps it is the last one of the step
-/// done.
+/// One substep back: what step_into did is undone. Between two steps all substeps of the last one are done; before
+/// substep 0 the step is undone.
 template <int D>
 void step_out(Workbench<D>& bench);
 

@@ -58,7 +58,7 @@ TEST_F(EachCommand, into) {
 TEST_F(EachCommand, out) {
     run("out");
     EXPECT_EQ(session().position(), 10u);
-    EXPECT_EQ(bench->substep, substep_count(session(), 10) - 1);
+    EXPECT_EQ(bench->substep, substep_count(session(), 10) - 2) << "the last one is taken back";
     run("seek 10; into; into; out; out");
     EXPECT_EQ(session().position(), 10u);
     EXPECT_EQ(bench->substep, std::nullopt);

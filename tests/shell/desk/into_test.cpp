@@ -47,14 +47,33 @@ TEST(Into, VisitsEverySubstepOfEveryStepAndGoesBackTheSameWay) {
         const ShownSession<2> shown(bench);
         EXPECT_EQ(&*shown, &bench.session);
         for (std::size_t k = places.size(); k-- > 0;) {
+            const bool first = places[k].second == 0u;
             step_out(bench);
-            ASSERT_EQ(place(bench), places[k]);
-            if (places[k].second != 0u) continue;
-            step_out(bench);
-            ASSERT_EQ(place(bench), Place(places[k].first - 1, std::nullopt));
+            ASSERT_EQ(place(bench), first ? Place(places[k].first - 1, std::nullopt) : places[k - 1]);
         }
         step_out(bench);
         EXPECT_EQ(place(bench), Place(0, std::nullopt));
+    }
+}
+
+/// As often out as into: what is shown is what was shown, also where a step is a single substep.
+TEST(Into, OutUndoesIntoAcrossSteps) {
+    Random random(94);
+    for (int i = 0; i < 40; ++i) {
+        test::Start start = test::random_start(random);
+        start.settings.method = i % 2 == 0 ? "tri-z" : "published";
+        test::Bench on(start.session());
+        Workbench<2>& bench = on.bench;
+        step_forward(bench, static_cast<std::uint32_t>(random.below(10)));
+        std::vector<std::uint64_t> hashes{bench.session.hash()};
+        for (int k = 0; k < 12 && !bench.session.finished(); ++k) {
+            step_into(bench);
+            hashes.push_back(ShownSession<2>(bench)->hash());
+        }
+        for (std::size_t k = hashes.size() - 1; k-- > 0;) {
+            step_out(bench);
+            ASSERT_EQ(ShownSession<2>(bench)->hash(), hashes[k]) << k << " of " << hashes.size();
+        }
     }
 }
 
