@@ -51,6 +51,14 @@ PixelHistory pixel_history(const Session<3>& session, int x, int y) {
     for (const PixelLayer& layer : history.layers)
         if (history.owns == none && layer.met_at > 0 && layer.met_at <= session.position())
             history.owns = layer.primitive;
+    const auto distance = [&](std::uint32_t primitive) {
+        const auto layer = std::find_if(history.layers.begin(), history.layers.end(),
+                                        [&](const PixelLayer& each) { return each.primitive == primitive; });
+        return layer == history.layers.end() ? -1 : layer->distance;
+    };
+    const double should = distance(history.should_own), is = distance(history.owns);
+    history.tie = history.should_own != history.owns && should > 0 && is > 0 &&
+                  std::abs(should - is) <= 0x1p-20 * std::max(should, is);
     return history;
 }
 

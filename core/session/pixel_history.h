@@ -21,6 +21,7 @@ struct PixelHistory {
     std::uint32_t should_own = none;  ///< the exact image shows it; none: nothing is there
     std::uint32_t owns = none;        ///< the nearest that is rendered at the session's position
     std::vector<PixelLayer> layers;   ///< nearest first
+    bool tie = false;                 ///< those two differ, and lie equally near as far as single precision tells
 };
 
 /// Of a pixel of the reference's image. Cost: primitives + steps. Throws InputError for a pixel outside the image.

@@ -176,6 +176,7 @@ void write_pixel(Writer& to, const Session<3>& s, const std::array<int, 2>& pixe
         line("should show " + named(history.should_own) + ", shows " +
                  (history.owns == none ? "nothing" : named(history.owns)),
              history.should_own, 0, Tone::bad);
+    if (history.tie) to.add("both lie equally near: a tie, which each image decides in its own way", 0, Tone::faint);
     for (std::size_t i = 0; i < std::min(history.layers.size(), most_layers_told); ++i) {
         const PixelLayer& layer = history.layers[i];
         std::string when = "no step renders it";

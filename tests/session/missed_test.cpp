@@ -182,5 +182,32 @@ TEST(PixelHistory, ItsLayersAreWhatTheRayMeets) {
     EXPECT_GT(owned, 50);
 }
 
+/// As a card may decide it: of two triangles that lie equally near, the reference shows one, the run's own image the
+/// other.
+TEST(Missed, APixelSaysThatItIsATie) {
+    for (const double behind : {0.0, 0.25}) {
+        Scene<3> scene;
+        scene.primitives = {{Vec<3>{0, 0, 0}, {0, 1, 0}, {1, 0, 0}},
+                            {Vec<3>{0, 0, behind}, {0, 1, behind}, {1, 0, behind}}};
+        const DrawIds the_second = [](const Scene<3>& drawn, const View<3>& view, const ImageSize& size, int layers) {
+            std::vector<IdImage> images = test::cast_rays(drawn, view, size, layers);
+            for (std::uint32_t& id : images[0].ids)
+                if (id == 0) id = 1;
+            return images;
+        };
+        Settings settings;
+        settings.method = "boxes";
+        Session<3> session(std::make_shared<const Scene<3>>(scene), {{0.25, 0.25, -2}, {0.25, 0.25, 0}, 40}, settings,
+                           method_table<3>(), the_second);
+        session.run();
+        ASSERT_EQ(session.counters().rendered_count, 1u);
+        const IdImage& image = session.reference().image;
+        const PixelHistory history = pixel_history(session, image.width / 2, image.height / 2);
+        EXPECT_EQ(history.should_own, 1u);
+        EXPECT_EQ(history.owns, 0u);
+        EXPECT_EQ(history.tie, behind == 0);
+    }
+}
+
 }  // namespace
 }  // namespace sightline
