@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/base/number.h"
+#include "core/base/text.h"
 #include "core/measure/metrics.h"
 #include "core/session/headline.h"
 #include "shell/window/theme.h"
@@ -56,12 +57,15 @@ std::vector<Counter> counters(const Session<3>& session, const std::string& titl
         return std::string(std::to_string(most).size(), '8') + unit;
     };
     std::vector<Counter> all{{title, "", true}};
-    all.push_back({std::to_string(session.counters().drawn()) + " triangles",
-                   as_wide(session.scene().primitives.size(), " triangles")});
-    const std::string steps = session.method().orders_cells()         ? " cells"
-                              : session.method().pops == Kind::object ? " objects"
-                                                                      : " batches";
-    all.push_back({std::to_string(session.traversal().steps()) + steps, as_wide(session.cells().cell_count(), steps)});
+    all.push_back(
+        {counted(session.counters().drawn(), "triangle"), as_wide(session.scene().primitives.size(), " triangles")});
+    const Kind pops = session.method().pops;
+    const std::string what = session.method().orders_cells() ? "cell"
+                             : pops == Kind::object          ? "object"
+                             : pops == Kind::node            ? "box"
+                                                             : "batch";
+    all.push_back({counted(session.traversal().steps(), what),
+                   as_wide(session.cells().cell_count(), " " + counted(2, what).substr(2))});
     const bool measured = !session.flying() || session.has_reference();
     const std::string later = "…";
     if (tells_truth(session))
@@ -71,9 +75,9 @@ std::vector<Counter> counters(const Session<3>& session, const std::string& titl
     if (tells_truth(session))
         all.push_back({"wrong pixels " + (measured ? percent(session.wrong_pixels()) : later), "wrong pixels 88.8 %"});
     // A frame that is stepped through was recorded on the way, which takes longer than flying.
-    const std::string how = session.flying() ? " ms" : " ms recorded";
-    all.push_back({"traversal " + short_number(session.times().traverse) + how, "traversal 88.8" + how});
-    all.push_back({"drawing " + short_number(draw_ms) + " ms", "drawing 88.8 ms"});
+    const std::string how = session.flying() ? "" : " recorded";
+    all.push_back({"traversal " + milliseconds_text(session.times().traverse) + how, "traversal 88.8 ms" + how});
+    all.push_back({"drawing " + milliseconds_text(draw_ms), "drawing 88.8 ms"});
     if (speed) all.push_back({"speed " + short_number(*speed), "speed 888.8"});
     if (!measured && tells_truth(session)) all.push_back({"… measured when the eye stops"});
     return all;

@@ -51,6 +51,11 @@ std::string short_number(double value, int digits) {
     return plain;
 }
 
+std::string milliseconds_text(double ms) {
+    const bool tiny = ms > 0 && ms < 0.001;
+    return tiny ? short_number(ms * 1000) + " µs" : short_number(ms) + " ms";
+}
+
 std::string percent_text(double share) { return short_number(share * 100) + " %"; }
 
 int separating_digits(double a, double b) {

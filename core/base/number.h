@@ -24,6 +24,9 @@ std::string duration_text(double seconds);
 /// At most `digits` significant digits, for people.
 std::string short_number(double value, int digits = 3);
 
+/// "12.3 ms"; below a thousandth "0.05 µs".
+std::string milliseconds_text(double ms);
+
 /// A fraction of 1 for people: "12.3 %".
 std::string percent_text(double share);
 

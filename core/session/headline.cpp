@@ -25,7 +25,7 @@ std::string headline(const Session<D>& session) {
     const Scene<D>& scene = session.scene();
     std::string text = scene.title.empty() ? scene.id : scene.title;
     text += ": " + std::string(session.method().title);
-    if (session.method().orders_cells()) text += ", " + std::to_string(session.cells().cell_count()) + " cells";
+    if (session.method().orders_cells()) text += ", " + counted(session.cells().cell_count(), "cell");
     text += ", ";
     const std::string all = counted(scene.primitives.size(), primitive_word<D>);
     if (!knows_truth(session)) return text + all;

@@ -199,12 +199,10 @@ std::string conditions(const Session<D>& session) {
     if (session.method().pops == Kind::node)
         text += counted(session.traversal().boxes()->nodes.size(), "node") + " of a box tree";
     else
-        text += std::to_string(session.cells().cell_count()) + " " +
-                (settings.tessellation == Tessellation::delaunay ? "Delaunay"
-                 : settings.tessellation == Tessellation::kd     ? "kd-tree"
-                 : D == 2                                        ? "quadtree"
-                                                                 : "octree") +
-                " cells";
+        text += counted(session.cells().cell_count(), settings.tessellation == Tessellation::delaunay ? "Delaunay cell"
+                                                      : settings.tessellation == Tessellation::kd     ? "kd-tree cell"
+                                                      : D == 2                                        ? "quadtree cell"
+                                                                                                      : "octree cell");
     text += ", budget " + budget_text(settings.budget);
     if (settings.budget.kind == Budget::Kind::share)
         text += " = " + counted(budget_in_primitives(session), D == 2 ? "segment" : "triangle");

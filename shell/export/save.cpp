@@ -3,6 +3,7 @@
 #include <iostream>
 
 #include "core/base/file.h"
+#include "core/base/text.h"
 #include "core/session/state_file.h"
 #include "core/space/cells_file.h"
 #include "shell/export/export.h"
@@ -19,7 +20,7 @@ template <int D>
 void write_cells(Workbench<D>& bench, const std::string& file) {
     const Session<D>& session = bench.session;
     write_cells(session.cells(), session.scene(), session.settings(), file);
-    bench.say("wrote " + file + ", " + std::to_string(session.cells().cell_count()) + " cells");
+    bench.say("wrote " + file + ", " + counted(session.cells().cell_count(), "cell"));
 }
 
 void write_text(const std::string& file, const std::string& text) {

@@ -43,7 +43,7 @@ std::vector<Row> trade_off_rows(const Workbench<D>& bench) {
         const bool is_best = std::find(front.begin(), front.end(), i) != front.end();
         Row row{variant.text + " " + budget_text(dot.budget) + ": "};
         row.text += std::isnan(ms) ? "…"
-                                   : short_number(ms) + " ms, wrong " + per_cent(study.value(dot, Measure::wrong)) +
+                                   : milliseconds_text(ms) + ", wrong " + per_cent(study.value(dot, Measure::wrong)) +
                                          ", coverage " + per_cent(study.value(dot, Measure::coverage));
         if (is_best) row.text += ", Pareto";
         const bool now = is_current(bench, dot);

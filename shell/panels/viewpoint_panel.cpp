@@ -33,7 +33,7 @@ void add_techniques(const ViewpointFact<D>& fact, std::vector<Row>& rows) {
     rows.push_back({"Techniques here, with the milliseconds predicted for a frame", Tone::heading});
     for (std::uint32_t i = 0; i < fact.techniques.size(); ++i) {
         const TechniqueFact& technique = fact.techniques[i];
-        Row& row = rows.emplace_back(Row{technique.name + ": " + short_number(technique.ms()) + " ms"});
+        Row& row = rows.emplace_back(Row{technique.name + ": " + milliseconds_text(technique.ms())});
         if (i == fact.chosen) row.text += ", chosen";
         if (i == fact.done && i != fact.chosen) row.text += ", the one of the frame before";
         row.tone = i == fact.done ? Tone::lit : Tone::plain;

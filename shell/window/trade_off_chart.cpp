@@ -116,10 +116,10 @@ void chart_mouse(Ui& ui, const Workbench<D>& bench, const TradeOffPlot& plot) {
     const Variant<D>& variant = study.task().variants[dot.variant];
     ImGui::GetWindowDrawList()->AddCircle(hit->at, 7 * ui.unit, colour(theme::accent), 0, 2 * ui.unit);
     const auto share = [&](Measure measure) { return short_number(100 * study.value(dot, measure)) + " %"; };
-    ImGui::SetTooltip("%s at %s (%s)\n%s ms, wrong pixels %s, coverage %s\nclick to set this method and budget",
+    ImGui::SetTooltip("%s at %s (%s)\n%s, wrong pixels %s, coverage %s\nclick to set this method and budget",
                       variant.text.c_str(), budget_text(dot.budget).c_str(),
                       variant.method.promise_with(variant.parameters) == Misses::may ? "approximate" : "conservative",
-                      short_number(study.value(dot, Measure::total_ms)).c_str(), share(Measure::wrong).c_str(),
+                      milliseconds_text(study.value(dot, Measure::total_ms)).c_str(), share(Measure::wrong).c_str(),
                       share(Measure::coverage).c_str());
     if (ImGui::IsItemDeactivated()) ui.act(trade_off_command(bench, dot));
 }
@@ -178,10 +178,7 @@ void trade_off_chart(Ui& ui, Workbench<D>& bench) {
     const TradeOffPlot plot =
         trade_off_plot(bench, {at.x + left, at.y + 1.3f * text, w - left - 6 * ui.unit, h - under - 1.3f * text});
     draw_axes(list, ui, plot);
-    small_text(
-        list, ui, at.x, at.y,
-        axis_title(ui, bench.trade_off.shown, w).c_str(),
-        theme::ink);
+    small_text(list, ui, at.x, at.y, axis_title(ui, bench.trade_off.shown, w).c_str(), theme::ink);
     small_text(list, ui, at.x + w, at.y + h - 1.1f * text, trade_off_time_text(bench), theme::ink, 1);
     if (plot.dots.empty())
         small_text(list, ui, plot.area.x + plot.area.w / 2, plot.area.y + plot.area.h / 2, "nothing measured yet",

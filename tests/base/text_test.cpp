@@ -1,12 +1,20 @@
 // Words from elsewhere in a line for a terminal.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/base/excerpt.h"
 #include "core/base/text.h"
+#include "core/base/excerpt.h"
+#include "core/base/number.h"
 
 #include <gtest/gtest.h>
 
 namespace sightline {
 namespace {
+
+TEST(Text, TimesAreNeverTooShortToRead) {
+    EXPECT_EQ(milliseconds_text(0), "0 ms");
+    EXPECT_EQ(milliseconds_text(5e-5), "0.05 µs");
+    EXPECT_EQ(milliseconds_text(0.00123), "0.00123 ms");
+    EXPECT_EQ(milliseconds_text(12.34), "12.3 ms");
+}
 
 TEST(Text, OneLineIsFitForATerminal) {
     EXPECT_EQ(one_line("plain, ρ and 東"), "plain, ρ and 東");

@@ -282,8 +282,8 @@ TEST_F(TradeOffOf, ItsRowsSayWhatTheStudyHas) {
         const auto row = std::find_if(rows.begin(), rows.end(), [&](const Row& r) { return r.text.starts_with(name); });
         ASSERT_NE(row, rows.end()) << name;
         const auto number = [&](M measure, double unit) { return short_number(unit * study().value(dot, measure)); };
-        EXPECT_EQ(row->text.find(name + number(M::total_ms, 1) + " ms, wrong " + number(M::wrong, 100) +
-                                 " %, coverage " + number(M::coverage, 100) + " %"),
+        EXPECT_EQ(row->text.find(name + milliseconds_text(study().value(dot, M::total_ms)) + ", wrong " +
+                                 number(M::wrong, 100) + " %, coverage " + number(M::coverage, 100) + " %"),
                   0u)
             << row->text;
     }
