@@ -85,6 +85,8 @@ template <int D>
 void apply(Settings& settings, const py::kwargs& given) {
     for (const auto& [name, value] : given)
         apply_setting(settings, py::str(name).cast<std::string>() + "=" + setting_text(value));
+    if (settings.automatic == Switch::on)
+        throw InputError("auto=on is for the viewers: a script names its method, cells and budget");
 }
 
 }  // namespace

@@ -171,6 +171,8 @@ Study study_of(const StudyOptions& options, const MethodTables& tables) {
     if (!o.size.empty()) apply_setting(settings, "reference_size=" + o.size);
     study.size = settings.reference_size;
     for (const std::string& assignment : o.settings) apply_setting(settings, assignment);
+    if (settings.automatic == Switch::on)
+        throw InputError("--set auto=on: a study measures the methods that it names; what is best, lab cells says");
     study.settings = o.settings;
     refuse_twice(study.methods, "--methods", method_text);
     refuse_twice(study.budgets, "--budgets", budget_text);

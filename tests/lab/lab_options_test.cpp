@@ -42,6 +42,7 @@ TEST_F(LabOptions, WhatWouldDoNothingIsRefused) {
         {"measure 2d:rooms --set method=layers", "--methods"},
         {"measure 2d:rooms --set tessellation=tree", "@tree"},
         {"measure 2d:rooms --set reference_size=64", "--size"},
+        {"measure 2d:rooms --set auto=on", "lab cells"},
         {"measure 2d:rooms --set seeds=one --set seeds=hull", "given twice"},
         {"measure 2d:rooms --budgets 1%,1%", "--budgets 1%: is given twice"},
         {"measure 2d:rooms --methods layers,layers", "--methods layers: is given twice"},

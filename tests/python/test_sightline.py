@@ -356,6 +356,7 @@ class Errors(unittest.TestCase):
             ("method 'x' does not exist; there are published", lambda: sightline.open_3d("room", method="x")),
             ("budget 'much'", lambda: sightline.open_2d("bottleneck", budget="much")),
             ("setting 'foo' does not exist", lambda: sightline.open_2d("bottleneck", foo=3)),
+            ("auto=on is for the viewers", lambda: sightline.open_2d("bottleneck", auto="on")),
             ("a point has 2 numbers", lambda: sightline.open_2d("bottleneck", eye=(1, 2, 3))),
             ("shape \\(n, 2, 2\\)", lambda: sightline.open_2d(np.zeros((3, 2, 3)))),
             ("no field height: it has rho", lambda: sightline.open_2d("bottleneck").field("height")),

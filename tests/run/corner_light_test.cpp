@@ -144,8 +144,14 @@ void expect_definition() {
             double wanted = 1;
             if (ray.cell != none && !ray.ends) {
                 double there = ray.count == 0 ? 1 : 0;
-                for (std::uint32_t i = 0; i < ray.count; ++i)
+                bool all = true;
+                for (std::uint32_t i = 0; i < ray.count; ++i) {
                     there += double{ray.weights[i]} * double{light.at(problem, ray.corners[i])};
+                    all = all && light.at(problem, ray.corners[i]) == 1;
+                }
+                if (all && lit.cells.count(ray.cell) == 0) {
+                    ASSERT_EQ(value, 1) << "nothing is in the way";
+                }
                 wanted = there * (1 - opacity.of(ray.cell, nearest_direction(ray.to_eye)));
             }
             ASSERT_NEAR(value, wanted, 1e-5);

@@ -50,9 +50,11 @@ float CornerLight<D>::found(const Problem<D>& problem, std::uint32_t corner) con
         }
         float value = 1;
         if (ray.cell != none && !ray.ends) {
-            float there = ray.count == 0 ? 1 : 0;
-            for (std::uint32_t i = 0; i < ray.count; ++i) there += ray.weights[i] * corners_[ray.corners[i]].value;
-            value = std::min(1.0f, there) * open(ray);
+            // Of what is missing, so that weights that are rounded keep all where nothing is.
+            float missing = 0;
+            for (std::uint32_t i = 0; i < ray.count; ++i)
+                missing += ray.weights[i] * (1 - corners_[ray.corners[i]].value);
+            value = std::max(0.0f, 1 - missing) * open(ray);
         }
         corners_[last.corner] = {value, epoch_};
         pending_.pop_back();
