@@ -65,8 +65,8 @@ public:
         met_.clear();
     }
     bool has(std::uint32_t primitive) const { return words_[primitive / 64] >> primitive % 64 & 1; }
-    /// Asks for memory ahead.
-    void prefetch(std::uint32_t primitive) const { __builtin_prefetch(&words_[primitive / 64]); }
+    /// To be fetched ahead.
+    const void* address_of(std::uint32_t primitive) const { return &words_[primitive / 64]; }
 
     /// Appends behind the first `count`; what stood there, a recording's undone future, is replaced.
     void add(std::uint32_t count, Met met) {

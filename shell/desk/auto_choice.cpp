@@ -14,10 +14,10 @@
 #include "core/base/stopwatch.h"
 #include "core/measure/recommend.h"
 #include "core/measure/trade_off.h"
-#include "core/scene/scene_view.h"
 #include "core/session/settings_table.h"
 #include "core/truth/software_ids.h"
 #include "shell/desk/change.h"
+#include "shell/desk/frames_to_measure.h"
 
 namespace sightline {
 
@@ -48,22 +48,12 @@ bool has_key(const Json& entry, const std::string& key) {
     return entry.is_object() && entry.contains("key") && entry["key"] == key;
 }
 
-/// A frame and the one before it, as an eye that goes along the path or stands still meets them.
 template <int D>
-struct FrameToMeasure {
-    ViewSpec<D> view, before;
-};
-
-template <int D>
-std::vector<FrameToMeasure<D>> frames_to_measure(const Workbench<D>& bench) {
+std::vector<FrameToMeasure<D>> frames_of(const Workbench<D>& bench) {
     const auto& chosen = bench.flight.path.frames;
     const auto& paths = bench.session.scene().paths;
     const auto& all = !chosen.empty() || paths.empty() ? chosen : paths.front().frames;
-    if (all.empty()) return {{bench.session.culling_view(), bench.session.culling_view()}};
-    std::vector<FrameToMeasure<D>> frames;
-    for (const std::size_t frame : spread_frames(all.size(), measured_frames))
-        frames.push_back({all[frame], all[frame == 0 ? 0 : frame - 1]});
-    return frames;
+    return frames_to_measure(all, bench.session.culling_view(), measured_frames);
 }
 
 template <int D>
@@ -84,10 +74,7 @@ TradeOffTask<D> task_of(const Workbench<D>& bench, Tessellation tessellation, bo
         settings.tessellation = tessellation;
         task.cells = std::make_shared<const CellComplex<D>>(build_cells(session.scene(), settings));
     }
-    for (const FrameToMeasure<D>& frame : frames_to_measure(bench)) {
-        task.views.push_back(scene_view(frame.view, session.scene(), settings.reference_size));
-        task.before.push_back(scene_view(frame.before, session.scene(), settings.reference_size));
-    }
+    add_frames(task, frames_of(bench));
     task.variants = auto_methods(bench, cells_only);
     task.budget = budget;
     if (budget) task.before.clear();  // a first frame renders most, and is not to be cut short either

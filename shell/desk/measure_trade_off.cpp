@@ -3,8 +3,8 @@
 
 #include "core/base/error.h"
 #include "core/base/number.h"
-#include "core/scene/scene_view.h"
 #include "core/truth/software_ids.h"
+#include "shell/desk/frames_to_measure.h"
 
 namespace sightline {
 
@@ -41,25 +41,15 @@ void update_trade_off(Workbench<D>& bench) {
     TradeOff<D>& trade_off = bench.trade_off;
     const Session<D>& session = bench.session;
     const auto& all = bench.flight.path.frames;
-    std::vector<ViewSpec<D>> views, before;
-    std::string path = "current view only";
-    if (all.empty()) {
-        views.push_back(session.culling_view());
-        before = views;
-    } else {
-        for (const std::size_t frame : spread_frames(all.size(), trade_off_frames)) {
-            views.push_back(all[frame]);
-            before.push_back(all[frame == 0 ? 0 : frame - 1]);
-        }
-        path = "path " + bench.flight.path.id + ", " + std::to_string(views.size()) + " of " +
-               std::to_string(all.size()) + " frames";
-    }
+    const auto frames = frames_to_measure(all, session.culling_view(), trade_off_frames);
+    std::vector<ViewSpec<D>> views;
+    for (const FrameToMeasure<D>& frame : frames) views.push_back(frame.view);
+    const std::string path = all.empty() ? "current view only"
+                                         : "path " + bench.flight.path.id + ", " + std::to_string(views.size()) +
+                                               " of " + std::to_string(all.size()) + " frames";
     if (const std::string why = what_changed(bench, views, path); !why.empty()) {
         TradeOffTask<D> task{session.shared_scene(), session.shared_cells(), session.settings().reference_size, {}, {}};
-        for (const ViewSpec<D>& view : views)
-            task.views.push_back(scene_view(view, session.scene(), session.settings().reference_size));
-        for (const ViewSpec<D>& view : before)
-            task.before.push_back(scene_view(view, session.scene(), session.settings().reference_size));
+        add_frames(task, frames);
         for (const Method<D>& method : bench.methods)
             if (method.compared && !method.needs.history)  // the frames of a chart follow no path
                 task.variants.push_back(
@@ -71,7 +61,7 @@ void update_trade_off(Workbench<D>& bench) {
         trade_off.study = TradeOffStudy<D>(std::move(task));
         trade_off.base = session.settings().parameters;
         trade_off.reference = session.settings().reference;
-        trade_off.path = std::move(path);
+        trade_off.path = path;
         trade_off.views = std::move(views);
         trade_off.word = begun ? "restarted: " + why : "";
         trade_off.spent_ms = 0;

@@ -277,7 +277,7 @@ private:
             if (const auto ahead = heuristic_.waiting.behind_first(fetched_ahead))
                 detail::prefetch(&cells.cell_primitives[ahead.place()]);
             if (const auto next = heuristic_.waiting.behind_first(fetched_ahead / 2))
-                this->drawn_.prefetch(cells.cell_primitives[next.place()]);
+                detail::prefetch(this->drawn_.address_of(cells.cell_primitives[next.place()]));
             const bool met = first.shows()
                                  ? add_met(this->problem_.budget, this->culled_costs_,
                                            {cells.cell_primitives[first.place()], false}, this->drawn_, this->counters_)
