@@ -4,38 +4,11 @@
 
 #include <gtest/gtest.h>
 
-#include "core/methods/method_table.h"
-#include "core/scene/scene_view.h"
-#include "tests/run/run_support.h"
-#include "tests/scene/random_scene.h"
+#include "tests/run/lit_scene.h"
 #include "tests/soak.h"
 
 namespace sightline {
 namespace {
-
-Scene<2> soup_of(Random& random, Vec<2>) { return test::random_scene(random, 5 + random.below(60)); }
-Scene<3> soup_of(Random& random, Vec<3>) { return test::random_scene_3d(random, 5 + random.below(40)); }
-
-template <int D>
-struct LitScene {
-    Scene<D> scene;
-    Settings settings;
-    CellComplex<D> cells;
-    View<D> view;
-
-    explicit LitScene(Random& random) : scene(soup_of(random, Vec<D>(0))) {
-        settings.method = "tri";
-        settings.tessellation = static_cast<Tessellation>(random.below(3));
-        settings.error_bound = random.uniform(0.05, 0.4);
-        cells = build_cells(scene, settings);
-        ViewSpec<D> spec;
-        const bool far = random.below(4) == 0;
-        for (int i = 0; i < D; ++i) spec.eye[i] = far ? random.uniform(-20, 20) : random.uniform(-0.5, 1.5);
-        spec.look_at = Vec<D>(0.5);
-        view = scene_view(spec, scene, settings.reference_size);
-    }
-    Problem<D> problem() const { return test::problem_of(scene, cells, view, settings); }
-};
 
 /// How far p lies inside of the cell: negative outside.
 template <int D>
@@ -62,7 +35,7 @@ void expect_rays() {
     Random random(200 + D);
     int through = 0, out = 0, ended = 0, whole = 0;
     for (int round = 0; round < test::soak_count(30); ++round) {
-        const LitScene<D> lit(random);
+        const test::LitScene<D> lit(random, "tri", 0.05, test::Eyes::far_too);
         const CellComplex<D>& cells = lit.cells;
         const CornerRays<D> rays(cells);
         const Vec<D> eye = lit.view.eye;
@@ -130,7 +103,7 @@ void expect_definition() {
     Random random(210 + D);
     int dark = 0, between = 0, lit_corners = 0;
     for (int round = 0; round < test::soak_count(30); ++round) {
-        const LitScene<D> lit(random);
+        const test::LitScene<D> lit(random, "tri", 0.05, test::Eyes::far_too);
         const CellComplex<D>& cells = lit.cells;
         const Problem<D> problem = lit.problem();
         const CellOpacity<D> opacity(lit.scene, cells);

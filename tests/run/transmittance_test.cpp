@@ -8,37 +8,13 @@
 
 #include "core/methods/cells/facet_geometry.h"
 #include "core/methods/transmittance/tri.h"
-#include "core/scene/scene_view.h"
-#include "tests/run/run_support.h"
-#include "tests/scene/random_scene.h"
+#include "tests/run/lit_scene.h"
 #include "tests/soak.h"
 
 namespace sightline {
 namespace {
 
-Scene<2> lit_soup(Random& random, Vec<2>) { return test::random_scene(random, 5 + random.below(60)); }
-Scene<3> lit_soup(Random& random, Vec<3>) { return test::random_scene_3d(random, 5 + random.below(40)); }
-
-template <int D>
-struct Lit {
-    Scene<D> scene;
-    Settings settings;
-    CellComplex<D> cells;
-    View<D> view;
-
-    Lit(Random& random, std::string_view method) : scene(lit_soup(random, Vec<D>(0))) {
-        settings.method = method;
-        settings.tessellation = static_cast<Tessellation>(random.below(3));
-        settings.error_bound = random.uniform(0.1, 0.4);
-        cells = build_cells(scene, settings);
-        ViewSpec<D> spec;
-        for (int i = 0; i < D; ++i) spec.eye[i] = random.uniform(-0.5, 1.5);
-        spec.look_at = Vec<D>(0.5);
-        view = scene_view(spec, scene, settings.reference_size);
-    }
-    Problem<D> problem() const { return test::problem_of(scene, cells, view, settings); }
-    const Method<D>& method() const { return find_method<D>(method_table<D>(), settings.method); }
-};
+using test::LitScene;
 
 /// On the inner side of all facets.
 template <int D>
@@ -70,7 +46,7 @@ void expect_covered_shares(double tolerance) {
     int compared = 0;
     double off = 0;
     for (int round = 0; round < test::soak_count(8); ++round) {
-        const Lit<D> lit(random, "flux");
+        const LitScene<D> lit(random, "flux");
         const CellOpacity<D> opacity(lit.scene, lit.cells, 1);
         for (std::uint32_t cell = 0; cell < lit.cells.cell_count(); ++cell) {
             const std::size_t which = random.below(opacity_directions<D>().size());
@@ -128,7 +104,7 @@ TEST(Transmittance, TheCoveredShareIsThatOfRandomLines3d) { expect_covered_share
 
 TEST(Transmittance, TheCoveredShareDependsOnNoThread) {
     Random random(95);
-    const Lit<3> lit(random, "flux");
+    const LitScene<3> lit(random, "flux");
     const CellOpacity<3> one(lit.scene, lit.cells, 1), all(lit.scene, lit.cells, 0);
     for (std::uint32_t cell = 0; cell < lit.cells.cell_count(); ++cell)
         for (std::size_t d = 0; d < opacity_directions<3>().size(); ++d) ASSERT_EQ(one.of(cell, d), all.of(cell, d));
@@ -140,7 +116,7 @@ void expect_light() {
     Random random(100 + D);
     std::size_t checked = 0, between = 0;
     for (int round = 0; round < test::soak_count(12); ++round) {
-        const Lit<D> lit(random, "flux");
+        const LitScene<D> lit(random, "flux");
         const Problem<D> problem = lit.problem();
         const CellOpacity<D> opacity(lit.scene, lit.cells);
         OwnRun<D> run(lit.method().start(problem));
@@ -234,7 +210,7 @@ void expect_all_rendered() {
     Random random(120 + D);
     std::size_t rendered = 0;
     for (int round = 0; round < test::soak_count(15); ++round) {
-        const Lit<D> lit(random, "tri");
+        const LitScene<D> lit(random, "tri");
         const auto run = lit.method().start(lit.problem());
         const auto other = find_method<D>(method_table<D>(), "flux").start(lit.problem());
         run->run(none);
@@ -254,7 +230,7 @@ void expect_seen_before() {
     Random random(140 + D);
     std::size_t more_seeds = 0, without = 0;
     for (int round = 0; round < test::soak_count(12); ++round) {
-        const Lit<D> lit(random, "tri-seen");
+        const LitScene<D> lit(random, "tri-seen");
         Problem<D> problem = lit.problem();
         problem.services.image = D == 2 ? ImageSize{512, 0} : ImageSize{80, 60};
         const Method<D>& tri = find_method<D>(method_table<D>(), "tri");
@@ -318,7 +294,7 @@ void expect_feedback(const char* parameters) {
     Random random(130 + D);
     int complete = 0;
     for (int round = 0; round < test::soak_count(15); ++round) {
-        Lit<D> lit(random, "tri-z");
+        LitScene<D> lit(random, "tri-z");
         lit.settings.reference_size = D == 2 ? ImageSize{256, 0} : ImageSize{96, 72};
         for (const char* const set : {"detail=1", parameters}) apply_setting(lit.settings, set);
         Problem<D> problem = lit.problem();
@@ -348,7 +324,7 @@ void expect_feedback_has_all_in_view() {
     std::size_t rendered = 0;
     int far_away = 0;
     for (int round = 0; round < test::soak_count(60); ++round) {
-        Lit<D> lit(random, "tri-z");
+        LitScene<D> lit(random, "tri-z");
         lit.settings.reference_size = D == 2 ? ImageSize{256, 0} : ImageSize{96, 72};
         apply_setting(lit.settings, "detail=" + number_text(random.below(4) == 0 ? 1 : random.uniform(0.05, 1)));
         apply_setting(lit.settings, random.below(2) ? "maximise=pixels" : "maximise=count");
